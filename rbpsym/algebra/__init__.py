@@ -1,0 +1,1 @@
+"""Exact arithmetic: the field of rational functions in quantities, sines, cosines and roots."""

@@ -1,0 +1,185 @@
+"""Derivatives, substitution and definite integrals of scalars."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import lru_cache
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import ONE, Monomial, Poly, accumulate, generator
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, quotient
+from rbpsym.algebra.trig import cosine, sine
+
+
+def derivative(value: Scalar, name: str) -> Scalar:
+    """∂ value / ∂ (symbol called name)."""
+    num = poly_derivative(value.num, name)
+    if value.den is ONE:
+        return num
+    den = poly_derivative(value.den, name)
+    if not den:
+        return num * quotient(ONE, value.den)
+    return (num * Scalar(value.den) - Scalar(value.num) * den) * quotient(ONE, value.den * value.den)
+
+
+def poly_derivative(poly: Poly, name: str) -> Scalar:
+    """The derivative of a polynomial (a Scalar, since ln and root bring quotients)."""
+    parts: list[tuple[int | Fraction, Poly]] = []
+    others = NOTHING
+    for m, c in poly.terms.items():
+        for place, (index, exponent) in enumerate(m):
+            inner = atom_derivative(index, name)
+            if not inner.num.terms:
+                continue
+            lowered = ((index, exponent - 1),) if exponent != 1 else ()
+            rest = Poly({m[:place] + lowered + m[place + 1 :]: 1})
+            if inner.den is ONE:
+                parts.append((c * exponent, rest * inner.num))
+            else:
+                others = others + Scalar(rest.scaled(c * exponent)) * inner
+    return Scalar(accumulate(parts)) + others
+
+
+@lru_cache(maxsize=16384)
+def atom_derivative(index: int, name: str) -> Scalar:
+    """∂ atom / ∂ symbol."""
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return UNITY if found.arg == name else NOTHING
+    if found.kind == "opaque":
+        return found.arg.derivative(name) if hasattr(found.arg, "derivative") else NOTHING
+    arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+    inner = derivative(arg, name)
+    return OUTER[found.kind](arg, index) * inner if inner else NOTHING
+
+
+def _self(index: int) -> Scalar:
+    return Scalar(generator(index))
+
+
+OUTER = {
+    "cos": lambda arg, index: -sine(arg),
+    "sin": lambda arg, index: cosine(arg),
+    "root": lambda arg, index: 1 / (2 * _self(index)),
+    "exp": lambda arg, index: _self(index),
+    "ln": lambda arg, index: 1 / arg,
+    "atan": lambda arg, index: 1 / (1 + arg * arg),
+    "asin": lambda arg, index: 1 / root(1 - arg * arg),
+    "acos": lambda arg, index: -1 / root(1 - arg * arg),
+    "sign": lambda arg, index: NOTHING,
+}
+
+
+def root(value: Scalar) -> Scalar:
+    """The non-negative square root; squares of plain numbers are taken out."""
+    number = value.number()
+    if number is not None and number >= 0:
+        return _number_root(Fraction(number))
+    return generator_of("root", value)
+
+
+def _number_root(value: Fraction) -> Scalar:
+    """√(p/q) = √(pq)/q as a rational times roots of primes (which are independent)."""
+    outer, inner = lift(Fraction(1, value.denominator)), value.numerator * value.denominator
+    k = 2
+    while k * k <= inner and k < 10_000:
+        while inner % (k * k) == 0:
+            outer, inner = outer * k, inner // (k * k)
+        if inner % k == 0:
+            outer, inner = outer * generator_of("root", lift(k)), inner // k
+        k += 1
+    return outer * inner if inner <= 1 else outer * generator_of("root", lift(inner))
+
+
+def function(name: str, arg: Scalar) -> Scalar:
+    """A named function of a scalar as a value: trigonometric ones by their angle, others as atoms."""
+    return FUNCTIONS[name](arg)
+
+
+def _known(name: str, at: int | Fraction, value: int):
+    def build(arg: Scalar) -> Scalar:
+        return lift(value) if arg.number() == at else generator_of(name, arg)
+
+    return build
+
+
+FUNCTIONS = {
+    "cos": cosine,
+    "sin": sine,
+    "tan": lambda a: sine(a) / cosine(a),
+    "cot": lambda a: cosine(a) / sine(a),
+    "sec": lambda a: 1 / cosine(a),
+    "csc": lambda a: 1 / sine(a),
+    "exp": _known("exp", 0, 1),
+    "ln": _known("ln", 1, 0),
+    "asin": _known("asin", 0, 0),
+    "acos": _known("acos", 1, 0),
+    "atan": _known("atan", 0, 0),
+    "sqrt": root,
+}
+
+
+def substitute(value: Scalar, images: Mapping[str, Scalar]) -> Scalar:
+    """The value with symbols replaced (inside angles, roots and functions too)."""
+    if not images:
+        return value
+    key = tuple(sorted(images.items(), key=lambda item: item[0]))
+    num = _poly_substitute(value.num, key)
+    return num if value.den is ONE else num / _poly_substitute(value.den, key)
+
+
+def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
+    images = {i: image for i in poly.atoms() if (image := _atom_substitute(i, key)) is not None}
+    if not images:
+        return Scalar(poly)
+    plain: list[tuple[int | Fraction, Poly]] = []
+    total = NOTHING
+    for m, c in poly.terms.items():
+        product = Scalar(Poly({tuple(item for item in m if item[0] not in images): c}))
+        for index, exponent in m:
+            if index in images:
+                product = product * images[index] ** exponent
+        if product.den is ONE:
+            plain.append((1, product.num))
+        else:
+            total = total + product
+    return Scalar(accumulate(plain)) + total
+
+
+@lru_cache(maxsize=16384)
+def _atom_substitute(index: int, key: tuple) -> Scalar | None:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return dict(key).get(found.arg)
+    if found.kind == "opaque":
+        return found.arg.substitute(dict(key)) if hasattr(found.arg, "substitute") else None
+    arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+    image = substitute(arg, dict(key))
+    if image == arg:
+        return None
+    return FUNCTIONS[{"root": "sqrt"}.get(found.kind, found.kind)](image)
+
+
+def depends_on(value: Scalar, name: str) -> bool:
+    """Whether the symbol occurs anywhere in the value (also inside an angle)."""
+    return any(atom_depends(index, name) for index in value.atoms())
+
+
+@lru_cache(maxsize=16384)
+def atom_depends(index: int, name: str) -> bool:
+    """Whether the symbol occurs in the atom."""
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return found.arg == name
+    if found.kind == "opaque":
+        return name in getattr(found.arg, "names", ())
+    arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+    return depends_on(arg, name)
+
+
+def split_factor(m: Monomial, name: str) -> tuple[Monomial, Monomial]:
+    """The part of a monomial that does not depend on the symbol, and the part that does."""
+    free = tuple(item for item in m if not atom_depends(item[0], name))
+    return free, tuple(item for item in m if atom_depends(item[0], name))
+

@@ -1,0 +1,132 @@
+"""Antiderivatives of polynomials in a variable, its sines and cosines.
+
+`antiderivative` returns None where the integrand is outside the class; what it returns is
+proved by the caller (differentiate, compare). The form is the one a textbook finds: an odd
+power of sine or cosine by substitution, even powers by double angles, products of different
+angles by sums, powers of the variable by parts.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on, derivative, split_factor, substitute
+from rbpsym.algebra.poly import ONE, Monomial, Poly
+from rbpsym.algebra.scalar import NOTHING, Scalar, generator_of, lift, quotient, symbol
+from rbpsym.algebra.trig import cosine, sine
+
+
+def definite(value: Scalar, name: str, lower: Scalar, upper: Scalar) -> Scalar | None:
+    """∫_lower^upper value d(name); None if no antiderivative in the class is found."""
+    found = antiderivative(value, name)
+    if found is None:
+        return None
+    return substitute(found, {name: upper}) - substitute(found, {name: lower})
+
+
+def antiderivative(value: Scalar, name: str) -> Scalar | None:
+    """An antiderivative with respect to the symbol, or None."""
+    if value.den is not ONE and depends_on(Scalar(value.den), name):
+        return None
+    groups: dict[Monomial, dict[Monomial, Fraction | int]] = {}
+    for m, c in value.num.terms.items():
+        free, bound = split_factor(m, name)
+        groups.setdefault(bound, {})[free] = c
+    total = NOTHING
+    for bound, rest in groups.items():
+        part = _monomial(bound, name)
+        if part is None:
+            return None
+        total = total + part * Scalar(Poly(rest))
+    return total * quotient(ONE, value.den) if value.den is not ONE else total
+
+
+def _monomial(m: Monomial, name: str) -> Scalar | None:
+    """An antiderivative of variable^n × sines and cosines of it."""
+    power, angles = 0, {}
+    for index, exponent in m:
+        found = atoms.atom(index)
+        if found.kind == "symbol":
+            power = exponent
+        elif found.kind in ("cos", "sin") and exponent > 0 and _rate(found.arg, name):
+            angles.setdefault(found.arg, [0, 0])[found.kind == "sin"] += exponent
+        else:
+            return None
+    if not angles:
+        return _power(power, name)
+    if power == 0 and len(angles) == 1:
+        [(angle, (cosines, sines))] = angles.items()
+        found = _single_angle(angle, cosines, sines)
+        if found is not None:
+            return found * (1 / _rate(angle, name))
+    return _by_waves(power, angles, name) if power >= 0 else None
+
+
+def _rate(angle: Poly, name: str) -> Scalar | None:
+    """d(angle)/d(variable) if constant, else None."""
+    rate = derivative(Scalar(angle), name)
+    return None if depends_on(rate, name) else rate
+
+
+def _power(n: int, name: str) -> Scalar:
+    variable = symbol(name)
+    return generator_of("ln", variable) if n == -1 else variable ** (n + 1) * Fraction(1, n + 1)
+
+
+def _single_angle(angle: Poly, cosines: int, sines: int) -> Scalar | None:
+    """∫ cos^a sin^b dA by substitution when one power is odd."""
+    c, s = cosine(Scalar(angle)), sine(Scalar(angle))
+    if cosines % 2:
+        return _substituted(s, cosines // 2, sines)
+    return -_substituted(c, sines // 2, cosines) if sines % 2 else None
+
+
+def _substituted(u: Scalar, halves: int, power: int) -> Scalar:
+    """∫ (1 - u²)^halves u^power du."""
+    total, binomial = NOTHING, 1
+    for k in range(halves + 1):
+        degree = power + 2 * k + 1
+        total = total + u**degree * Fraction(binomial * (-1) ** k, degree)
+        binomial = binomial * (halves - k) // (k + 1)
+    return total
+
+
+def _by_waves(power: int, angles: dict[Poly, list[int]], name: str) -> Scalar:
+    """By writing the product as a sum of single sines and cosines."""
+    total = NOTHING
+    for angle, (c, s) in _waves(angles).items():
+        total = total + _wave(power, Scalar(angle), c, s, name)
+    return total
+
+
+def _waves(angles: dict[Poly, list[int]]) -> dict[Poly, tuple[Fraction, Fraction]]:
+    """The product of powers as Σ c cos(angle) + s sin(angle)."""
+    waves = {Poly({}): (Fraction(1), Fraction(0))}
+    for angle, (cosines, sines) in angles.items():
+        for kind in "c" * cosines + "s" * sines:
+            waves = _times(waves, angle, kind)
+    return waves
+
+
+def _times(waves: dict, angle: Poly, kind: str) -> dict:
+    result: dict[Poly, tuple[Fraction, Fraction]] = {}
+    for base, (c, s) in waves.items():
+        for sign in (1, -1):
+            turned = base + angle if sign > 0 else base - angle
+            part = (c / 2, s / 2) if kind == "c" else (-sign * s / 2, sign * c / 2)
+            old = result.get(turned, (Fraction(0), Fraction(0)))
+            result[turned] = (old[0] + part[0], old[1] + part[1])
+    return result
+
+
+def _wave(power: int, angle: Scalar, c: Fraction, s: Fraction, name: str) -> Scalar:
+    """∫ x^power (c cos + s sin) dx, by parts."""
+    rate = derivative(angle, name)
+    if not rate:
+        return (cosine(angle) * c + sine(angle) * s) * _power(power, name)
+    wave = (sine(angle) * c - cosine(angle) * s) * (1 / rate)
+    if power == 0:
+        return wave
+    rest = _wave(power - 1, angle, s, -c, name) * lift(power) * (1 / rate)
+    return wave * symbol(name) ** power + rest

@@ -1,0 +1,198 @@
+"""Normal forms modulo sin² + cos² = 1, multiple angles and √x² = x; the exact zero test.
+
+Angles are written in base angles (the monomials of all angles that occur, divided by the
+common denominator of their coefficients); then sin² is replaced by 1 - cos², even powers of
+roots by their radicands. The field over ℚ of parameters, one sine and cosine a base angle,
+is exact: a normal form without terms means identically zero, and with no roots the converse
+holds too.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+from math import lcm
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.modular import is_surely_nonzero
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, generator
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.trig import PI_TERM, cosine, sine
+
+Bases = tuple[tuple[Monomial, int], ...]
+
+
+def is_zero(value: Scalar) -> bool:
+    """Whether the normal form of the numerator has no terms (True is a proof)."""
+    if not value.num.terms:
+        return True
+    return not is_surely_nonzero(value.num) and not normal(value.num).terms
+
+
+def same(a: Scalar, b: Scalar) -> bool:
+    """Whether a - b has no terms in normal form (True is a proof)."""
+    return a == b or is_zero(a - b)
+
+
+def normal(poly: Poly, bases: Bases | None = None) -> Poly:
+    """The normal form of a polynomial."""
+    bases = bases_of(poly) if bases is None else bases
+    return reduce_roots(reduce_squares(in_bases(poly, bases)))
+
+
+def is_rooted(poly: Poly) -> bool:
+    """Whether a square root occurs in the polynomial."""
+    return any(atoms.atom(index).kind == "root" for index in poly.atoms())
+
+
+def bases_of(*polys: Poly) -> Bases:
+    """Base angles: each monomial of an angle with the common denominator of its multiples."""
+    denominators: dict[Monomial, int] = {}
+    for index in {i for poly in polys for i in poly.atoms()}:
+        found = atoms.atom(index)
+        if found.kind in ("cos", "sin"):
+            for m, c in found.arg.terms.items():
+                denominators[m] = lcm(denominators.get(m, 1), c.denominator)
+    return tuple(sorted(denominators.items()))
+
+
+def in_bases(poly: Poly, bases: Bases) -> Poly:
+    """All sines and cosines written in those of the base angles."""
+    images = {i: _image(i, bases) for i in poly.atoms()}
+    changed = {i: image for i, image in images.items() if image is not None}
+    return substitute(poly, changed) if changed else poly
+
+
+def substitute(poly: Poly, images: dict[int, Poly]) -> Poly:
+    """The polynomial with atoms replaced by polynomials (negative powers: monomials only)."""
+    parts: list[tuple[int | Fraction, Poly]] = []
+    powers: dict[tuple[int, int], Poly] = {}
+    for m, c in poly.terms.items():
+        product = Poly({tuple(item for item in m if item[0] not in images): 1})
+        for index, exponent in m:
+            if index in images:
+                key = (index, exponent)
+                if key not in powers:
+                    powers[key] = _power(images[index], index, exponent)
+                product = product * powers[key]
+        parts.append((c, product))
+    return accumulate(parts)
+
+
+def _power(image: Poly, index: int, exponent: int) -> Poly:
+    if exponent < 0 and not image.is_monomial():
+        return generator(index) ** exponent
+    return image**exponent
+
+
+@lru_cache(maxsize=4096)
+def _image(index: int, bases: Bases) -> Poly | None:
+    """The atom in base angles; None if it is one already or no sine or cosine."""
+    found = atoms.atom(index)
+    if found.kind not in ("cos", "sin"):
+        return None
+    denominators, point = dict(bases), (ONE, ZERO)
+    for m, c in found.arg.terms.items():
+        if m == PI_TERM:
+            point = turn(point, _constant_turn(c))
+            continue
+        point = turn(point, _multiple(m, denominators[m], int(c * denominators[m])))
+    image = point[found.kind == "sin"]
+    return None if image == generator(index) else image
+
+
+def _constant_turn(turns: int | Fraction) -> tuple[Poly, Poly]:
+    angle = Scalar(Poly({PI_TERM: turns}))
+    return cosine(angle).num, sine(angle).num
+
+
+@lru_cache(maxsize=4096)
+def _multiple(m: Monomial, denominator: int, times: int) -> tuple[Poly, Poly]:
+    angle = Poly({m: Fraction(1, denominator) if denominator > 1 else 1})
+    point = tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
+    result = (ONE, ZERO)
+    for _ in range(abs(times)):
+        result = turn(result, point)
+    return result if times >= 0 else (result[0], -result[1])
+
+
+def turn(a: tuple[Poly, Poly], b: tuple[Poly, Poly]) -> tuple[Poly, Poly]:
+    """(cos, sin) of the sum of two angles."""
+    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
+
+
+def partner(index: int) -> int | None:
+    """The sine's cosine and the cosine's sine; None for other atoms."""
+    found = atoms.atom(index)
+    other = {"cos": "sin", "sin": "cos"}.get(found.kind)
+    return atoms.intern(other, found.arg) if other else None
+
+
+def reduce_squares(poly: Poly) -> Poly:
+    """sin² replaced by 1 - cos² everywhere."""
+    for index in poly.atoms():
+        if atoms.atom(index).kind == "sin":
+            poly = without_squares(poly, index)
+    return poly
+
+
+def without_squares(poly: Poly, index: int) -> Poly:
+    """Powers ≥ 2 of a sine (or cosine) replaced through its partner."""
+    parts = poly.by_power(index)
+    if max(parts, default=0) < 2:
+        return poly
+    other = generator(partner(index))
+    square, result = ONE - other * other, []
+    for power, part in parts.items():
+        keep = power % 2 if power >= 2 else power
+        image = square ** ((power - keep) // 2)
+        result.append((1, (part * image).scaled(1, ((index, keep),) if keep else UNIT)))
+    return accumulate(result)
+
+
+def shorten(poly: Poly) -> Poly:
+    """The shortest of: as it is, without sin², without cos² (angle by angle)."""
+    if len(poly) < 2:
+        return poly
+    for index in sorted(poly.atoms()):
+        if atoms.atom(index).kind in ("cos", "sin"):
+            other = without_squares(poly, index)
+            poly = other if len(other) < len(poly) else poly
+    return poly
+
+
+def reduce_roots(poly: Poly) -> Poly:
+    """Even powers of roots replaced by their radicands.
+
+    Where a radicand (or its denominator) would have to be divided by, the whole polynomial
+    is multiplied by it instead: the result is the normal form up to a non-zero factor.
+    """
+    for _ in range(8):
+        index = next((i for i in poly.atoms() if _has_square(poly, i)), None)
+        if index is None:
+            return poly
+        poly = reduce_squares(_without_root_powers(poly, index))
+    return poly
+
+
+def _has_square(poly: Poly, index: int) -> bool:
+    if atoms.atom(index).kind != "root":
+        return False
+    return any(power not in (0, 1) for power in poly.by_power(index))
+
+
+def _without_root_powers(poly: Poly, index: int) -> Poly:
+    radicand, parts = atoms.atom(index).arg, poly.by_power(index)
+    halves = {power: power // 2 for power in parts}
+    least, most = min(0, *halves.values()), max(0, *halves.values())
+    result = []
+    for power, part in parts.items():
+        image = radicand.num ** (halves[power] - least) * radicand.den ** (most - halves[power])
+        odd = ((index, 1),) if power % 2 else UNIT
+        result.append((1, (part * image).scaled(1, odd)))
+    return accumulate(result)
+
+
+def number(value: int | Fraction) -> Scalar:
+    """A number as a Scalar."""
+    return Scalar(constant(value))

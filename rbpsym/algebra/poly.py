@@ -1,0 +1,199 @@
+"""Sparse Laurent polynomials over ℚ in atoms: {monomial: coefficient}.
+
+A monomial is a tuple of (atom index, exponent), sorted by index, exponents non-zero
+integers (negative ones allowed). Polys are immutable and hashable; no relation between
+atoms (sin² + cos² = 1, √x² = x) is applied here: see `algebra.normal`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from functools import lru_cache
+from math import gcd
+
+from rbpsym.errors import LimitError
+
+Monomial = tuple[tuple[int, int], ...]
+Coefficient = int | Fraction
+UNIT: Monomial = ()
+MOST_TERMS = 20_000
+
+
+def times(a: Monomial, b: Monomial) -> Monomial:
+    """The product of two monomials."""
+    if not a:
+        return b
+    if not b:
+        return a
+    if a[-1][0] < b[0][0]:
+        return a + b
+    if b[-1][0] < a[0][0]:
+        return b + a
+    return _merge(a, b)
+
+
+@lru_cache(maxsize=65536)
+def _merge(a: Monomial, b: Monomial) -> Monomial:
+    powers = dict(a)
+    for index, exponent in b:
+        powers[index] = powers.get(index, 0) + exponent
+    return tuple(sorted(item for item in powers.items() if item[1]))
+
+
+def inverse(a: Monomial) -> Monomial:
+    """1 / monomial."""
+    return tuple((index, -exponent) for index, exponent in a)
+
+
+def tidy(value: Coefficient) -> Coefficient:
+    """An int where the fraction is one."""
+    return value.numerator if type(value) is Fraction and value.denominator == 1 else value
+
+
+class Poly:
+    """A Laurent polynomial. Build with `Poly.of`, `constant`, `monomial`; use + - * and **."""
+
+    __slots__ = ("_hash", "terms")
+
+    def __init__(self, terms: Mapping[Monomial, Coefficient]) -> None:
+        self.terms = terms
+        self._hash: int | None = None
+
+    def __hash__(self) -> int:
+        if self._hash is None:
+            self._hash = hash(frozenset(self.terms.items()))
+        return self._hash
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, Poly) and self.terms == other.terms)
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def __len__(self) -> int:
+        return len(self.terms)
+
+    def __repr__(self) -> str:
+        return f"Poly({dict(self.terms)!r})"
+
+    def __add__(self, other: Poly) -> Poly:
+        if not self.terms:
+            return other
+        if not other.terms:
+            return self
+        return accumulate(((1, self), (1, other)))
+
+    def __sub__(self, other: Poly) -> Poly:
+        return accumulate(((1, self), (-1, other))) if other.terms else self
+
+    def __neg__(self) -> Poly:
+        return Poly({m: -c for m, c in self.terms.items()})
+
+    def __mul__(self, other: Poly) -> Poly:
+        if len(self.terms) * len(other.terms) > 40 * MOST_TERMS:
+            raise LimitError("the expression grows beyond what can be expanded exactly")
+        if len(other.terms) == 1:
+            [(m, c)] = other.terms.items()
+            return self.scaled(c, m)
+        if len(self.terms) == 1:
+            [(m, c)] = self.terms.items()
+            return other.scaled(c, m)
+        result: dict[Monomial, Coefficient] = {}
+        for m1, c1 in self.terms.items():
+            for m2, c2 in other.terms.items():
+                m = times(m1, m2)
+                result[m] = result.get(m, 0) + c1 * c2
+        return clean(result)
+
+    def __pow__(self, exponent: int) -> Poly:
+        if len(self.terms) == 1 or exponent < 0:
+            [(m, c)] = self.terms.items()
+            power = c**exponent if exponent >= 0 else Fraction(1) / Fraction(c) ** -exponent
+            return Poly({tuple((i, e * exponent) for i, e in m) if exponent else UNIT: tidy(power)})
+        result, base = ONE, self
+        while exponent:
+            if exponent & 1:
+                result = result * base
+            exponent >>= 1
+            base = base * base if exponent else base
+        return result
+
+    def scaled(self, coefficient: Coefficient, by: Monomial = UNIT) -> Poly:
+        """The product with coefficient × monomial."""
+        if not coefficient:
+            return ZERO
+        if coefficient == 1:
+            return self if not by else Poly({times(m, by): c for m, c in self.terms.items()})
+        return Poly({times(m, by): tidy(c * coefficient) for m, c in self.terms.items()})
+
+    def atoms(self) -> set[int]:
+        """Indices of all atoms that occur."""
+        return {index for m in self.terms for index, _ in m}
+
+    def is_monomial(self) -> bool:
+        """Whether it has exactly one term."""
+        return len(self.terms) == 1
+
+    def constant_value(self) -> Coefficient | None:
+        """The number it is, or None if an atom occurs."""
+        if not self.terms:
+            return 0
+        return self.terms.get(UNIT) if len(self.terms) == 1 else None
+
+    def by_power(self, index: int) -> dict[int, Poly]:
+        """Coefficients by the power of one atom."""
+        parts: dict[int, dict[Monomial, Coefficient]] = {}
+        for m, c in self.terms.items():
+            power = next((e for i, e in m if i == index), 0)
+            rest = tuple(item for item in m if item[0] != index) if power else m
+            parts.setdefault(power, {})[rest] = c
+        return {power: Poly(part) for power, part in parts.items()}
+
+    def content(self) -> tuple[Fraction, Monomial]:
+        """The positive rational and the monomial that can be taken out of all terms."""
+        numerator = denominator = 0
+        lowest: dict[int, int] | None = None
+        for m, c in self.terms.items():
+            numerator = gcd(numerator, c.numerator)
+            denominator = _lcm(denominator, c.denominator)
+            lowest = dict(m) if lowest is None else _lower(lowest, dict(m))
+        powers = tuple(sorted(item for item in (lowest or {}).items() if item[1]))
+        return Fraction(numerator or 1, denominator or 1), powers
+
+
+def _lower(a: dict[int, int], b: dict[int, int]) -> dict[int, int]:
+    return {i: min(a.get(i, 0), b.get(i, 0)) for i in a.keys() | b.keys()}
+
+
+def _lcm(a: int, b: int) -> int:
+    return a * b // gcd(a, b) if a else b
+
+
+def clean(terms: dict[Monomial, Coefficient]) -> Poly:
+    """A Poly from raw terms: zeros dropped, whole fractions made ints."""
+    if len(terms) > MOST_TERMS:
+        raise LimitError(f"the expression has more than {MOST_TERMS} terms when multiplied out")
+    return Poly({m: tidy(c) for m, c in terms.items() if c})
+
+
+def accumulate(parts: Iterable[tuple[Coefficient, Poly]]) -> Poly:
+    """Σ coefficient × poly, in one pass."""
+    result: dict[Monomial, Coefficient] = {}
+    for factor, poly in parts:
+        for m, c in poly.terms.items():
+            result[m] = result.get(m, 0) + factor * c
+    return clean(result)
+
+
+def constant(value: Coefficient) -> Poly:
+    """A number as a Poly."""
+    return Poly({UNIT: tidy(value)}) if value else ZERO
+
+
+def generator(index: int) -> Poly:
+    """One atom as a Poly."""
+    return Poly({((index, 1),): 1})
+
+
+ZERO, ONE = Poly({}), Poly({UNIT: 1})

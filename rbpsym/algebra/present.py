@@ -1,0 +1,289 @@
+"""Display trees for values that the engine computed, in the form that a textbook prints.
+
+Common factors stand in front, parameters before speeds and functions, coefficients of the
+same function are collected, a sum begins with a positive term. The tree's value is the
+scalar it was made of (the derivation proves it again for every tree that it prints).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.notation import tree as t
+
+DERIVED = ("_dot", "_ddot")
+
+
+@dataclass(frozen=True)
+class Style:
+    """Order of factors: `rank` sorts parameters, `moving` are names that vary with time."""
+
+    rank: Mapping[str, tuple] = field(default_factory=dict)
+    moving: frozenset[str] = frozenset()
+
+
+PLAIN = Style()
+
+
+def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
+    """The value as a display tree; `factor` looks for irreducible factors of sums."""
+    if value.den is ONE:
+        return present_poly(value.num, style, factor)
+    return _ratio(value, style, factor)
+
+
+def _ratio(value: Scalar, style: Style, factor: bool) -> t.Node:
+    """num/den with the functions that divide out kept behind the fraction."""
+    den = present_poly(value.den, style, factor)
+    coefficient, common, rest = _taken_out(value.num, style)
+    sign = coefficient < 0
+    before, behind = _split(common, style)
+    pieces = [] if rest == ONE else _groups(rest, style, factor)
+    inside = [p for p, moving in pieces if not moving]
+    outside = [p for p, moving in pieces if moving]
+    top = _monomial_node(abs(coefficient), before, style)
+    num = t.mul(*([] if top == t.ONE and inside else [top]), *inside)
+    if num == t.ONE and outside and behind == UNIT:
+        num, outside = t.mul(*outside), []
+    node = t.mul(t.div(num, den), *_powers(behind, style), *outside)
+    return t.neg(node) if sign else node
+
+
+def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.Node:
+    """A polynomial as a tree."""
+    if not poly.terms:
+        return t.ZERO
+    if poly.is_monomial():
+        [(m, c)] = poly.terms.items()
+        return _signed(c, m, style)
+    coefficient, common, rest = _taken_out(poly, style)
+    pieces = _groups(rest, style, factor)
+    if not common and coefficient == 1:
+        return t.mul(*(node for node, _ in pieces))
+    return _assembled(coefficient, common, pieces, style)
+
+
+def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
+    before, behind = _split(common, style)
+    fixed = [node for node, moving in pieces if not moving]
+    moving = [node for node, moves in pieces if moves]
+    head = _monomial_node(abs(coefficient), before, style, _is_quadratic(behind))
+    node = t.mul(*([] if head == t.ONE else [head]), *fixed, *_powers(behind, style), *moving)
+    return t.neg(node) if coefficient < 0 else node
+
+
+def _taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
+    """(coefficient, monomial, rest) with poly = coefficient × monomial × rest."""
+    if poly.is_monomial():
+        [(m, c)] = poly.terms.items()
+        return c, m, ONE
+    common = _common_powers(poly)
+    rest = poly.scaled(1, inverse(common)) if common else poly
+    coefficient = _common_coefficient(rest, style)
+    if coefficient != 1:
+        rest = rest.scaled(Fraction(1) / coefficient)
+    return coefficient, common, rest
+
+
+def _common_powers(poly: Poly) -> Monomial:
+    shared: dict[int, int] | None = None
+    for m in poly.terms:
+        powers = dict(m)
+        if shared is None:
+            shared = powers
+            continue
+        shared = {i: _nearer(e, powers[i]) for i, e in shared.items() if i in powers and e * powers[i] > 0}
+    return tuple(sorted((shared or {}).items()))
+
+
+def _nearer(a: int, b: int) -> int:
+    return min(a, b) if a > 0 else max(a, b)
+
+
+def _common_coefficient(poly: Poly, style: Style) -> Coefficient:
+    values = list(poly.terms.values())
+    sign = -1 if all(c < 0 for c in values) else 1
+    content = poly.content()[0]
+    whole = all(c.denominator == 1 for c in values)
+    if whole:
+        return sign * content.numerator
+    same = len({c.denominator for c in values}) == 1
+    broken = all(c.denominator != 1 for c in values)
+    varies = any(_moves(i, style) for i in poly.atoms())
+    return sign * content if same or (broken and varies) else sign
+
+
+def _groups(poly: Poly, style: Style, factor: bool) -> list[tuple[t.Node, bool]]:
+    """The rest as one or more (tree, whether it moves) factors."""
+    if factor and 1 < len(poly) <= 80 and not any(e < 0 for m in poly.terms for _, e in m):
+        from rbpsym.algebra.sympy_bridge import factors
+
+        coefficient, found = factors(poly)
+        if len(found) > 1 or (found and found[0][1] > 1):
+            return _factor_pieces(coefficient, found, style)
+    return [(_sum(poly, style), any(_moves(i, style) for i in poly.atoms()))]
+
+
+def _factor_pieces(coefficient: Coefficient, found, style: Style) -> list[tuple[t.Node, bool]]:
+    pieces, sign = [], 1 if coefficient > 0 else -1
+    for base, power in found:
+        if _leads_negative(base, style):
+            base, sign = -base, sign * (-1) ** power
+        pieces.append((t.power(_sum(base, style), power), any(_moves(i, style) for i in base.atoms())))
+    if sign * abs(coefficient) != 1:
+        pieces.insert(0, (t.Num(sign * abs(coefficient)), False))
+    return pieces
+
+
+def _leads_negative(poly: Poly, style: Style) -> bool:
+    return all(c < 0 for c in poly.terms.values()) or (
+        len(poly) == 2 and poly.terms[min(poly.terms, key=lambda m: _term_key(m, style))] < 0
+    )
+
+
+def _sum(poly: Poly, style: Style) -> t.Node:
+    """A sum, coefficients of the same moving part collected, a positive term first."""
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
+    for m, c in poly.terms.items():
+        fixed, moving = _split(m, style)
+        parts.setdefault(moving, {})[fixed] = c
+    if len(parts) == 1:
+        return _plain_sum(poly, style)
+    collected = sorted(parts.items(), key=lambda item: _term_key(item[0], style))
+    nodes = [_collected(moving, Poly(fixed), style) for moving, fixed in collected]
+    return t.add(*_positive_first(nodes))
+
+
+def _plain_sum(poly: Poly, style: Style) -> t.Node:
+    ordered = sorted(poly.terms.items(), key=lambda item: _term_key(item[0], style))
+    return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))
+
+
+def _positive_first(nodes: list[t.Node]) -> list[t.Node]:
+    first = next((k for k, node in enumerate(nodes) if not _is_negative(node)), 0)
+    return [nodes[first], *nodes[:first], *nodes[first + 1 :]]
+
+
+def _is_negative(node: t.Node) -> bool:
+    return isinstance(node, t.Neg) or (isinstance(node, t.Num) and node.value < 0)
+
+
+def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
+    if fixed.is_monomial():
+        [(m, c)] = fixed.terms.items()
+        both = tuple(sorted((dict(m) | dict(moving)).items()))
+        return _signed(c, both, style)
+    coefficient, common, rest = _taken_out(fixed, style)
+    both = tuple(sorted((dict(common) | dict(moving)).items()))
+    return _assembled(coefficient, both, [(_plain_sum(rest, style), False)], style)
+
+
+def _split(m: Monomial, style: Style) -> tuple[Monomial, Monomial]:
+    """(parameters, moving part) of a monomial."""
+    return tuple(i for i in m if not _moves(i[0], style)), tuple(i for i in m if _moves(i[0], style))
+
+
+def _moves(index: int, style: Style) -> bool:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return found.arg in style.moving or found.arg.endswith(DERIVED)
+    return found.kind in ("cos", "sin") or (found.kind != "root" or bool(_root_moves(found.arg, style)))
+
+
+def _root_moves(radicand: Scalar, style: Style) -> bool:
+    return any(_moves(index, style) for index in radicand.atoms())
+
+
+def _signed(c: Coefficient, m: Monomial, style: Style) -> t.Node:
+    before, behind = _split(m, style)
+    node = t.mul(_monomial_node(abs(c), before, style, _is_quadratic(behind)), *_powers(behind, style))
+    deeper = tuple((i, -e) for i, e in behind if e < 0)
+    if deeper:
+        node = _with_denominator(abs(c), before, behind, style)
+    return t.neg(node) if c < 0 else node
+
+
+def _with_denominator(c: Coefficient, before: Monomial, behind: Monomial, style: Style) -> t.Node:
+    """A term that has moving quantities below the bar."""
+    top = [t.Num(c.numerator)] if c.numerator != 1 else []
+    top += _powers(tuple(i for i in before if i[1] > 0), style) + _powers(tuple(i for i in behind if i[1] > 0), style)
+    low = [t.Num(c.denominator)] if c.denominator != 1 else []
+    low += _powers(tuple((i, -e) for i, e in before if e < 0), style)
+    low += _powers(tuple((i, -e) for i, e in behind if e < 0), style)
+    return t.div(t.mul(*top), t.mul(*low))
+
+
+def _is_quadratic(moving: Monomial) -> bool:
+    """Whether a speed is squared (an energy): then the number stands as a fraction in front."""
+    return any(e == 2 and (atoms.symbol_name(i) or "").endswith("_dot") for i, e in moving)
+
+
+def _monomial_node(c: Coefficient, m: Monomial, style: Style, number_in_front: bool = False) -> t.Node:
+    """A positive coefficient with its parameters, as one fraction."""
+    above = _powers(tuple(i for i in m if i[1] > 0), style)
+    below = _powers(tuple((i, -e) for i, e in m if e < 0), style)
+    if number_in_front and not below and c.denominator != 1:
+        return t.mul(t.Div(t.Num(c.numerator), t.Num(c.denominator)), *above)
+    top = t.mul(*([t.Num(c.numerator)] if c.numerator != 1 or not above else []), *above)
+    low = t.mul(*([t.Num(c.denominator)] if c.denominator != 1 else []), *below)
+    return t.div(top, low)
+
+
+def _powers(m: Monomial, style: Style) -> list[t.Node]:
+    """The positive powers of a monomial as factors in textbook order."""
+    ordered = sorted((item for item in m if item[1] > 0), key=lambda item: _atom_key(item[0], style))
+    return [t.power(atom_node(index, style), exponent) for index, exponent in ordered]
+
+
+KIND_RANK = {"root": 6, "symbol": 5, "cos": 9, "sin": 8}
+
+
+def _atom_key(index: int, style: Style) -> tuple:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return style.rank.get(found.arg, _default_rank(found.arg))
+    return KIND_RANK.get(found.kind, 10), repr_key(index)
+
+
+def _default_rank(name: str) -> tuple:
+    if name.endswith("_ddot"):
+        return (7, 1, name)
+    return (7, 0, name) if name.endswith("_dot") else (5, 0, name)
+
+
+def repr_key(index: int) -> str:
+    """A stable text for sorting atoms."""
+    from rbpsym.algebra.scalar import _name
+
+    return _name(index)
+
+
+def _term_key(m: Monomial, style: Style) -> tuple:
+    """Terms with accelerations first, then by parameters, constants of motion last."""
+    names = [atoms.symbol_name(i) or "" for i, _ in m]
+    second = 0 if any(n.endswith("_ddot") for n in names) else 1
+    keys = sorted((_atom_key(i, style), -e) for i, e in m)
+    return (second, [(str(k), e) for k, e in keys])
+
+
+def atom_node(index: int, style: Style = PLAIN) -> t.Node:
+    """One atom as a tree."""
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return t.Sym(found.arg)
+    if isinstance(found.arg, Poly):
+        return t.Fn(found.kind, angle_node(found.arg, style))
+    if found.kind == "root":
+        return t.Sqrt(present(found.arg, style))
+    return t.Fn(found.kind, present(found.arg, style))
+
+
+def angle_node(angle: Poly, style: Style = PLAIN) -> t.Node:
+    """The argument of a sine: its terms, a positive one first, nothing taken out."""
+    ordered = sorted(angle.terms.items(), key=lambda item: _term_key(item[0], style))
+    return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))

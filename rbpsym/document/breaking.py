@@ -1,0 +1,197 @@
+"""How a displayed formula is cut into lines: at relations first, then before + and − of a sum.
+
+All formats break a formula in the same places: widths are estimates in em, from the boxes that
+`notation.layout` makes of the display tree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from rbpsym.document.model import Display, Emph, Inlines, Math, Ref, Strong, Table, Text
+from rbpsym.notation import boxes as b
+from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.layout import layout, layout_rows
+from rbpsym.notation.tree import Node, System
+
+EMPTY = b.Row(())
+INDENT = 2.0
+SIGNS = frozenset("+−-")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of a display: what stands before and after the alignment mark.
+
+    An `indent`ed line goes on with the sum of the line above and begins with its sign.
+    """
+
+    left: b.Box
+    right: b.Box
+    indent: bool = False
+
+    @property
+    def width(self) -> float:
+        """In em."""
+        return width(self.left) + width(self.right) + (INDENT if self.indent else 0.0)
+
+
+@lru_cache(maxsize=4096)
+def width(box: b.Box) -> float:
+    """The width of a box in display style, in em."""
+    return WIDTHS[type(box)](box)
+
+
+def letter_width(box: b.Letter) -> float:
+    """Half an em a digit or small letter, more for capitals."""
+    return sum(0.72 if char.isupper() else 0.53 for char in box.text)
+
+
+def script_width(box: b.Script) -> float:
+    """The base, and the wider of its two small scripts."""
+    scripts = [width(part) for part in (box.sub, box.sup) if part]
+    return width(box.base) + 0.7 * max(scripts, default=0.0)
+
+
+def fence_width(box: b.Fence) -> float:
+    """The body with its delimiters."""
+    return width(box.body) + (0.5 if box.tall else 0.4) * sum(map(bool, (box.opening, box.closing)))
+
+
+OPERATORS = {"binary": 1.15, "prefix": 0.8, "relation": 1.35, "mark": 0.4}
+
+WIDTHS: Mapping[type, Callable[..., float]] = {
+    b.Letter: letter_width,
+    b.Script: script_width,
+    b.Fence: fence_width,
+    b.Phrase: lambda box: 0.5 * len(box.text) + 0.6,
+    b.Operator: lambda box: OPERATORS.get(box.kind, 1.0),
+    b.Big: lambda box: 1.0,
+    b.Space: lambda box: 0.17,
+    b.Times: lambda box: 0.08,
+    b.Accent: lambda box: width(box.body),
+    b.Prime: lambda box: 0.3 * box.count,
+    b.Under: lambda box: max(width(box.base), 0.7 * width(box.under)),
+    b.Fraction: lambda box: max(width(box.num), width(box.den)) + 0.25,
+    b.Radical: lambda box: width(box.body) + 0.9,
+    b.Function: lambda box: 0.5 * len(box.name) + 0.17,
+    b.Applied: lambda box: width(box.head) + 0.1 + width(box.arg),
+    b.Row: lambda box: sum(map(width, box.items)),
+    b.Rows: lambda box: max(width(left) + width(right) for left, right in box.rows),
+}
+
+
+def node_width(node: Node, notation: Notation = DEFAULT) -> float:
+    """The width of a formula on one line, in em."""
+    return width(layout(node, notation))
+
+
+def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
+    """The lines of a displayed formula in a column of that many em."""
+    parts = node.rows if isinstance(node, System) else (node,)
+    return tuple(line for part in parts for line in chain_lines(part, notation, column))
+
+
+def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]:
+    """The lines of a chain: one, or one for each relation and more for long sums."""
+    found = layout_rows(node, notation).rows
+    left, rights = found[0][0], tuple(right for _, right in found)
+    margin = width(left)
+    if margin + sum(map(width, rights)) <= (column if len(rights) == 1 else 0.6 * column):
+        yield Line(left, rights[0] if len(rights) == 1 else b.Row(rights))
+        return
+    if margin and margin + max(map(least, rights)) > column:
+        yield from sum_lines(EMPTY, left, column)
+        left, margin = EMPTY, INDENT
+    for right in rights:
+        yield from sum_lines(left, right, column - margin)
+        left = EMPTY
+
+
+def sum_lines(left: b.Box, right: b.Box, room: float) -> Iterator[Line]:
+    """A line, or several if its right side is a sum that is too long for the room."""
+    groups = [right] if width(right) <= room else list(packed(terms(right), room - INDENT))
+    yield Line(left, groups[0])
+    yield from (Line(EMPTY, group, True) for group in groups[1:])
+
+
+def flat(box: b.Box) -> Iterator[b.Box]:
+    """The boxes side by side, rows within rows opened."""
+    if isinstance(box, b.Row):
+        for item in box.items:
+            yield from flat(item)
+    else:
+        yield box
+
+
+def terms(box: b.Box) -> tuple[b.Row, ...]:
+    """The terms of a sum, each with the sign before it (the first with its relation sign)."""
+    groups: list[list[b.Box]] = [[]]
+    for item in flat(box):
+        if isinstance(item, b.Operator) and item.kind == "binary" and item.sign in SIGNS:
+            groups.append([])
+        groups[-1].append(item)
+    return tuple(b.Row(tuple(group)) for group in groups if group)
+
+
+def least(box: b.Box) -> float:
+    """The width that a side can be broken down to."""
+    return max(map(width, terms(box)), default=0.0) + INDENT
+
+
+def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
+    """The terms in groups that each fit the room (one that does not stands alone)."""
+    group: tuple[b.Box, ...] = ()
+    for part in parts:
+        if group and width(b.Row((*group, part))) > room:
+            yield b.Row(group)
+            group = ()
+        group = (*group, part)
+    yield b.Row(group)
+
+
+def widest(found: tuple[Line, ...]) -> float:
+    """The width of the block: its widest left and right parts meet at the alignment mark."""
+    return max(width(line.left) for line in found) + max(
+        line.width - width(line.left) for line in found
+    )
+
+
+INLINE_WIDTHS: Mapping[type, Callable[..., float]] = {
+    Text: lambda inline, notation: 0.45 * len(inline.text),
+    Ref: lambda inline, notation: 0.45 * len(inline.mark),
+    Math: lambda inline, notation: node_width(inline.node, notation),
+    Emph: lambda inline, notation: text_width(inline.inlines, notation),
+    Strong: lambda inline, notation: 1.1 * text_width(inline.inlines, notation),
+}
+
+
+def text_width(inlines: Inlines, notation: Notation) -> float:
+    """The width of inlines on one line, in em."""
+    return sum(INLINE_WIDTHS[type(inline)](inline, notation) for inline in inlines)
+
+
+def reason_fits(block: Display, notation: Notation, column: float) -> bool:
+    """Is there room for the reason beside the formula (with the number at the right)?"""
+    used = widest(lines(block.node, notation, column)) + 0.9 * text_width(block.reason, notation)
+    return used + 5.0 <= 0.92 * column
+
+
+def is_wordy(block: Table, place: int, notation: Notation) -> bool:
+    """Does a column hold words that should wrap?"""
+    return any(text_width(row[place], notation) > 12 for row in block.rows)
+
+
+def node_height(node: Node, notation: Notation = DEFAULT) -> float:
+    """The height of a formula, in em."""
+    return height(layout(node, notation))
+
+
+def height(box: b.Box) -> float:
+    """A line is one em high; fractions stand on each other, scripts reach out a little."""
+    inner = max(map(height, b.parts(box)), default=1.0)
+    if isinstance(box, b.Fraction):
+        return height(box.num) + height(box.den) + 0.2
+    return inner + 0.25 if isinstance(box, (b.Script, b.Accent, b.Radical)) else inner

@@ -1,0 +1,111 @@
+"""What is seen in a figure, in words: the alt text of schematics and free-body diagrams."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rbpsym.document.figures.outlines import turned
+from rbpsym.document.figures.scene import Point
+from rbpsym.document.figures.sketch import (
+    Caption,
+    Sketch,
+    SketchBody,
+    SketchCouple,
+    SketchForce,
+    SketchLine,
+    SketchPoint,
+)
+from rbpsym.document.phrases import has_phrase, plain
+from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.text import to_text
+
+
+def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:
+    """The alt text of the schematic."""
+    return sentence("figure.picture", list(seen(sketch, language, notation)), language)
+
+
+def describe_free_body(
+    sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT
+) -> str:
+    """The alt text of a free-body diagram."""
+    parts = [force_words(f, language, notation) for f in sketch.forces if f.body == body_name]
+    parts += [couple_words(c, language, notation) for c in sketch.couples if c.body == body_name]
+    parts = parts or [plain("figure.no_force", language)]
+    return sentence("figure.free_body", parts, language, body=body_name)
+
+
+def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
+    """The sentence with its list; it ends by naming the positive sense of rotation."""
+    positive = plain("figure.positive", language)
+    return plain(key, language, parts=[part.strip() for part in parts], positive=positive, **slots)
+
+
+def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
+    """The parts of a system, one after the other."""
+    for body in sketch.bodies:
+        yield body_words(body, language)
+    for point in sketch.points:
+        yield point_words(point, language, notation)
+    for line in sketch.lines:
+        key = f"figure.part.{line_kind(line)}"
+        yield plain(key, language, name=named(line.label, notation))
+    marks = (*sketch.links, *sketch.coils)
+    for mark in marks:
+        yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
+    for mark in sketch.angles:
+        yield plain("figure.part.angle", language, name=named(mark.label, notation))
+    for mark in sketch.lengths:
+        yield plain("figure.part.length", language, name=named(mark.label, notation))
+
+
+def named(label: Caption, notation: Notation) -> str:
+    """The label as text, "" for none."""
+    return "" if label is None else label if isinstance(label, str) else to_text(label, notation)
+
+
+def place(point: Point) -> str:
+    """A place with one decimal."""
+    return "({:.1f}, {:.1f})".format(*(value + 0.0 for value in point)).replace("-0.0", "0.0")
+
+
+def body_words(body: SketchBody, language: str) -> str:
+    """A body by its kind, name and place."""
+    key = f"figure.shape.{body.kind}"
+    half = body.sizes.get("length", 0.0) / 2
+    return plain(
+        key if has_phrase(key, language) else "figure.shape.outline",
+        language,
+        name=body.name,
+        center=place(body.center),
+        start=place(turned((-half, 0.0), body.at, body.angle)),
+        end=place(turned((half, 0.0), body.at, body.angle)),
+    )
+
+
+def point_words(point: SketchPoint, language: str, notation: Notation) -> str:
+    """A point by what it does."""
+    return plain(f"figure.point.{point.kind}", language, name=named(point.label, notation))
+
+
+def line_kind(line: SketchLine) -> str:
+    """A horizontal line is a floor, a vertical one a wall."""
+    return "floor" if abs(line.a) < 1e-9 else "wall" if abs(line.b) < 1e-9 else "line"
+
+
+SIDES = ("right", "up", "left", "down")
+
+
+def force_words(force: SketchForce, language: str, notation: Notation) -> str:
+    """A force by its name and where it points."""
+    quarters = math.atan2(force.direction[1], force.direction[0]) / (math.pi / 2)
+    straight = abs(quarters - round(quarters)) < 1e-6
+    side = SIDES[round(quarters) % 4] if straight else "slanted"
+    return plain("figure.part.force", language, variant=side, name=named(force.label, notation))
+
+
+def couple_words(couple: SketchCouple, language: str, notation: Notation) -> str:
+    """A couple by its name and sense."""
+    side = "counter_clockwise" if couple.sign > 0 else "clockwise"
+    return plain("figure.part.couple", language, variant=side, name=named(couple.label, notation))

@@ -1,0 +1,77 @@
+"""From a sketch to the free-body diagram of one body: every force at its point."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.document.figures import marks
+from rbpsym.document.figures.outlines import body_outline
+from rbpsym.document.figures.scene import Point, Scene, box_of, points_of, polar
+from rbpsym.document.figures.schematic import axes, labelled, scaled
+from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce
+
+SIZE = 3.2  # the greatest extent of the body, in cm
+LENGTH = 1.15  # of each force arrow
+
+
+def free_body(sketch: Sketch, body_name: str) -> Scene:
+    """One body alone, with the forces and couples on it."""
+    sketch = scaled(sketch, factor(sketch.body(body_name)))
+    body = sketch.body(body_name)
+    scene = Scene((*body_outline(body), *marks.dot(body.center)))
+    scene += sum(map(force_scene, spread(forces_on(sketch, body_name))), Scene())
+    scene += sum(map(couple_scene, couples_on(sketch, body_name)), Scene())
+    return replace(scene + sense(scene), title=body.label or body.name)
+
+
+def factor(body: SketchBody) -> float:
+    """What brings a body to the size of a diagram."""
+    found = tuple(point for item in body_outline(body) for point in points_of(item))
+    left, bottom, right, top = box_of(found)
+    extent = max(right - left, top - bottom)
+    return SIZE * (0.6 if body.kind != "rod" else 1.0) / extent if extent > 1e-9 else 1.0
+
+
+def forces_on(sketch: Sketch, body: str) -> list[SketchForce]:
+    """The forces on a body, in the order of the sketch."""
+    return [force for force in sketch.forces if force.body == body]
+
+
+def couples_on(sketch: Sketch, body: str) -> list[SketchCouple]:
+    """The couples on a body."""
+    return [couple for couple in sketch.couples if couple.body == body]
+
+
+def spread(forces: list[SketchForce]) -> Iterator[SketchForce]:
+    """Forces with the same point and direction stand a little beside each other."""
+    seen: list[tuple[Point, float]] = []
+    for force in forces:
+        angle = math.atan2(force.direction[1], force.direction[0])
+        same = sum(math.dist(force.at, at) < 0.05 and abs(angle - a) < 0.05 for at, a in seen)
+        seen.append((force.at, angle))
+        yield replace(force, at=polar(force.at, 0.22 * same, angle - math.pi / 2))
+
+
+def force_scene(force: SketchForce) -> Scene:
+    """An arrow that starts at the point where the force acts."""
+    angle = math.atan2(force.direction[1], force.direction[0])
+    tip = polar(force.at, LENGTH, angle)
+    items = (*marks.dot(force.at), marks.arrow(force.at, tip))
+    return Scene(items, labelled(force.label, tip, angle, gap=0.06, color="force"))
+
+
+def couple_scene(couple: SketchCouple) -> Scene:
+    """An open circle with a head."""
+    arc = marks.turning(couple.at, couple.sign, 0.45, "couple")
+    target = polar(couple.at, 0.45, math.pi / 2)
+    return Scene((arc,), labelled(couple.label, target, math.pi / 2, gap=0.12, color="force"))
+
+
+def sense(scene: Scene) -> Scene:
+    """The positive senses, at the lower right."""
+    _, bottom, right, _ = scene.bounds
+    return axes((right + 0.5, bottom + 0.1))
+
+

@@ -1,0 +1,147 @@
+"""The signs of mechanical drawings: springs, hatching, supports, dimensions, senses of rotation."""
+
+from __future__ import annotations
+
+import math
+
+from rbpsym.document.figures.scene import Arc, Circle, Item, Line, Point, direction, polar
+
+Items = tuple[Item, ...]
+
+
+def between(start: Point, end: Point, share: float, aside: float = 0.0) -> Point:
+    """The point at a share of the way, moved aside to the left."""
+    (x, y), (u, v) = start, end
+    length = math.hypot(u - x, v - y) or 1.0
+    left = (-(v - y) / length, (u - x) / length)
+    return x + share * (u - x) + aside * left[0], y + share * (v - y) + aside * left[1]
+
+
+def spring(start: Point, end: Point) -> Items:
+    """A zigzag with straight ends."""
+    length = math.dist(start, end)
+    turns = max(4, min(12, round(length / 0.22)))
+    lead = min(0.25, 0.15 * length) / (length or 1.0)
+    inner = [
+        between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n)
+        for n in range(2 * turns)
+    ]
+    ends = between(start, end, lead), between(start, end, 1 - lead)
+    return (Line((start, ends[0], *inner, ends[1], end), "spring"),)
+
+
+def damper(start: Point, end: Point) -> Items:
+    """A piston in a pot."""
+    a, b = 0.42, 0.62
+
+    def at(share: float, aside: float = 0.0) -> Point:
+        return between(start, end, share, aside)
+
+    return (
+        Line((start, at(a)), "spring"),
+        Line((at(b, 0.16), at(a, 0.16), at(a, -0.16), at(b, -0.16)), "spring"),
+        Line((at(0.54, 0.11), at(0.54, -0.11)), "spring"),
+        Line((at(0.54), end), "spring"),
+    )
+
+
+def string(start: Point, end: Point) -> Items:
+    """A thin line."""
+    return (Line((start, end), "line"),)
+
+
+LINKS = {"spring": spring, "damper": damper, "string": string}
+
+
+def coil(at: Point) -> Items:
+    """The spiral of a torsion spring."""
+    turns = [n * math.pi / 8 for n in range(37)]
+    return (Line(tuple(polar(at, 0.1 + 0.018 * turn, turn) for turn in turns), "spring"),)
+
+
+def hatching(start: Point, end: Point, depth: float = 0.22, style: str = "line") -> Items:
+    """A solid edge: the line, and short strokes on its right-hand side."""
+    length = math.dist(start, end)
+    count = max(2, round(length / 0.2))
+    strokes = tuple(
+        Line(
+            (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)),
+            "hatch",
+        )
+        for n in range(1, count + 1)
+    )
+    return (*strokes, Line((start, end), style))
+
+
+def support(at: Point, away: float) -> Items:
+    """A pivot's bracket: a triangle on a hatched edge that lies in the direction `away`."""
+    foot = polar(at, 0.42, away)
+    left, right = polar(foot, 0.27, away - math.pi / 2), polar(foot, 0.27, away + math.pi / 2)
+    out, far = polar(foot, 0.45, away - math.pi / 2), polar(foot, 0.45, away + math.pi / 2)
+    return (Line((at, left, right), "support", closed=True), *hatching(out, far, 0.18))
+
+
+def clamp(at: Point, away: float) -> Items:
+    """A weld to the ground: a hatched edge through the point."""
+    out, far = polar(at, 0.5, away - math.pi / 2), polar(at, 0.5, away + math.pi / 2)
+    return hatching(far, out)
+
+
+def joint(at: Point) -> Items:
+    """A pin."""
+    return (Circle(at, 0.08, "joint"),)
+
+
+def dot(at: Point) -> Items:
+    """A marked point."""
+    return (Circle(at, 0.05, "dot"),)
+
+
+def center_mark(at: Point) -> Items:
+    """A centre of mass: a small cross in a circle."""
+    return (
+        Circle(at, 0.09, "joint"),
+        Line(((at[0] - 0.09, at[1]), (at[0] + 0.09, at[1])), "line"),
+        Line(((at[0], at[1] - 0.09), (at[0], at[1] + 0.09)), "line"),
+    )
+
+
+def dimension(start: Point, end: Point, aside: float) -> Items:
+    """A line with two heads beside the length it measures, and thin lines that lead to it."""
+    a, b = between(start, end, 0, aside), between(start, end, 1, aside)
+    reach = aside + math.copysign(0.1, aside)
+    leads = tuple(
+        Line((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension")
+        for n in (0, 1)
+    )
+    return (*leads, Line((a, b), "dimension", heads="both"))
+
+
+def angle_arc(at: Point, start: float, end: float, radius: float) -> Items:
+    """A dashed line to count from, and an arc with a head."""
+    reference = Line((at, polar(at, 1.35 * radius, start)), "guide")
+    return reference, Arc(at, radius, start, end, "angle", heads="end")
+
+
+def turning(at: Point, sign: int = 1, radius: float = 0.4, style: str = "axis") -> Arc:
+    """Three quarters of a turn with a head: counter-clockwise for +1."""
+    start = -math.pi / 4 if sign > 0 else math.pi + math.pi / 4
+    return Arc(at, radius, start, start + sign * 1.5 * math.pi, style, heads="end")
+
+
+def arrow(start: Point, end: Point, style: str = "force") -> Line:
+    """An arrow."""
+    return Line((start, end), style, heads="end")
+
+
+def snapped(angle: float) -> float:
+    """The nearest multiple of a right angle."""
+    return round(angle / (math.pi / 2)) * math.pi / 2
+
+
+def away_from(at: Point, others: list[Point]) -> float:
+    """The direction, along an axis, that leads away from the middle of some points."""
+    if not others:
+        return -math.pi / 2
+    middle = tuple(sum(values) / len(others) for values in zip(*others, strict=True))
+    return snapped(direction(middle, at)) if math.dist(middle, at) > 1e-9 else -math.pi / 2

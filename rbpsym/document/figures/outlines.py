@@ -1,0 +1,114 @@
+"""The outline of each kind of shape in its own frame, as the statement's kinds define it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from rbpsym.document.figures.scene import Circle, Item, Line, Point
+from rbpsym.document.figures.sketch import SketchBody, SketchPart
+
+Sizes = Mapping[str, float]
+Outline = tuple[Item, ...]
+
+
+def polygon(points: tuple[Point, ...], style: str = "body") -> Outline:
+    """A closed line."""
+    return (Line(points, style, closed=True),)
+
+
+def disk(sizes: Sizes) -> Outline:
+    """A filled circle with the mark of its centre."""
+    return (Circle((0, 0), sizes["radius"]),)
+
+
+def ring(sizes: Sizes) -> Outline:
+    """A circle drawn with a thick line."""
+    return (Circle((0, 0), sizes["radius"], "thin body"),)
+
+
+def annulus(sizes: Sizes) -> Outline:
+    """A disk with a hole."""
+    return Circle((0, 0), sizes["outer"]), Circle((0, 0), sizes["inner"], "hole")
+
+
+def rod(sizes: Sizes) -> Outline:
+    """A straight thick line."""
+    half = sizes["length"] / 2
+    return (Line(((-half, 0), (half, 0)), "thin body"),)
+
+
+def rectangle(sizes: Sizes) -> Outline:
+    """Four corners."""
+    x, y = sizes["width"] / 2, sizes["height"] / 2
+    return polygon(((-x, -y), (x, -y), (x, y), (-x, y)))
+
+
+def triangle(sizes: Sizes) -> Outline:
+    """The base along the axis and the top above it."""
+    half, top = sizes["base"] / 2, (sizes.get("offset", 0.0), sizes["height"])
+    return polygon(((-half, 0), (half, 0), top))
+
+
+def half_circle(radius: float) -> tuple[Point, ...]:
+    """Points of the upper half of a circle."""
+    turns = [n * math.pi / 32 for n in range(33)]
+    return tuple((radius * math.cos(turn), radius * math.sin(turn)) for turn in turns)
+
+
+OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
+    "particle": lambda sizes: (Circle((0, 0), 0.0, "dot"),),
+    "rod": rod,
+    "ring": ring,
+    "shell": ring,
+    "disk": disk,
+    "ball": disk,
+    "annulus": annulus,
+    "rectangle": rectangle,
+    "triangle": triangle,
+    "half-disk": lambda sizes: polygon(half_circle(sizes["radius"])),
+    "half-ring": lambda sizes: (Line(half_circle(sizes["radius"]), "thin body"),),
+    "given": lambda sizes: polygon(potato(sizes.get("size", 1.0))),
+}
+
+
+def potato(size: float) -> tuple[Point, ...]:
+    """A body of no particular shape, its centre of mass in the middle."""
+    turns = [n * math.pi / 24 for n in range(48)]
+    radii = [size * (0.5 + 0.07 * math.cos(2 * t + 0.6) + 0.04 * math.sin(3 * t)) for t in turns]
+    return tuple((r * math.cos(t), r * math.sin(t)) for r, t in zip(radii, turns, strict=True))
+
+
+def body_outline(body: SketchBody) -> Outline:
+    """The items of a body where it stands."""
+    parts = body.parts or (SketchPart(body.kind, body.sizes),)
+    joined = sorted(parts, key=lambda part: part.removed)
+    return tuple(
+        moved(moved(styled(item, part), part.at, part.angle), body.at, body.angle)
+        for part in joined
+        for item in OUTLINES.get(part.kind, OUTLINES["given"])(part.sizes)
+    )
+
+
+def styled(item: Item, part: SketchPart) -> Item:
+    """A part that is cut out shows the paper."""
+    return restyled(item, "hole") if part.removed else item
+
+
+def restyled(item: Item, style: str) -> Item:
+    """The item in another style."""
+    return replace(item, style=style)
+
+
+def moved(item: Item, at: Point, angle: float) -> Item:
+    """The item turned about the origin and shifted."""
+    if isinstance(item, Line):
+        return replace(item, points=tuple(turned(point, at, angle) for point in item.points))
+    return replace(item, center=turned(item.center, at, angle))
+
+
+def turned(point: Point, at: Point, angle: float) -> Point:
+    """A point turned about the origin and shifted."""
+    (x, y), cos, sin = point, math.cos(angle), math.sin(angle)
+    return at[0] + x * cos - y * sin, at[1] + x * sin + y * cos

@@ -1,0 +1,193 @@
+"""A drawing as data: lines, circles, arcs and labels, in centimetres, y upwards.
+
+Printers (SVG, TikZ, Typst) know only these few items; springs and hatching are lines already.
+The look of a line is the name of one of STYLES.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from rbpsym.notation.tree import Node
+
+Point = tuple[float, float]
+EM = 0.40  # the size of a label's letters, in cm
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """Colour names are those of COLORS; `width` is in points; `dash` in cm or None."""
+
+    stroke: str = "ink"
+    width: float = 0.8
+    fill: str = ""
+    dash: float | None = None
+
+
+STYLES: Mapping[str, Style] = {
+    "body": Style("ink", 0.9, fill="body"),
+    "thin body": Style("ink", 3.0),
+    "hole": Style("ink", 0.9, fill="paper"),
+    "line": Style("ink", 0.9),
+    "hatch": Style("soft", 0.5),
+    "spring": Style("ink", 0.8),
+    "support": Style("ink", 0.8, fill="ground"),
+    "guide": Style("soft", 0.6, dash=0.09),
+    "dimension": Style("soft", 0.5),
+    "angle": Style("accent", 0.8),
+    "axis": Style("soft", 0.7),
+    "force": Style("force", 1.3),
+    "couple": Style("force", 1.1),
+    "dot": Style("ink", 0.6, fill="ink"),
+    "joint": Style("ink", 0.9, fill="paper"),
+}
+
+# name -> (light, dark)
+COLORS: Mapping[str, tuple[str, str]] = {
+    "ink": ("#1f2430", "#e6e6e6"),
+    "soft": ("#6b7280", "#a0a7b4"),
+    "body": ("#d9e4f1", "#2c3e55"),
+    "ground": ("#e8e6e1", "#3a3a40"),
+    "paper": ("#ffffff", "#16181d"),
+    "accent": ("#1d5fa8", "#7fb5f0"),
+    "force": ("#b3261e", "#ff8a80"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A broken line through points; `heads` is "", "end" or "both"."""
+
+    points: tuple[Point, ...]
+    style: str = "line"
+    closed: bool = False
+    heads: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A circle."""
+
+    center: Point
+    radius: float
+    style: str = "body"
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """An arc of a circle from the angle `start` to `end` (radians, either way round)."""
+
+    center: Point
+    radius: float
+    start: float
+    end: float
+    style: str = "angle"
+    heads: str = ""
+
+    def at(self, share: float) -> Point:
+        """The point at a share (0 to 1) of the arc."""
+        angle = self.start + share * (self.end - self.start)
+        return polar(self.center, self.radius, angle)
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A formula or word beside `target`; `toward` is the wanted direction (radians) or None.
+
+    `place` (its centre) is found by `placing.placed`; `gap` is the least distance in cm.
+    """
+
+    content: Node | str
+    target: Point
+    toward: float | None = None
+    gap: float = 0.1
+    color: str = "ink"
+    place: Point | None = None
+    size: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right, top."""
+        (x, y), (w, h) = self.place or self.target, self.size
+        return x - w / 2, y - h / 2, x + w / 2, y + h / 2
+
+
+Item = Line | Circle | Arc
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Items in drawing order and labels on top. `obstacles` stand for items with many strokes."""
+
+    items: tuple[Item, ...] = ()
+    labels: tuple[Label, ...] = ()
+    title: Node | str = ""
+
+    def __add__(self, other: Scene) -> Scene:
+        return Scene(self.items + other.items, self.labels + other.labels, self.title)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right, top of all items and placed labels, with a small margin."""
+        boxes = [box_of(points_of(item)) for item in self.items]
+        boxes += [label.box for label in self.labels if label.place]
+        left, bottom, right, top = zip(*boxes, strict=True)
+        return min(left) - 0.08, min(bottom) - 0.08, max(right) + 0.08, max(top) + 0.08
+
+
+def polar(center: Point, radius: float, angle: float) -> Point:
+    """The point at a distance and direction from another."""
+    return center[0] + radius * math.cos(angle), center[1] + radius * math.sin(angle)
+
+
+def direction(start: Point, end: Point) -> float:
+    """The angle of the way from one point to another."""
+    return math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def points_of(item: Item) -> tuple[Point, ...]:
+    """Points along an item, close enough to stand for it."""
+    if isinstance(item, Line):
+        return item.points + item.points[:1] if item.closed else item.points
+    if isinstance(item, Circle):
+        return tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17))
+    return tuple(item.at(n / 8) for n in range(9))
+
+
+def box_of(points: tuple[Point, ...]) -> tuple[float, float, float, float]:
+    """Left, bottom, right, top of points."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def heads_of(item: Line | Arc) -> Iterator[tuple[Point, float]]:
+    """Tip and direction of each arrow head of an item."""
+    if not item.heads:
+        return
+    points = points_of(item)
+    yield points[-1], head_direction(item, points[-1], points[-2])
+    if item.heads == "both":
+        yield points[0], head_direction(item, points[0], points[1])
+
+
+def head_direction(item: Line | Arc, tip: Point, before: Point) -> float:
+    """Where a head points; on an arc it follows the curve over the length of the head."""
+    if isinstance(item, Line):
+        return direction(before, tip)
+    turn = math.copysign(1, item.end - item.start)
+    back = turn * HEAD / item.radius
+    last = item.end if tip == item.at(1) else item.start
+    return direction(polar(item.center, item.radius, last - back), tip)
+
+
+HEAD = 0.2
+
+
+def head_shape(tip: Point, angle: float, width: float) -> tuple[Point, ...]:
+    """The triangle of an arrow head, a little notched, for a line of that width in points."""
+    size = HEAD * (0.55 + 0.35 * width)
+    left = polar(tip, size, angle + math.pi - 0.33)
+    right = polar(tip, size, angle + math.pi + 0.33)
+    return tip, left, polar(tip, 0.75 * size, angle + math.pi), right

@@ -1,0 +1,238 @@
+"""From a sketch to the drawing of the whole system."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+
+from rbpsym.document.figures import marks
+from rbpsym.document.figures.outlines import body_outline
+from rbpsym.document.figures.scene import (
+    Item,
+    Label,
+    Line,
+    Point,
+    Scene,
+    box_of,
+    direction,
+    points_of,
+    polar,
+)
+from rbpsym.document.figures.sketch import (
+    AngleMark,
+    LengthMark,
+    Sketch,
+    SketchBody,
+    SketchCoil,
+    SketchLine,
+    SketchLink,
+    SketchPart,
+    SketchPoint,
+)
+from rbpsym.document.figures.solid_lines import solid_line
+from rbpsym.notation.tree import Sym
+
+WIDTH, HEIGHT = 5.6, 4.6  # the room for the system itself, in cm
+UP, DOWN = math.pi / 2, -math.pi / 2
+QUARTER = math.pi / 4
+
+
+def schematic(sketch: Sketch) -> Scene:
+    """The system with its supports, springs, dimensions, angles and axes."""
+    sketch = fitted(sketch)
+    drawn = [drawn_part(part, sketch) for part in in_order(sketch)]
+    scene = sum(drawn, Scene())
+    return scene + compass(scene, sketch)
+
+
+def in_order(sketch: Sketch) -> Iterator[object]:
+    """The parts from the back to the front."""
+    for name in ("lines", "links", "coils", "bodies", "points", "angles", "lengths"):
+        yield from getattr(sketch, name)
+
+
+def fitted(sketch: Sketch) -> Sketch:
+    """The sketch scaled to the room of a figure."""
+    left, bottom, right, top = extent(sketch)
+    factor = min(WIDTH / max(right - left, 1e-9), HEIGHT / max(top - bottom, 1e-9))
+    return scaled(sketch, min(factor, 1e6))
+
+
+def extent(sketch: Sketch) -> tuple[float, float, float, float]:
+    """The box of bodies, points and links."""
+    found = [p for body in sketch.bodies for item in body_outline(body) for p in points_of(item)]
+    found += [point.at for point in sketch.points]
+    found += [end for link in sketch.links for end in (link.start, link.end)]
+    return box_of(tuple(found))
+
+
+def scaled(sketch: Sketch, factor: float) -> Sketch:
+    """All lengths times a factor."""
+
+    def times(point: Point) -> Point:
+        return point[0] * factor, point[1] * factor
+
+    def shape(sizes: Mapping[str, float]) -> Mapping[str, float]:
+        return {name: size * factor for name, size in sizes.items()}
+
+    def part(value: SketchPart) -> SketchPart:
+        return replace(value, sizes=shape(value.sizes), at=times(value.at))
+
+    def body(value: SketchBody) -> SketchBody:
+        return replace(
+            value,
+            sizes=shape(value.sizes),
+            at=times(value.at),
+            center_of_mass=times(value.center),
+            parts=tuple(map(part, value.parts)),
+        )
+
+    def placed(value: object) -> object:
+        ends = {f.name for f in fields(value)} & {"at", "start", "end"}
+        points = {name: getattr(value, name) for name in ends}
+        changed = {name: times(p) for name, p in points.items() if isinstance(p, tuple)}
+        return replace(value, **changed)
+
+    moved = {
+        name: tuple(map(placed, getattr(sketch, name)))
+        for name in ("points", "links", "coils", "angles", "lengths", "forces", "couples")
+    }
+    lines = tuple(replace(line, c=line.c * factor) for line in sketch.lines)
+    return replace(sketch, bodies=tuple(map(body, sketch.bodies)), lines=lines, **moved)
+
+
+def drawn_part(part: object, sketch: Sketch) -> Scene:
+    """The scene of one part."""
+    return DRAW[type(part)](part, sketch)
+
+
+def labelled(content: object, target: Point, toward: float | None = None, **more: object) -> tuple:
+    """A label, if there is anything to write."""
+    return () if content is None else (Label(content, target, toward, **more),)
+
+
+def draw_body(body: SketchBody, sketch: Sketch) -> Scene:
+    """The outline, the centre of mass of what is not a point, the name."""
+    items = body_outline(body)
+    mark = () if body.kind == "particle" else marks.dot(body.center)
+    side = direction_aside(body)
+    return Scene((*items, *mark), labelled(body.label, body.center, side, gap=0.12))
+
+
+def direction_aside(body: SketchBody) -> float:
+    """Where a body's name stands: beside its axis, upwards."""
+    left = body.angle + UP
+    return left if math.sin(left) >= 0 else left + math.pi
+
+
+def draw_point(point: SketchPoint, sketch: Sketch) -> Scene:
+    """A point with the sign of what it does."""
+    held = [sketch.body(name).center for name in point.bodies]
+    away = marks.away_from(point.at, held)
+    items = POINTS[point.kind](point.at, away)
+    return Scene(items, labelled(point.label, point.at, away + math.pi / 3, gap=0.2))
+
+
+POINTS = {
+    "pivot": lambda at, away: (*marks.support(at, away), *marks.joint(at)),
+    "weld": marks.clamp,
+    "guide": lambda at, away: marks.joint(at),
+    "pin": lambda at, away: marks.joint(at),
+    "fixed": lambda at, away: marks.dot(at),
+    "point": lambda at, away: marks.dot(at),
+}
+
+
+def draw_link(link: SketchLink, sketch: Sketch) -> Scene:
+    """A spring, damper or string with its label beside the middle."""
+    items = marks.LINKS[link.kind](link.start, link.end)
+    middle = marks.between(link.start, link.end, 0.5)
+    aside = direction(link.start, link.end) + UP
+    return Scene(items, labelled(link.label, middle, aside, gap=0.22))
+
+
+def draw_coil(part: SketchCoil, sketch: Sketch) -> Scene:
+    """A torsion spring."""
+    return Scene(marks.coil(part.at), labelled(part.label, part.at, QUARTER, gap=0.35))
+
+
+def draw_line(line: SketchLine, sketch: Sketch) -> Scene:
+    """A solid edge, hatched on its solid side."""
+    found = solid_line(line, sketch, extent(sketch))
+    if found is None:
+        return Scene()
+    start, end = found
+    target = marks.between(start, end, 0.85, -0.25)
+    toward = direction(start, end) - UP
+    return Scene(marks.hatching(start, end), labelled(line.label, target, toward))
+
+
+def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
+    """An arc with its label at the middle; smaller angles get larger arcs."""
+    turn = abs(mark.end - mark.start)
+    radius = min(1.5, max(0.55, 0.5 / max(turn, 0.1)))
+    items = marks.angle_arc(mark.at, mark.start, mark.end, radius)
+    middle = (mark.start + mark.end) / 2
+    target = polar(mark.at, radius, middle)
+    return Scene(items, labelled(mark.label, target, middle, gap=0.06, color="accent"))
+
+
+def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
+    """A dimension on the side where fewer bodies are."""
+    aside = 0.38 * free_side(mark, sketch)
+    items = marks.dimension(mark.start, mark.end, aside)
+    middle = marks.between(mark.start, mark.end, 0.5, aside)
+    toward = direction(mark.start, mark.end) + math.copysign(UP, aside)
+    return Scene(items, labelled(mark.label, middle, toward, gap=0.05))
+
+
+def free_side(mark: LengthMark, sketch: Sketch) -> int:
+    """+1 if the left side of a length is the emptier one, else -1."""
+    (x, y), (u, v) = mark.start, mark.end
+    others = [body.center for body in sketch.bodies] + [point.at for point in sketch.points]
+    left = sum((u - x) * (q - y) - (v - y) * (p - x) for p, q in others)
+    return -1 if left > 1e-9 else 1
+
+
+DRAW = {
+    SketchBody: draw_body,
+    SketchPoint: draw_point,
+    SketchLink: draw_link,
+    SketchCoil: draw_coil,
+    SketchLine: draw_line,
+    AngleMark: draw_angle,
+    LengthMark: draw_length,
+}
+
+
+def compass(scene: Scene, sketch: Sketch) -> Scene:
+    """Axes, the positive sense of rotation and the direction of gravity, right of the drawing."""
+    _, bottom, right, top = scene.bounds
+    corner = (right + 0.75, bottom + 0.25)
+    return axes(corner) + gravity(sketch, (right + 1.1, max(top - 0.1, bottom + 2.6)))
+
+
+def axes(at: Point) -> Scene:
+    """Small axes with the positive sense of rotation between them."""
+    east, north = (at[0] + 0.8, at[1]), (at[0], at[1] + 0.8)
+    items: tuple[Item, ...] = (
+        marks.arrow(at, east, "axis"),
+        marks.arrow(at, north, "axis"),
+        replace(marks.turning(at, 1, 0.42), start=0.18, end=UP - 0.1),
+    )
+    labels = (
+        Label(Sym("x"), east, 0.0, 0.06, "soft"),
+        Label(Sym("y"), north, UP, 0.04, "soft"),
+        Label("+", polar(at, 0.42, QUARTER), QUARTER, 0.02, "soft"),
+    )
+    return Scene(items, labels)
+
+
+def gravity(sketch: Sketch, at: Point) -> Scene:
+    """The arrow of gravity, from `at`."""
+    if sketch.gravity is None or sketch.gravity_label is None:
+        return Scene()
+    end = polar(at, 0.8, math.atan2(sketch.gravity[1], sketch.gravity[0]))
+    label = Label(sketch.gravity_label, marks.between(at, end, 0.5), 0.0, 0.1)
+    return Scene((Line((at, end), "line", heads="end"),), (label,))

@@ -1,0 +1,150 @@
+"""A sketch: where everything of a system stands in one pose, in plain numbers.
+
+It says what is there and not how it is drawn. Lengths are in any unit (the drawing is scaled to
+fit), angles in radians, counter-clockwise from +x. `label`s are formulas or short words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.document.figures.scene import Point
+from rbpsym.notation.tree import Node
+
+Caption = Node | str | None
+
+
+@dataclass(frozen=True, slots=True)
+class SketchPart:
+    """A part of a composite: its shape, origin and angle in the composite's frame."""
+
+    kind: str
+    sizes: Mapping[str, float]
+    at: Point = (0.0, 0.0)
+    angle: float = 0.0
+    removed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SketchBody:
+    """A body: `kind` and `sizes` as in the statement, frame origin `at`, turned by `angle`."""
+
+    name: str
+    kind: str
+    sizes: Mapping[str, float]
+    at: Point
+    angle: float = 0.0
+    center_of_mass: Point | None = None
+    label: Caption = None
+    parts: tuple[SketchPart, ...] = ()
+
+    @property
+    def center(self) -> Point:
+        """The centre of mass (the frame's origin if none is given)."""
+        return self.center_of_mass or self.at
+
+
+@dataclass(frozen=True, slots=True)
+class SketchPoint:
+    """A point with a meaning: kind "pivot", "weld", "guide" (to the ground), "pin", "fixed"
+    (an origin, the end of a spring) or "point"; `bodies` are those that it holds."""
+
+    kind: str
+    at: Point
+    label: Caption = None
+    bodies: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SketchLine:
+    """The solid line a x + b y = c; `solid` is the side (sign of a x + b y - c) that is hatched.
+
+    None: the side where no body is.
+    """
+
+    a: float
+    b: float
+    c: float
+    label: Caption = None
+    solid: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SketchLink:
+    """What joins two points: kind "spring", "damper" or "string"."""
+
+    kind: str
+    start: Point
+    end: Point
+    label: Caption = None
+
+
+@dataclass(frozen=True, slots=True)
+class SketchCoil:
+    """A torsion spring or rotary damper at a point."""
+
+    at: Point
+    label: Caption = None
+    kind: str = "torsion_spring"
+
+
+@dataclass(frozen=True, slots=True)
+class AngleMark:
+    """An angle at a point from the direction `start` to `end` (the way in which it grows)."""
+
+    at: Point
+    start: float
+    end: float
+    label: Caption
+
+
+@dataclass(frozen=True, slots=True)
+class LengthMark:
+    """A length between two points; drawn beside them unless they are far from any body."""
+
+    start: Point
+    end: Point
+    label: Caption
+
+
+@dataclass(frozen=True, slots=True)
+class SketchForce:
+    """A force on a body: its point and direction (its length on paper says nothing)."""
+
+    body: str
+    label: Caption
+    at: Point
+    direction: Point
+
+
+@dataclass(frozen=True, slots=True)
+class SketchCouple:
+    """A couple on a body, drawn round a point; `sign` +1 is counter-clockwise."""
+
+    body: str
+    label: Caption
+    at: Point
+    sign: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Sketch:
+    """A whole system in one pose."""
+
+    bodies: tuple[SketchBody, ...]
+    points: tuple[SketchPoint, ...] = ()
+    lines: tuple[SketchLine, ...] = ()
+    links: tuple[SketchLink, ...] = ()
+    coils: tuple[SketchCoil, ...] = ()
+    angles: tuple[AngleMark, ...] = ()
+    lengths: tuple[LengthMark, ...] = ()
+    forces: tuple[SketchForce, ...] = ()
+    couples: tuple[SketchCouple, ...] = ()
+    gravity: Point | None = (0.0, -1.0)
+    gravity_label: Caption = None
+    names: Mapping[str, str] = field(default_factory=dict)
+
+    def body(self, name: str) -> SketchBody:
+        """The body called `name` (KeyError if there is none)."""
+        return {body.name: body for body in self.bodies}[name]

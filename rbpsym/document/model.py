@@ -1,0 +1,158 @@
+"""The document tree: what a page says, before any format is chosen.
+
+A formula stands in it only as a display tree (`Math` in a sentence, `Display` on a line of its
+own), a drawing only as a `Scene`; all else is text. Writers print this tree and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.document.figures.scene import Scene
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.tree import Node
+
+
+class DocumentError(RbpsymError):
+    """A document that can't be written: a reference without a target, a phrase without a slot."""
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Plain words; writers escape them."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Math:
+    """A formula within a sentence."""
+
+    node: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Ref:
+    """The number of the block or section labelled `label`; `numbered` fills in `mark`."""
+
+    label: str
+    mark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Emph:
+    """Italic words."""
+
+    inlines: Inlines
+
+
+@dataclass(frozen=True, slots=True)
+class Strong:
+    """Bold words."""
+
+    inlines: Inlines
+
+
+Inline = Text | Math | Ref | Emph | Strong
+Inlines = tuple[Inline, ...]
+
+
+def words(text: str) -> Inlines:
+    """Plain text as inlines."""
+    return (Text(text),) if text else ()
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """A paragraph of prose."""
+
+    inlines: Inlines
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """A formula on lines of its own: a chain, a system or an expression.
+
+    `reason` is printed beside it (or below where there is no room); a boxed one is a result.
+    """
+
+    node: Node
+    label: str = ""
+    numbered: bool = True
+    boxed: bool = False
+    reason: Inlines | None = None
+    number: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows of inlines under a header; `align` has one of "lcr" for each column."""
+
+    header: tuple[Inlines, ...]
+    rows: tuple[tuple[Inlines, ...], ...]
+    caption: Inlines = ()
+    align: str = ""
+    label: str = ""
+    number: str = ""
+
+    @property
+    def columns(self) -> str:
+        """The alignment of each column, left where nothing is said."""
+        return self.align.ljust(len(self.header), "l")
+
+
+@dataclass(frozen=True, slots=True)
+class FigureBlock:
+    """Scenes side by side with a caption; `alt` says what is seen."""
+
+    scenes: tuple[Scene, ...]
+    caption: Inlines
+    alt: str
+    label: str = ""
+    number: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ItemList:
+    """A list with bullets or, if `ordered`, numbers."""
+
+    items: tuple[Inlines, ...]
+    ordered: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Callout:
+    """A framed remark; `kind` is one of CALLOUT_KINDS."""
+
+    kind: str
+    title: Inlines
+    blocks: tuple[Block, ...]
+
+
+CALLOUT_KINDS = ("result", "why", "note", "check")
+
+Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A section (level 1), subsection (2) or unnumbered heading (3)."""
+
+    title: Inlines
+    blocks: tuple[Block, ...]
+    label: str = ""
+    level: int = 1
+    number: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A whole text. `notation` is handed to the formula printers as it is."""
+
+    title: Inlines
+    sections: tuple[Section, ...]
+    subtitle: Inlines = ()
+    source: Inlines = ()
+    language: str = "en"
+    notation: Notation = DEFAULT

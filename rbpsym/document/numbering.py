@@ -1,0 +1,136 @@
+"""The pass that gives equations, figures, tables and sections their numbers."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields, is_dataclass, replace
+
+from rbpsym.document.model import (
+    Callout,
+    Display,
+    Document,
+    DocumentError,
+    FigureBlock,
+    Ref,
+    Section,
+    Table,
+)
+from rbpsym.notation.tree import Node
+
+
+class Counters:
+    """How many equations, figures, tables and sections have been numbered so far."""
+
+    def __init__(self) -> None:
+        self.counts: Counter[str] = Counter()
+        self.marks: dict[str, str] = {}
+
+    def next(self, kind: str) -> str:
+        """The next number of a kind."""
+        self.counts[kind] += 1
+        return str(self.counts[kind])
+
+    def label(self, label: str, mark: str) -> None:
+        """Remember what a reference to `label` prints."""
+        if label in self.marks:
+            raise DocumentError(f"two parts of the document are labelled “{label}”")
+        if label:
+            self.marks[label] = mark
+
+
+def number_display(block: Display, counters: Counters) -> Display:
+    """The display with its equation number; a labelled one is always numbered."""
+    if not (block.numbered or block.label):
+        return block
+    number = counters.next("equation")
+    counters.label(block.label, f"({number})")
+    return replace(block, number=number, numbered=True)
+
+
+def number_figure(block: FigureBlock, counters: Counters) -> FigureBlock:
+    """The figure with its number."""
+    number = counters.next("figure")
+    counters.label(block.label, number)
+    return replace(block, number=number)
+
+
+def number_table(block: Table, counters: Counters) -> Table:
+    """The table with its number; one without a caption has none."""
+    number = counters.next("table") if block.caption else ""
+    counters.label(block.label, number)
+    return replace(block, number=number)
+
+
+def number_callout(block: Callout, counters: Counters) -> Callout:
+    """The callout with its inner blocks numbered."""
+    return replace(block, blocks=number_blocks(block.blocks, counters))
+
+
+NUMBERED: Mapping[type, Callable] = {
+    Display: number_display,
+    FigureBlock: number_figure,
+    Table: number_table,
+    Callout: number_callout,
+}
+
+
+def number_blocks(blocks: tuple, counters: Counters) -> tuple:
+    """The blocks with numbers, in reading order."""
+    return tuple(NUMBERED.get(type(block), lambda b, _: b)(block, counters) for block in blocks)
+
+
+def section_number(level: int, counters: Counters) -> str:
+    """"3" for a section, "3.2" for a subsection, "" below."""
+    if level > 2:
+        return ""
+    own = counters.next(f"level {level}")
+    if level == 1:
+        counters.counts["level 2"] = 0
+        return own
+    return f"{counters.counts['level 1']}.{own}"
+
+
+def number_section(section: Section, counters: Counters) -> Section:
+    """The section with its number and its blocks numbered."""
+    number = section_number(section.level, counters)
+    counters.label(section.label, number)
+    return replace(section, number=number, blocks=number_blocks(section.blocks, counters))
+
+
+def resolve(part: object, marks: Mapping[str, str]) -> object:
+    """The same part of a document with each Ref's mark filled in."""
+    if isinstance(part, Ref):
+        return resolve_ref(part, marks)
+    if isinstance(part, tuple):
+        return tuple(resolve(item, marks) for item in part)
+    if is_dataclass(part) and type(part).__module__.endswith("document.model"):
+        values = {item.name: getattr(part, item.name) for item in fields(part)}
+        return type(part)(**{name: resolve(value, marks) for name, value in values.items()})
+    return part
+
+
+def resolve_ref(ref: Ref, marks: Mapping[str, str]) -> Ref:
+    """The reference with its mark. Raises DocumentError if nothing has that label."""
+    if ref.label not in marks:
+        raise DocumentError(f"nothing in the document is labelled “{ref.label}”")
+    return replace(ref, mark=marks[ref.label])
+
+
+def numbered(document: Document) -> Document:
+    """The document with all numbers given and all references resolved."""
+    counters = Counters()
+    sections = tuple(number_section(section, counters) for section in document.sections)
+    return resolve(replace(document, sections=sections), counters.marks)
+
+
+def parts(value: object) -> Iterator[object]:
+    """All parts of a document, in reading order (formulas and scenes are not entered)."""
+    if isinstance(value, tuple):
+        for item in value:
+            yield from parts(item)
+    elif is_dataclass(value) and not isinstance(value, Node):
+        yield value
+        if type(value).__module__.endswith("document.model"):
+            for item in fields(value):
+                yield from parts(getattr(value, item.name))

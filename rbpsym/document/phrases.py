@@ -1,0 +1,163 @@
+"""Sentences with places for formulas, in the reader's language.
+
+`phrase("rule.integrate", "en", variable=node)` looks up a template such as
+"We integrate over {variable}." and fills its places. A phrase with variants is a table in the
+TOML file (`one = ...`, `many = ...`); `count=` chooses by the language's plural rule, `variant=`
+by name. `*words*` in a template are emphasised. Nothing is ever glued together in code.
+
+What may fill a place: a Node (a formula), a str or int, an inline (Ref, Emph, ...), a tuple of
+inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c").
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+from string import Formatter
+
+from rbpsym.document.model import (
+    DocumentError,
+    Emph,
+    Inline,
+    Inlines,
+    Math,
+    Ref,
+    Strong,
+    Text,
+)
+from rbpsym.notation.tree import Node
+
+FOLDER = Path(__file__).with_suffix("")
+INLINES = (Text, Math, Ref, Emph, Strong)
+
+
+def two_forms(count: int) -> str:
+    """The plural rule of English, Spanish and their like."""
+    return "one" if count == 1 else "many"
+
+
+PLURALS: Mapping[str, Callable[[int], str]] = {"en": two_forms, "es": two_forms}
+
+
+def languages() -> tuple[str, ...]:
+    """The languages that have a phrases file."""
+    return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
+
+
+@cache
+def phrases(language: str) -> Mapping[str, str]:
+    """All templates of a language by dotted key."""
+    path = FOLDER / f"{language}.toml"
+    if not path.is_file():
+        known = ", ".join(languages())
+        raise DocumentError(f"there are no phrases in “{language}”", instead=f"known: {known}.")
+    return dict(flatten("", tomllib.loads(path.read_text(encoding="utf-8"))))
+
+
+def flatten(prefix: str, table: Mapping[str, object]) -> Iterator[tuple[str, str]]:
+    """The leaves of a nested table with their dotted keys."""
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            yield from flatten(f"{prefix}{name}.", value)
+        else:
+            yield f"{prefix}{name}", str(value)
+
+
+def phrase(key: str, language: str = "en", **slots: object) -> Inlines:
+    """The phrase `key` with its places filled. Raises DocumentError for a missing key or slot."""
+    return merged(filled(template(key, language, slots), key, language, slots))
+
+
+def plain(key: str, language: str = "en", **slots: object) -> str:
+    """A phrase that holds nothing but text, as a string (captions of tables, verdict words)."""
+    inlines = phrase(key, language, **slots)
+    if not all(isinstance(inline, Text) for inline in inlines):
+        raise DocumentError(f"phrase “{key}” is more than text")
+    return "".join(inline.text for inline in inlines)
+
+
+def has_phrase(key: str, language: str = "en") -> bool:
+    """Is there a phrase (or one with variants) under this key?"""
+    table = phrases(language)
+    return key in table or any(name.startswith(f"{key}.") for name in table)
+
+
+def template(key: str, language: str, slots: Mapping[str, object]) -> str:
+    """The template of `key`, in the variant that the slots ask for."""
+    table = phrases(language)
+    wanted = f"{key}.{variant(language, slots)}"
+    if wanted in table:
+        return table[wanted]
+    if key in table:
+        return table[key]
+    near = get_close_matches(wanted.rstrip("."), table, n=1)
+    raise DocumentError(
+        f"no phrase “{wanted.rstrip('.')}” in “{language}”",
+        instead=f"did you mean “{near[0]}”?" if near else f"add it to phrases/{language}.toml.",
+    )
+
+
+def variant(language: str, slots: Mapping[str, object]) -> str:
+    """The name of the variant: given, or chosen by the count; "" if neither is there."""
+    if "variant" in slots:
+        return str(slots["variant"])
+    return PLURALS.get(language, two_forms)(slots["count"]) if "count" in slots else ""
+
+
+def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:
+    """The inlines of a template: words, emphasised words and filled places."""
+    for position, part in enumerate(text.split("*")):
+        inner = pieces(part, key, language, slots)
+        if position % 2:
+            yield Emph(merged(inner))
+        else:
+            yield from inner
+
+
+def pieces(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:
+    """The inlines of a template without emphasis."""
+    for literal, name, _, _ in Formatter().parse(text):
+        yield Text(literal)
+        if name is None:
+            continue
+        if name not in slots:
+            raise DocumentError(f"phrase “{key}” needs a value for “{name}”")
+        yield from inlines_of(slots[name], language)
+
+
+def inlines_of(value: object, language: str) -> Inlines:
+    """What stands in a place for a value."""
+    if isinstance(value, Node):
+        return (Math(value),)
+    if isinstance(value, INLINES):
+        return (value,)
+    if isinstance(value, tuple) and value and all(isinstance(item, INLINES) for item in value):
+        return value
+    if isinstance(value, (list, tuple)):
+        return joined([inlines_of(item, language) for item in value], language)
+    return (Text(str(value)),)
+
+
+def joined(items: list[Inlines], language: str) -> Inlines:
+    """"a, b and c" by the language's rule (`list.separator` and `list.last` of its phrases)."""
+    table = phrases(language)
+    found: list[Inline] = []
+    for position, item in enumerate(items):
+        rule = "list.last" if position == len(items) - 1 else "list.separator"
+        found += [Text(table[rule])] if position else []
+        found += item
+    return tuple(found)
+
+
+def merged(inlines: Iterator[Inline]) -> Inlines:
+    """The inlines with neighbouring texts joined and empty ones dropped."""
+    found: list[Inline] = []
+    for inline in inlines:
+        if isinstance(inline, Text) and found and isinstance(found[-1], Text):
+            found[-1] = Text(found[-1].text + inline.text)
+        elif inline != Text(""):
+            found.append(inline)
+    return tuple(found)

@@ -1,0 +1,28 @@
+"""One writer a format; each prints the same document tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+
+from rbpsym.document.model import Document, DocumentError
+
+Writer = Callable[[Document], "str | bytes"]
+
+# format -> (module, function); imported when asked for
+WRITERS: Mapping[str, tuple[str, str]] = {
+    "tex": ("rbpsym.document.writers.latex", "write_latex"),
+    "typ": ("rbpsym.document.writers.typst", "write_typst"),
+    "html": ("rbpsym.document.writers.html", "write_html"),
+    "pdf": ("rbpsym.document.writers.pdf", "write_pdf"),
+    "md": ("rbpsym.document.writers.markdown", "write_markdown"),
+}
+
+
+def writer(format_name: str) -> Writer:
+    """The writer of a format. Raises DocumentError with the known ones."""
+    if format_name not in WRITERS:
+        known = ", ".join(WRITERS)
+        raise DocumentError(f"unknown format “{format_name}”", instead=f"known: {known}.")
+    module, name = WRITERS[format_name]
+    return getattr(import_module(module), name)

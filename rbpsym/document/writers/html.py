@@ -1,0 +1,187 @@
+"""HTML: one file with MathML and inline SVG, no script and no network, light and dark."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from functools import cache
+
+from markupsafe import Markup, escape
+
+from rbpsym.document import breaking
+from rbpsym.document.figures.svg import color_rules, to_svg
+from rbpsym.document.model import (
+    Callout,
+    Display,
+    Document,
+    Emph,
+    FigureBlock,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Strong,
+    Table,
+    Text,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.resources import data_folder
+from rbpsym.document.writers.html_math import display_math, inline_math
+from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text
+
+COLUMN = 34.0
+
+
+def write_html(document: Document) -> str:
+    """The document as one HTML file."""
+    document = numbered(document)
+    page = page_for(document, HTML, COLUMN)
+    return shell(
+        "notes.html",
+        autoescape=True,
+        title=Markup(page.inlines(document.title)),
+        plain_title=plain_text(document.title, document.notation),
+        subtitle=Markup(page.inlines(document.subtitle)),
+        source=Markup(page.inlines(document.source)),
+        language=document.language,
+        contents=page.word("block.contents"),
+        sections=[contents_entry(part, page) for part in document.sections if part.level == 1],
+        style=Markup((data_folder("templates") / "notes.css").read_text(encoding="utf-8")),
+        font=Markup(font()),
+        colors=Markup(color_rules()),
+        body=Markup(body(document, page)),
+    )
+
+
+@cache
+def font() -> str:
+    """The embedded math font in base64, "" if none is shipped."""
+    path = data_folder("templates") / "math.woff2"
+    return base64.b64encode(path.read_bytes()).decode() if path.is_file() else ""
+
+
+def section_id(part: Section) -> str:
+    """The target of links to a section."""
+    return part.label or f"section-{part.number}"
+
+
+def contents_entry(part: Section, page: Page) -> tuple[str, str, Markup]:
+    """Target, number and title of a line in the contents."""
+    return section_id(part), part.number, Markup(page.inlines(part.title))
+
+
+def section(part: Section, page: Page) -> str:
+    """A heading and what stands under it."""
+    rank = min(part.level, 3) + 1
+    number = f'<span class="section-number">{escape(part.number)}</span> ' if part.number else ""
+    name = identity(section_id(part) if part.number else part.label)
+    heading = f"<h{rank}{name}>{number}{page.inlines(part.title)}</h{rank}>"
+    return f"{heading}\n{page.blocks(part.blocks, chr(10))}"
+
+
+def identity(label: str) -> str:
+    """The id attribute of a block."""
+    return f' id="{escape(label)}"' if label else ""
+
+
+def reference(inline: Ref, page: Page) -> str:
+    """A link that shows the number."""
+    return f'<a href="#{escape(inline.label)}">{escape(inline.mark)}</a>'
+
+
+def display(block: Display, page: Page) -> str:
+    """A displayed formula with its number at the right; boxes are CSS."""
+    number = f'<span class="number">({block.number})</span>' if block.number else ""
+    math = display_math(block.node, page)
+    math = f'<div class="formula{" boxed" if block.boxed else ""}">{math}</div>'
+    aside = reason(block, page)
+    kind = "display with-aside" if 'class="reason beside"' in aside else "display"
+    return f'<div class="{kind}"{identity(block.label)}>{math}{aside}{number}</div>'
+
+
+def reason(block: Display, page: Page) -> str:
+    """The reason of a step, beside or below."""
+    if block.reason is None:
+        return ""
+    place = "beside" if breaking.reason_fits(block, page.notation, page.column) else "below"
+    return f'<span class="reason {place}">{page.inlines(block.reason)}</span>'
+
+
+def table(block: Table, page: Page) -> str:
+    """A table that scrolls by itself where the screen is narrow."""
+    caption = captioned(block, "table", page) if block.caption else ""
+    head = row(block.header, block.columns, "th", page)
+    rows = "\n".join(row(cells, block.columns, "td", page) for cells in block.rows)
+    return (
+        f'<div class="table" role="region" tabindex="0"{identity(block.label)}'
+        f' aria-label="{escape(table_name(block, page))}"><table>'
+        f"{f'<caption>{caption}</caption>' if caption else ''}"
+        f"<thead>{head}</thead>\n<tbody>{rows}</tbody></table></div>"
+    )
+
+
+def table_name(block: Table, page: Page) -> str:
+    """What a screen reader calls the region."""
+    return page.word("block.table", number=block.number).strip()
+
+
+def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
+    """One row of a table."""
+    kinds = [f'{tag} scope="col"' if tag == "th" else tag] * len(cells)
+    inner = "".join(
+        f'<{kind} class="{letter}">{page.inlines(cell)}</{tag}>'
+        for kind, letter, cell in zip(kinds, columns, cells, strict=True)
+    )
+    return f"<tr>{inner}</tr>"
+
+
+def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
+    """"Figure 2. What is seen"."""
+    name = escape(page.word(f"block.{kind}", number=block.number))
+    return f'<span class="caption-name">{name}.</span> {page.inlines(block.caption)}'
+
+
+def figure(block: FigureBlock, page: Page) -> str:
+    """Scenes side by side with their caption; one image for a screen reader."""
+    scenes = "\n".join(to_svg(scene, page.notation) for scene in block.scenes)
+    caption = captioned(block, "figure", page)
+    return (
+        f'<figure{identity(block.label)}><div class="scenes" role="img"'
+        f' aria-label="{escape(block.alt)}">{scenes}</div>'
+        f"<figcaption>{caption}</figcaption></figure>"
+    )
+
+
+def item_list(block: ItemList, page: Page) -> str:
+    """A list."""
+    tag = "ol" if block.ordered else "ul"
+    items = "\n".join(f"<li>{page.inlines(item)}</li>" for item in block.items)
+    return f"<{tag}>{items}</{tag}>"
+
+
+def callout(block: Callout, page: Page) -> str:
+    """A remark with a rule at its left."""
+    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
+    inner = page.blocks(block.blocks, "\n")
+    return (
+        f'<div class="callout {escape(block.kind)}"><p class="callout-title">{title}</p>\n'
+        f"{inner}</div>"
+    )
+
+
+HTML: Mapping[type, Print] = {
+    Text: lambda inline, page: str(escape(inline.text)),
+    Math: lambda inline, page: inline_math(inline.node, page),
+    Ref: reference,
+    Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
+    Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
+    Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+    Display: display,
+    Table: table,
+    FigureBlock: figure,
+    ItemList: item_list,
+    Callout: callout,
+    Section: section,
+}

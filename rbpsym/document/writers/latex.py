@@ -1,0 +1,186 @@
+"""LaTeX: article, amsmath and tikz; compiles with plain pdflatex and is meant to be edited."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.document import breaking
+from rbpsym.document.figures.tikz import tikz_styles, to_tikz
+from rbpsym.document.model import (
+    Callout,
+    Display,
+    Document,
+    Emph,
+    FigureBlock,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Strong,
+    Table,
+    Text,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.notation.latex import PREAMBLE, render, to_latex
+
+COLUMN = 37.0
+
+SPECIAL = str.maketrans({
+    "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
+    "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
+    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
+    "“": "``", "”": "''", "–": "--", "—": "---", "…": r"\dots{}", "−": "$-$",
+    "\u00a0": "~", '"': "''",
+})  # fmt: skip
+
+
+def escape(text: str) -> str:
+    """Text without any character that TeX takes as a command; unknown letters as they are."""
+    return text.translate(SPECIAL)
+
+
+def write_latex(document: Document) -> str:
+    """The document as a LaTeX source file."""
+    document = numbered(document)
+    page = page_for(document, LATEX, COLUMN)
+    return shell(
+        "article.tex",
+        title=page.inlines(document.title),
+        plain_title=escape(plain_text(document.title, document.notation)),
+        subtitle=page.inlines(document.subtitle),
+        source=page.inlines(document.source),
+        language=BABEL.get(document.language, document.language),
+        styles=f"{PREAMBLE}\n{tikz_styles()}",
+        body=body(document, page),
+    )
+
+
+BABEL = {"en": "english", "es": "spanish"}
+HEADINGS = {1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
+
+
+def section(part: Section, page: Page) -> str:
+    """A heading and what stands under it."""
+    heading = f"{HEADINGS[min(part.level, 3)]}{{{page.inlines(part.title)}}}{anchor(part.label)}"
+    return f"{heading}\n\n{page.blocks(part.blocks)}".rstrip()
+
+
+def anchor(label: str) -> str:
+    """The target of references."""
+    return rf"\label{{{label}}}" if label else ""
+
+
+def reference(inline: Ref, page: Page) -> str:
+    """A reference that TeX resolves itself: an equation's comes in brackets."""
+    command = r"\eqref" if inline.mark.startswith("(") else r"\ref"
+    return f"{command}{{{inline.label}}}"
+
+
+def display(block: Display, page: Page) -> str:
+    """A displayed formula, numbered or not, boxed or not, with its reason."""
+    star = "" if block.numbered else "*"
+    content = with_reason(block, framed(block, formula(block, page)), page)
+    lines = [rf"\begin{{equation{star}}}{anchor(block.label)}", content, rf"\end{{equation{star}}}"]
+    return "\n".join(lines)
+
+
+def formula(block: Display, page: Page) -> str:
+    """The formula in one row or an aligned block; shrunk only if nothing else helps."""
+    lines = breaking.lines(block.node, page.notation, page.column)
+    if len(lines) > 1:
+        inner = " \\\\\n  ".join(map(aligned_line, lines))
+        content = f"\\begin{{aligned}}\n  {inner}\n\\end{{aligned}}"
+    else:
+        content = f"  {single_line(lines[0])}"
+    return rf"\shrunk{{{content}}}" if breaking.widest(lines) > page.column else content
+
+
+def single_line(line: breaking.Line) -> str:
+    """A formula on one line."""
+    return f"{render(line.left)} {render(line.right)}".strip()
+
+
+def aligned_line(line: breaking.Line) -> str:
+    """A line of an aligned block, its mark before the relation sign."""
+    lead = r"\qquad " if line.indent else ""
+    return f"{render(line.left)} &{lead}{render(line.right)}".strip()
+
+
+def framed(block: Display, content: str) -> str:
+    """The content in a box, if it is a result."""
+    return rf"\boxed{{{content}}}" if block.boxed else content
+
+
+def with_reason(block: Display, content: str, page: Page) -> str:
+    """The content with its reason beside it, or below where there is no room."""
+    if block.reason is None:
+        return content
+    reason = page.inlines(block.reason)
+    if breaking.reason_fits(block, page.notation, page.column):
+        return rf"{content} \reasonbeside{{{reason}}}"
+    return f"\\begin{{gathered}}\n{content} \\\\\n\\reasonbelow{{{reason}}}\n\\end{{gathered}}"
+
+
+def table(block: Table, page: Page) -> str:
+    """A table with three rules; wide cells of words wrap."""
+    lines = [" & ".join(map(page.inlines, block.header)) + r" \\ \midrule"]
+    lines += [" & ".join(map(page.inlines, row)) + r" \\" for row in block.rows]
+    inner = "\n".join(lines)
+    columns = column_spec(block, page)
+    caption = rf"\caption{{{page.inlines(block.caption)}}}" if block.caption else ""
+    return (
+        f"\\begin{{table}}[ht]\\centering\n{caption}{anchor(block.label)}\n"
+        f"\\begin{{tabularx}}{{\\linewidth}}{{{columns}}}\n\\toprule\n{inner}\n"
+        f"\\bottomrule\n\\end{{tabularx}}\n\\end{{table}}"
+    )
+
+
+def column_spec(block: Table, page: Page) -> str:
+    """Columns of words share the room that is left; formulas and short ones take theirs."""
+    return "".join(
+        "X" if letter == "l" and breaking.is_wordy(block, place, page.notation) else letter
+        for place, letter in enumerate(block.columns)
+    )
+
+
+def figure(block: FigureBlock, page: Page) -> str:
+    """Scenes side by side, with their caption."""
+    scenes = "\\hfil\n".join(to_tikz(scene, page.notation) for scene in block.scenes)
+    caption = rf"\caption{{{page.inlines(block.caption)}}}"
+    return (
+        f"\\begin{{figure}}[ht]\\centering\n{scenes}\n{caption}{anchor(block.label)}\n\\end{{figure}}"
+    )
+
+
+def item_list(block: ItemList, page: Page) -> str:
+    """A list."""
+    kind = "enumerate" if block.ordered else "itemize"
+    items = "\n".join(rf"  \item {page.inlines(item)}" for item in block.items)
+    return f"\\begin{{{kind}}}\n{items}\n\\end{{{kind}}}"
+
+
+def callout(block: Callout, page: Page) -> str:
+    """A remark with a rule at its left."""
+    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
+    return (
+        f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{page.blocks(block.blocks)}\n\\end{{callout}}"
+    )
+
+
+LATEX: Mapping[type, Print] = {
+    Text: lambda inline, page: escape(inline.text),
+    Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
+    Ref: reference,
+    Emph: lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",
+    Strong: lambda inline, page: rf"\textbf{{{page.inlines(inline.inlines)}}}",
+    Paragraph: lambda block, page: page.inlines(block.inlines),
+    Display: display,
+    Table: table,
+    FigureBlock: figure,
+    ItemList: item_list,
+    Callout: callout,
+    Section: section,
+}

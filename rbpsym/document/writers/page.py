@@ -1,0 +1,89 @@
+"""What all writers share: the walk over the tree, and the templates of the page shells."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+
+from rbpsym.document.model import Block, Document, DocumentError, Inlines, Section
+from rbpsym.document.phrases import plain
+from rbpsym.document.resources import data_folder
+from rbpsym.notation.glyphs import Notation
+
+Print = Callable[[object, "Page"], str]
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """How a format prints (a table of functions by type) and what it prints with.
+
+    `column` is the width of the text in em; the widest formula is broken to it.
+    """
+
+    table: Mapping[type, Print]
+    notation: Notation
+    language: str
+    column: float = 36.0
+
+    def show(self, part: object) -> str:
+        """One inline or block."""
+        try:
+            show = self.table[type(part)]
+        except KeyError:
+            raise DocumentError(f"no writer for {type(part).__name__}") from None
+        return show(part, self)
+
+    def inlines(self, inlines: Inlines) -> str:
+        """Inlines side by side."""
+        return "".join(map(self.show, inlines))
+
+    def blocks(self, blocks: tuple[Block, ...], between: str = "\n\n") -> str:
+        """Blocks below each other."""
+        return between.join(map(self.show, blocks))
+
+    def word(self, key: str, **slots: object) -> str:
+        """A phrase that is only text, in the document's language, unescaped."""
+        return plain(key, self.language, **slots)
+
+
+def page_for(document: Document, table: Mapping[type, Print], column: float) -> Page:
+    """The page that a numbered document is printed on."""
+    return Page(table, document.notation, document.language, column)
+
+
+def body(document: Document, page: Page) -> str:
+    """All sections."""
+    return "\n\n".join(page.table[Section](section, page) for section in document.sections)
+
+
+@cache
+def environment(autoescape: bool) -> object:
+    """The Jinja2 environment of the page shells; LaTeX and Typst shells use << >> and <% %>."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    marks = {} if autoescape else BRACKETS
+    return Environment(
+        loader=FileSystemLoader(data_folder("templates")),
+        undefined=StrictUndefined,
+        autoescape=autoescape,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        **marks,
+    )
+
+
+BRACKETS = {
+    "block_start_string": "<%",
+    "block_end_string": "%>",
+    "variable_start_string": "<<",
+    "variable_end_string": ">>",
+    "comment_start_string": "<#",
+    "comment_end_string": "#>",
+}
+
+
+def shell(name: str, *, autoescape: bool = False, **values: object) -> str:
+    """A page shell with its places filled."""
+    return environment(autoescape).get_template(name).render(**values)

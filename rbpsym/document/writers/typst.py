@@ -1,0 +1,182 @@
+"""Typst: the source of the PDF that needs nothing but pip; formulas and drawings carry alt texts."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+
+from rbpsym.document import breaking
+from rbpsym.document.figures.typst import to_typst_drawing
+from rbpsym.document.model import (
+    Callout,
+    Display,
+    Document,
+    Emph,
+    FigureBlock,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Strong,
+    Table,
+    Text,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.notation.speech import to_speech
+from rbpsym.notation.tree import Node
+from rbpsym.notation.typst import render, to_typst
+
+COLUMN = 38.0
+SPECIAL = re.compile(r"([\\#*_`$@<>\[\]~=+/'\"-])")
+ENUMERATION = re.compile(r"^(\d+)\.")
+
+
+def escape(text: str) -> str:
+    """Text without any character that Typst takes as markup."""
+    return ENUMERATION.sub(r"\1\.", SPECIAL.sub(r"\\\1", text))
+
+
+def quoted(text: str) -> str:
+    """A Typst string."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def write_typst(document: Document) -> str:
+    """The document as a Typst source file."""
+    document = numbered(document)
+    page = page_for(document, TYPST, COLUMN)
+    return shell(
+        "notes.typ",
+        title=page.inlines(document.title),
+        plain_title=quoted(plain_text(document.title, document.notation)),
+        subtitle=page.inlines(document.subtitle),
+        source=page.inlines(document.source),
+        language=document.language,
+        body=body(document, page),
+    )
+
+
+def section(part: Section, page: Page) -> str:
+    """A heading with its number and what stands under it."""
+    number = quoted(part.number)
+    heading = f"#section({part.level}, {number})[{page.inlines(part.title)}]{anchor(part.label)}"
+    return f"{heading}\n\n{page.blocks(part.blocks)}".rstrip()
+
+
+def anchor(label: str) -> str:
+    """The target of links; `label(...)` takes any characters."""
+    return f"#label({quoted(label)})" if label else ""
+
+
+def reference(inline: Ref, page: Page) -> str:
+    """A link that shows the number."""
+    return f"#link(label({quoted(inline.label)}))[{escape(inline.mark)}];"
+
+
+def math(inline: Math, page: Page) -> str:
+    """A formula in a sentence, with its spoken form."""
+    return f"#m({spoken(inline.node, page)}, ${to_typst(inline.node, page.notation)}$);"
+
+
+def spoken(node: Node, page: Page) -> str:
+    """How a screen reader says the formula, as a Typst string."""
+    return quoted(to_speech(node, page.notation))
+
+
+def display(block: Display, page: Page) -> str:
+    """A displayed formula; the shell sets number, box and reason."""
+    lines = breaking.lines(block.node, page.notation, page.column)
+    written = aligned_line if len(lines) > 1 else single_line
+    content = " \\\n  ".join(map(written, lines))
+    settings = [f"alt: {spoken(block.node, page)}"]
+    settings += [f"number: {quoted(f'({block.number})')}"] if block.number else []
+    settings += ["boxed: true"] if block.boxed else []
+    settings += ["shrunk: true"] if breaking.widest(lines) > page.column else []
+    settings += reason(block, page)
+    return f"#display({', '.join(settings)}, $\n  {content}\n$){anchor(block.label)}"
+
+
+def reason(block: Display, page: Page) -> list[str]:
+    """The arguments of a display that has a reason."""
+    if block.reason is None:
+        return []
+    beside = "true" if breaking.reason_fits(block, page.notation, page.column) else "false"
+    return [f"reason: [{page.inlines(block.reason)}]", f"beside: {beside}"]
+
+
+def single_line(line: breaking.Line) -> str:
+    """A formula on one line."""
+    return f"{render(line.left)} {render(line.right)}".strip()
+
+
+def aligned_line(line: breaking.Line) -> str:
+    """A line of an aligned block, its mark before the relation sign."""
+    lead = "wide " if line.indent else ""
+    return f"{render(line.left)} &{lead}{render(line.right)}".strip()
+
+
+def table(block: Table, page: Page) -> str:
+    """A table with three rules."""
+    columns = ", ".join(
+        "1fr" if letter == "l" and breaking.is_wordy(block, place, page.notation) else "auto"
+        for place, letter in enumerate(block.columns)
+    )
+    align = ", ".join(ALIGN[letter] for letter in block.columns)
+    header = cells(block.header, page)
+    rows = ",\n  ".join(cells(row, page) for row in block.rows)
+    caption = f"[{page.inlines(block.caption)}]" if block.caption else "none"
+    name = quoted(page.word("block.table", number=block.number)) if block.number else "none"
+    return (
+        f"#notes-table(({columns},), ({align},), {name}, {caption},\n"
+        f"  ({header},),\n  {rows},\n){anchor(block.label)}"
+    )
+
+
+ALIGN = {"l": "left", "c": "center", "r": "right"}
+
+
+def cells(row: tuple, page: Page) -> str:
+    """The cells of a row as content blocks."""
+    return ", ".join(f"[{page.inlines(cell)}]" for cell in row)
+
+
+def figure(block: FigureBlock, page: Page) -> str:
+    """Scenes side by side with their caption and alt text."""
+    scenes = ",\n".join(to_typst_drawing(scene, page.notation) for scene in block.scenes)
+    name = quoted(page.word("block.figure", number=block.number))
+    return (
+        f"#notes-figure({name}, [{page.inlines(block.caption)}], {quoted(block.alt)},\n"
+        f"{scenes},\n){anchor(block.label)}"
+    )
+
+
+def item_list(block: ItemList, page: Page) -> str:
+    """A list."""
+    items = ",\n  ".join(f"[{page.inlines(item)}]" for item in block.items)
+    return f"#{'enum' if block.ordered else 'list'}(\n  {items},\n)"
+
+
+def callout(block: Callout, page: Page) -> str:
+    """A remark with a rule at its left."""
+    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
+    return f"#callout({quoted(block.kind)}, [{title}])[\n{page.blocks(block.blocks)}\n]"
+
+
+TYPST: Mapping[type, Print] = {
+    Text: lambda inline, page: escape(inline.text),
+    Math: math,
+    Ref: reference,
+    Emph: lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",
+    Strong: lambda inline, page: f"#strong[{page.inlines(inline.inlines)}];",
+    Paragraph: lambda block, page: page.inlines(block.inlines),
+    Display: display,
+    Table: table,
+    FigureBlock: figure,
+    ItemList: item_list,
+    Callout: callout,
+    Section: section,
+}

@@ -1,0 +1,1 @@
+"""Verdicts: is a formula zero, of one sign, of one dimension?"""

@@ -1,0 +1,52 @@
+"""What may be assumed of the quantities in a claim: signs and open ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra.scalar import Scalar
+
+Range = tuple[Scalar | None, Scalar | None]
+SIGNS = ("positive", "nonnegative", "nonzero", "real")
+
+
+@dataclass(frozen=True)
+class Assumptions:
+    """signs: name → "positive", "nonnegative", "nonzero" or "real" (also for names not listed).
+
+    ranges: name → (lower, upper), an open interval; a bound may hold other names (θ₀ < θ), None
+    means no bound. A name that has a range with lower bound 0 counts as positive.
+    """
+
+    signs: Mapping[str, str] = field(default_factory=dict)
+    ranges: Mapping[str, Range] = field(default_factory=dict)
+
+    def sign_of(self, name: str) -> str:
+        """The declared sign of a name."""
+        return self.signs.get(name, "real")
+
+    def range_of(self, name: str) -> Range:
+        """The declared range of a name."""
+        return self.ranges.get(name, (None, None))
+
+    def with_signs(self, more: Mapping[str, str]) -> Assumptions:
+        """The same with further (or other) signs."""
+        return Assumptions({**self.signs, **more}, self.ranges)
+
+    def with_range(self, name: str, lower: Scalar | None, upper: Scalar | None) -> Assumptions:
+        """The same with another range of one name."""
+        return Assumptions(self.signs, {**self.ranges, name: (lower, upper)})
+
+    def without(self, *names: str) -> Assumptions:
+        """The same with nothing assumed of these names."""
+        signs = {name: sign for name, sign in self.signs.items() if name not in names}
+        return Assumptions(signs, {name: r for name, r in self.ranges.items() if name not in names})
+
+
+NONE = Assumptions()
+
+
+def positive(*names: str) -> Assumptions:
+    """All these names are positive."""
+    return Assumptions(dict.fromkeys(names, "positive"))

@@ -1,0 +1,107 @@
+"""Bounds of single generators: of a name by its range, of a sine or cosine by its angle's range."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import UNIT, Monomial, Poly
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift
+from rbpsym.algebra.trig import cosine
+from rbpsym.equality.assumptions import Assumptions
+
+Bound = Scalar | None
+IsNonnegative = Callable[[Scalar], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """An interval; `lower_in` and `upper_in` say whether an end may be reached."""
+
+    lower: Bound = None
+    upper: Bound = None
+    lower_in: bool = False
+    upper_in: bool = False
+
+
+NO_BOUNDS = Bounds()
+FULL_WAVE = Bounds(lift(-1), UNITY, True, True)
+PI_BOUNDS = Bounds(lift(Fraction(103993, 33102)), lift(Fraction(104348, 33215)))
+LOWEST = {"positive": Bounds(NOTHING), "nonnegative": Bounds(NOTHING, lower_in=True)}
+
+
+def of_symbol(name: str, assumptions: Assumptions) -> Bounds:
+    """The range of a name, narrowed by its sign."""
+    if name == "pi":
+        return PI_BOUNDS
+    lower, upper = assumptions.range_of(name)
+    by_sign = LOWEST.get(assumptions.sign_of(name), NO_BOUNDS)
+    if lower is None or _is_negative_number(lower):
+        return Bounds(by_sign.lower, upper, by_sign.lower_in) if by_sign.lower is not None else Bounds(lower, upper)
+    return Bounds(lower, upper)
+
+
+def _is_negative_number(bound: Scalar) -> bool:
+    number = bound.number()
+    return number is not None and number < 0
+
+
+def of_angle(angle: Poly, assumptions: Assumptions) -> tuple[Bound, Bound]:
+    """Between what an angle lies: each name replaced by the end of its range."""
+    order = sorted(angle.terms, key=lambda m: -_depth(m, assumptions))
+    ends = [Scalar(angle), Scalar(angle)]
+    for side in (0, 1):
+        for m in order:
+            c = angle.terms[m]
+            if _is_constant(m) or ends[side] is None or ends[side].num.terms.get(m) != c:
+                continue
+            end = _range_of(m, assumptions)[side if c > 0 else 1 - side]
+            ends[side] = None if end is None else ends[side] + (end - Scalar(Poly({m: 1}))) * c
+    return ends[0], ends[1]
+
+
+def _is_constant(m: Monomial) -> bool:
+    return m == UNIT or m == ((atoms.PI, 1),)
+
+
+def _range_of(m: Monomial, assumptions: Assumptions) -> tuple[Bound, Bound]:
+    name = atoms.symbol_name(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
+    found = of_symbol(name, assumptions) if name else NO_BOUNDS
+    return found.lower, found.upper
+
+
+def _depth(m: Monomial, assumptions: Assumptions) -> int:
+    """How many generators stand in the bounds: such names are replaced first."""
+    ends = [] if _is_constant(m) else _range_of(m, assumptions)
+    return sum(len(end.atoms()) for end in ends if end is not None)
+
+
+def of_cosine(lower: Bound, upper: Bound, is_nonnegative: IsNonnegative) -> Bounds:
+    """Bounds of the cosine of an angle in the open interval (lower, upper).
+
+    On a half turn from kπ to (k+1)π the cosine is monotone; from (k-1/2)π to (k+1/2)π it has
+    one sign.
+    """
+    if lower is None or upper is None:
+        return FULL_WAVE
+    for k in (0, -1, 1, -2, 2, -3, 3):
+        if is_nonnegative(lower - PI * k) and is_nonnegative(PI * (k + 1) - upper):
+            ends = cosine(upper), cosine(lower)
+            return Bounds(*ends) if k % 2 == 0 else Bounds(*reversed(ends))
+    for k in (0, -1, 1, -2, 2):
+        middle = PI * k
+        if is_nonnegative(lower - middle + PI * Fraction(1, 2)) and is_nonnegative(middle + PI * Fraction(1, 2) - upper):
+            return Bounds(NOTHING, UNITY, upper_in=True) if k % 2 == 0 else Bounds(lift(-1), NOTHING, lower_in=True)
+    return FULL_WAVE
+
+
+def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:
+    """Bounds of a sine or cosine; sin A = cos(A - π/2)."""
+    lower, upper = of_angle(angle, assumptions)
+    if kind == "sin":
+        quarter = PI * Fraction(1, 2)
+        lower = None if lower is None else lower - quarter
+        upper = None if upper is None else upper - quarter
+    return of_cosine(lower, upper, is_nonnegative)

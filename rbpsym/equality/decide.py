@@ -1,0 +1,154 @@
+"""Whether two formulas are equal: proved by exact algebra, or refuted by a witness.
+
+Order of attack: a non-zero value modulo a prime spares the normal form; the normal form modulo
+sin² + cos² = 1 decides everything without roots and functions; `radicals` decides roots,
+logarithms and exponentials. PROVED comes from these alone, REFUTED from a point that
+satisfies the assumptions, at which both sides are computed rigorously.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.evaluate import BARE, Scope, value, vector
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Space
+from rbpsym.equality import enclosure
+from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.equality.domain import Condition, conditions, holds_at, obligations
+from rbpsym.equality.enclosure import Number
+from rbpsym.equality.points import Point, all_atoms, points
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import Verdict, Witness, all_of, proved, refuted, undecided
+from rbpsym.errors import LimitError, Undecided
+from rbpsym.notation.tree import Node
+
+PLAIN = frozenset({"symbol", "cos", "sin"})
+MOST_INEXACT = 8
+
+
+def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope = BARE) -> Verdict:
+    """Whether two formulas have the same value wherever both have one.
+
+    Obligations of a proof are the conditions under which they have one (x != 0 for x/x = 1).
+    Raises ReadError for a formula without a value or a vector compared with a scalar.
+    """
+    return _guarded(lambda: _equal(left, right, assumptions, scope))
+
+
+def _equal(left: Node, right: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
+    a, b = value(left, scope), value(right, scope)
+    domain = list(dict.fromkeys([*conditions(left, scope), *conditions(right, scope)]))
+    if isinstance(a, Space) or isinstance(b, Space):
+        a, b = vector(left, scope), vector(right, scope)
+        pairs = list(zip(a.components(), b.components(), strict=True))
+    else:
+        pairs = [(a, b)]
+    return all_of(_decide(x, y, assumptions, domain) for x, y in pairs)
+
+
+def scalars_equal(a: Scalar, b: Scalar, assumptions: Assumptions = NONE) -> Verdict:
+    """Whether two values are equal under the assumptions."""
+    return _guarded(lambda: _decide(a, b, assumptions, ()))
+
+
+def vectors_equal(a: Space, b: Space, assumptions: Assumptions = NONE) -> Verdict:
+    """Whether two vectors are equal, component by component."""
+    return all_of(scalars_equal(x, y, assumptions) for x, y in zip(a.components(), b.components(), strict=True))
+
+
+def compare(a: Scalar, b: Scalar, assumptions: Assumptions = NONE, *, strict: bool = True) -> Verdict:
+    """Whether a < b (or a <= b) for all quantities that satisfy the assumptions."""
+    return _guarded(lambda: _compare(a, b, assumptions, strict))
+
+
+def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool) -> Verdict:
+    found = sign(b - a, assumptions)
+    if found.kind == "positive" or (not strict and found.is_nonnegative):
+        return proved(f"right - left is {found.kind}: {found.certificate}")
+    fails = (lambda x, y: _sign(x - y) in ((0, 1) if strict else (1,)))
+    witness = find_witness(a, b, assumptions, (), fails)
+    if witness is not None:
+        return refuted("the relation fails at a point", witness)
+    return undecided("the sign of the difference could not be determined")
+
+
+def _sign(number: Number) -> int | None:
+    return enclosure.sign_of(number)
+
+
+def _guarded(decide: Callable[[], Verdict]) -> Verdict:
+    """The verdict; what cannot be computed is UNDECIDED."""
+    try:
+        return decide()
+    except (LimitError, Undecided) as error:
+        return undecided(error.what)
+    except ZeroDivisionError:
+        return undecided("a denominator is identically zero")
+
+
+def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Condition]) -> Verdict:
+    if any(x.den is not ONE and is_zero(Scalar(x.den)) for x in (a, b)):
+        return undecided("a denominator is identically zero")
+    difference = cross_difference(a, b)
+    if is_zero(difference):
+        return proved("exact normal form", obligations(domain, assumptions))
+    kinds = {atoms.atom(index).kind for index in all_atoms([difference])}
+    if "opaque" in kinds:
+        return undecided("it holds a quantity that is known only by name")
+    if not kinds <= PLAIN:
+        from rbpsym.equality.radicals import vanishes
+
+        how = vanishes(difference, assumptions)
+        if how:
+            return proved(how, obligations(domain, assumptions))
+    witness = find_witness(a, b, assumptions, domain)
+    if witness is not None:
+        return refuted("the sides differ at a point", witness)
+    return undecided("neither a proof nor a point at which the sides differ was found")
+
+
+def cross_difference(a: Scalar, b: Scalar) -> Scalar:
+    """A polynomial that vanishes exactly where a = b (and both have a value)."""
+    if a.den is b.den or a.den == b.den:
+        return Scalar(a.num - b.num)
+    return Scalar((a.num if b.den is ONE else a.num * b.den) - (b.num if a.den is ONE else b.num * a.den))
+
+
+def find_witness(
+    a: Scalar,
+    b: Scalar,
+    assumptions: Assumptions,
+    domain: Iterable[Condition] = (),
+    differ: Callable[[Number, Number], bool] = enclosure.are_disjoint,
+) -> Witness | None:
+    """A point that satisfies the assumptions and at which the sides `differ`; exact ones preferred."""
+    domain, first, inexact = list(domain), None, 0
+    for point in points([a, b, *(condition.value for condition in domain)], assumptions):
+        if not all(holds_at(condition, point) for condition in domain):
+            continue
+        found = _witness_at(point, a, b, differ)
+        if found is not None and found.is_exact:
+            return found
+        first, inexact = first or found, inexact + (found is not None)
+        if inexact >= MOST_INEXACT:
+            break
+    return first
+
+
+def _witness_at(point: Point, a: Scalar, b: Scalar, differ: Callable[[Number, Number], bool]) -> Witness | None:
+    try:
+        left, right = point.value(a), point.value(b)
+    except enclosure.Outside:
+        return None
+    if not differ(left, right):
+        return None
+    circle = tuple((_angle(name, point.parts[name]), *pair) for name, pair in point.angles.items())
+    return Witness(tuple(point.numbers.items()), circle, left, right)
+
+
+def _angle(name: str, parts: int) -> str:
+    return name if parts == 1 else f"{name}/{parts}"

@@ -1,0 +1,174 @@
+"""Where a formula has a value: denominators are not zero, radicands not negative, and so on.
+
+`conditions` reads them from the tree, before anything cancels; `obligations` says which of
+them the assumptions imply.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from rbpsym.algebra.calculus import depends_on, function, substitute
+from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality import enclosure
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.points import Point
+from rbpsym.equality.signs import SignResult, sign
+from rbpsym.equality.verdict import Obligation
+from rbpsym.errors import Undecided
+from rbpsym.notation import tree as t
+from rbpsym.notation.tree import Node
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """`node` (of the given value) op 0, op being "!=", ">=" or ">"."""
+
+    node: Node
+    op: str
+    value: Scalar
+
+    @property
+    def relation(self) -> Node:
+        """The condition as a formula."""
+        return t.relation(self.node, self.op, t.ZERO)
+
+
+IMPLIED: dict[str, Callable[[SignResult], bool]] = {
+    "!=": lambda found: found.is_nonzero,
+    ">=": lambda found: found.is_nonnegative,
+    ">": lambda found: found.kind == "positive",
+}
+HOLDS: dict[str, Callable[[int | None], bool]] = {
+    "!=": lambda sign: sign in (1, -1),
+    ">=": lambda sign: sign in (0, 1),
+    ">": lambda sign: sign == 1,
+}
+
+
+def conditions(node: Node, scope: Scope) -> list[Condition]:
+    """All conditions of a formula, without repetition and without those on plain numbers that hold."""
+    found = dict.fromkeys(_conditions(node, scope))
+    for condition in found:
+        if condition.op == "!=" and is_zero(condition.value):
+            raise Undecided("a denominator is identically zero")
+    return [condition for condition in found if condition.value.number() is None or not _is_met(condition)]
+
+
+def _is_met(condition: Condition) -> bool:
+    return holds_at(condition, Point({}))
+
+
+def holds_at(condition: Condition, point: Point) -> bool:
+    """Whether the condition surely holds at a point."""
+    try:
+        return HOLDS[condition.op](enclosure.sign_of(point.value(condition.value)))
+    except (enclosure.Outside, KeyError):
+        return False
+
+
+def obligations(found: Iterable[Condition], assumptions: Assumptions) -> list[Obligation]:
+    """The conditions with what discharges them."""
+    return [Obligation(item.relation, _why(item, assumptions)) for item in found]
+
+
+def _why(condition: Condition, assumptions: Assumptions) -> str:
+    result = sign(condition.value, assumptions, factoring=False)
+    return result.certificate or "by assumption" if IMPLIED[condition.op](result) else ""
+
+
+def _conditions(node: Node, scope: Scope) -> Iterator[Condition]:
+    rule = RULES.get(type(node))
+    if rule is not None:
+        yield from rule(node, scope)
+    special = INSIDE.get(type(node))
+    if special is not None:
+        yield from special(node, scope)
+        return
+    for child in t.children(node):
+        yield from _conditions(child, scope)
+
+
+def _condition(node: Node, op: str, scope: Scope) -> Condition:
+    return Condition(node, op, scalar(node, scope))
+
+
+def _of_power(node: t.Pow, scope: Scope) -> Iterator[Condition]:
+    exponent = scalar(node.exponent, scope).number()
+    if exponent is not None and exponent < 0:
+        yield _condition(node.base, "!=", scope)
+    if exponent is not None and exponent.denominator != 1:
+        yield _condition(node.base, ">=", scope)
+
+
+def _of_function(node: t.Fn, scope: Scope) -> Iterator[Condition]:
+    kind, op = FUNCTIONS.get(node.name, (None, ""))
+    if kind == "arg":
+        yield _condition(node.arg, op, scope)
+    elif kind == "square":
+        yield _condition(t.Add((t.ONE, t.Neg(t.Pow(node.arg, t.TWO)))), op, scope)
+    elif kind is not None:
+        yield Condition(t.Fn(kind, node.arg), op, function(kind, scalar(node.arg, scope)))
+
+
+FUNCTIONS = {
+    "tan": ("cos", "!="),
+    "sec": ("cos", "!="),
+    "cot": ("sin", "!="),
+    "csc": ("sin", "!="),
+    "ln": ("arg", ">"),
+    "asin": ("square", ">="),
+    "acos": ("square", ">="),
+}
+
+RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
+    t.Div: lambda node, scope: iter([_condition(node.den, "!=", scope)]),
+    t.Pow: _of_power,
+    t.Sqrt: lambda node, scope: iter([_condition(node.arg, ">=", scope)]),
+    t.Fn: _of_function,
+}
+
+
+def _at_ends(node: t.Bracket, scope: Scope) -> Iterator[Condition]:
+    for end in (node.lower, node.upper):
+        yield from _conditions(end, scope)
+        yield from _moved(node.arg, node.var, scalar(end, scope), scope)
+
+
+def _moved(node: Node, name: str, to: Scalar, scope: Scope) -> Iterator[Condition]:
+    for condition in _conditions(node, scope):
+        if depends_on(condition.value, name):
+            image = substitute(condition.value, {name: to})
+            shown = t.At(condition.node, t.equation(t.Sym(name), t.Sym("…")))
+            yield Condition(shown, condition.op, image)
+        else:
+            yield condition
+
+
+def _then_and_now(node: t.Delta, scope: Scope) -> Iterator[Condition]:
+    for condition in _conditions(node.arg, scope):
+        yield condition
+        image = substitute(condition.value, scope.start)
+        if image != condition.value:
+            yield Condition(t.At(condition.node, t.Word("start")), condition.op, image)
+
+
+def _near(node: t.Limit, scope: Scope) -> Iterator[Condition]:
+    """Conditions away from the limit: what vanishes only at the limit itself does not matter."""
+    yield from _conditions(node.to, scope)
+    for condition in _conditions(node.arg, scope):
+        if not depends_on(condition.value, node.var):
+            yield condition
+
+
+INSIDE: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
+    t.Bracket: _at_ends,
+    t.Delta: _then_and_now,
+    t.Limit: _near,
+    t.BodyIntegral: lambda node, scope: iter(()),
+    t.PathIntegral: lambda node, scope: iter(()),
+}

@@ -1,0 +1,262 @@
+"""Rigorous enclosures of real numbers by pairs of fractions.
+
+A number is a `Fraction` where it is exact, else an `Enclosure`. Every function rounds
+outwards, so that disjoint enclosures prove that two numbers differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt
+
+BITS = 128
+_ONE = 1 << BITS
+
+
+class Outside(ArithmeticError):
+    """A value that does not exist, or that cannot be enclosed (division by an interval with 0)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Enclosure:
+    """A real number known to lie between two fractions."""
+
+    lower: Fraction
+    upper: Fraction
+
+    def __add__(self, other: Number) -> Enclosure:
+        low, high = ends(other)
+        return outward(self.lower + low, self.upper + high)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Enclosure:
+        return Enclosure(-self.upper, -self.lower)
+
+    def __sub__(self, other: Number) -> Enclosure:
+        return self + (-other)
+
+    def __rsub__(self, other: Number) -> Enclosure:
+        return -self + other
+
+    def __mul__(self, other: Number) -> Number:
+        low, high = ends(other)
+        if low == high == 0:
+            return Fraction(0)
+        products = (self.lower * low, self.lower * high, self.upper * low, self.upper * high)
+        return outward(min(products), max(products))
+
+    __rmul__ = __mul__
+
+    def __pow__(self, exponent: int) -> Number:
+        if exponent < 0:
+            return reciprocal(self) ** -exponent
+        result: Number = Fraction(1)
+        for _ in range(exponent):
+            result = result * self
+        if exponent % 2 or not isinstance(result, Enclosure):
+            return result
+        return Enclosure(max(result.lower, Fraction(0)), result.upper)
+
+    def __str__(self) -> str:
+        return f"{float((self.lower + self.upper) / 2):.12g}…"
+
+
+Number = Fraction | Enclosure
+
+
+def ends(number: Number) -> tuple[Fraction, Fraction]:
+    """Lower and upper bound of a number."""
+    if isinstance(number, Enclosure):
+        return number.lower, number.upper
+    return number, number
+
+
+def outward(lower: Fraction, upper: Fraction) -> Enclosure:
+    """The enclosure, its bounds rounded outwards to BITS binary places where they are long."""
+    if lower.denominator > _ONE:
+        lower = Fraction(lower.numerator * _ONE // lower.denominator, _ONE)
+    if upper.denominator > _ONE:
+        upper = Fraction(-(-upper.numerator * _ONE // upper.denominator), _ONE)
+    return Enclosure(lower, upper)
+
+
+def around(middle: Fraction, radius: Fraction) -> Enclosure:
+    """All numbers within `radius` of `middle`."""
+    return outward(middle - radius, middle + radius)
+
+
+def sign_of(number: Number) -> int | None:
+    """1, 0 or -1; None if the enclosure does not tell."""
+    low, high = ends(number)
+    if low > 0:
+        return 1
+    if high < 0:
+        return -1
+    return 0 if low == high else None
+
+
+def are_disjoint(a: Number, b: Number) -> bool:
+    """True only if the two numbers differ."""
+    return sign_of(a - b) in (1, -1)
+
+
+def reciprocal(number: Number) -> Number:
+    """1 / number. Raises Outside if it may be zero."""
+    if not sign_of(number):
+        raise Outside("division by zero")
+    if isinstance(number, Fraction):
+        return 1 / number
+    return outward(1 / number.upper, 1 / number.lower)
+
+
+def monotone(lower: Callable[[Fraction], Number], number: Number) -> Number:
+    """A rising function of a number, from the function of fractions."""
+    if isinstance(number, Fraction):
+        return lower(number)
+    return Enclosure(ends(lower(number.lower))[0], ends(lower(number.upper))[1])
+
+
+def root(number: Number) -> Number:
+    """The square root, exact for squares. Raises Outside if it may be negative."""
+    if ends(number)[0] < 0:
+        raise Outside("square root of a negative number")
+    return monotone(_root, number)
+
+
+def _root(value: Fraction) -> Number:
+    p, q = isqrt(value.numerator), isqrt(value.denominator)
+    if p * p == value.numerator and q * q == value.denominator:
+        return Fraction(p, q)
+    scaled = isqrt(value.numerator * value.denominator << 2 * BITS)
+    whole = value.denominator << BITS
+    return Enclosure(Fraction(scaled, whole), Fraction(scaled + 1, whole))
+
+
+def _short(value: Fraction) -> tuple[Fraction, Fraction]:
+    """A fraction of BITS binary places near the value, and the distance at most."""
+    if value.denominator <= _ONE:
+        return value, Fraction(0)
+    return Fraction(value.numerator * _ONE // value.denominator, _ONE), Fraction(1, _ONE)
+
+
+def _series(first: Fraction, ratio: Callable[[int], Fraction], tail: Fraction) -> Enclosure:
+    """Σ terms, each the last one times ratio(k); the rest is at most `tail` × |last term|."""
+    total, term, k = Fraction(0), first, 0
+    while abs(term) * _ONE > 1:
+        total, k = total + term, k + 1
+        term = _short(term * ratio(k))[0]
+    slack = Fraction(4 * k + 4, _ONE) * tail
+    return around(total, slack)
+
+
+@lru_cache(maxsize=1)
+def pi() -> Enclosure:
+    """π by Machin's formula."""
+    return 16 * _small_atan(Fraction(1, 5)) - 4 * _small_atan(Fraction(1, 239))
+
+
+def _small_atan(x: Fraction) -> Number:
+    """atan for |x| < 1/2, by its alternating series."""
+    if x == 0:
+        return Fraction(0)
+    total, power, k = Fraction(0), x, 0
+    while abs(power) * _ONE > 1:
+        total += _short(power / (2 * k + 1))[0] * (-1 if k % 2 else 1)
+        power, k = _short(power * x * x)[0], k + 1
+    return around(total, Fraction(8 * k + 8, _ONE))
+
+
+def atan(number: Number) -> Number:
+    """The inverse tangent."""
+    return monotone(_atan, number)
+
+
+def _atan(x: Fraction) -> Number:
+    """Halved twice by atan x = 2 atan(x / (1 + √(1 + x²)))."""
+    half: Number = x
+    for _ in range(2):
+        half = half * reciprocal(1 + root(1 + half * half))
+    return 4 * monotone(_small_atan, half)
+
+
+def asin(number: Number) -> Number:
+    """The inverse sine. Raises Outside beyond [-1, 1]."""
+    if number == 0:
+        return Fraction(0)
+    if number in (1, -1):
+        return pi() * Fraction(number) * Fraction(1, 2)
+    return atan(number * reciprocal(root(1 - number * number)))
+
+
+def acos(number: Number) -> Number:
+    """The inverse cosine."""
+    return Fraction(0) if number == 1 else pi() * Fraction(1, 2) - asin(number)
+
+
+def turn_of(number: Number) -> tuple[Number, Number]:
+    """(cos, sin) of a number."""
+    if number == 0:
+        return Fraction(1), Fraction(0)
+    low, high = ends(number)
+    middle, shift = _short((low + high) / 2)
+    radius = shift + (high - low) / 2
+    if abs(middle) > 4:
+        turns = round(middle / Fraction(710, 113))
+        return turn_of(number - 2 * turns * pi()) if turns else _wave(middle, radius)
+    return _wave(middle, radius)
+
+
+def _wave(x: Fraction, radius: Fraction) -> tuple[Number, Number]:
+    """Both functions have slopes of at most 1, so the radius carries over."""
+    square = _short(x * x)[0]
+    growth = Fraction(256)  # more than exp(|x|) for |x| ≤ 5: how rounding errors may grow
+    cosine = _series(Fraction(1), lambda k: -square / ((2 * k - 1) * (2 * k)), growth)
+    sine = _series(x, lambda k: -square / ((2 * k) * (2 * k + 1)), growth)
+    return _wider(cosine, radius), _wider(sine, radius)
+
+
+def _wider(number: Enclosure, radius: Fraction) -> Enclosure:
+    return outward(number.lower - radius, number.upper + radius)
+
+
+def exp(number: Number) -> Number:
+    """The exponential function."""
+    return Fraction(1) if number == 0 else monotone(_exp, number)
+
+
+def _exp(x: Fraction) -> Number:
+    halvings = max(0, int(abs(x)).bit_length())
+    small = _short(x / (1 << halvings))
+    result: Number = _wider(_series(Fraction(1), lambda k: small[0] / k, Fraction(8)), 4 * small[1])
+    for _ in range(halvings):
+        result = result * result
+    return result
+
+
+def ln(number: Number) -> Number:
+    """The natural logarithm. Raises Outside if the number may be ≤ 0."""
+    if ends(number)[0] <= 0:
+        raise Outside("logarithm of a number that is not positive")
+    return monotone(_ln, number)
+
+
+def _ln(x: Fraction) -> Number:
+    if x == 1:
+        return Fraction(0)
+    twos = x.numerator.bit_length() - x.denominator.bit_length()
+    rest = x / Fraction(2) ** twos
+    return _area(rest) + twos * _area(Fraction(2))
+
+
+def _area(x: Fraction) -> Number:
+    """ln x = 2 artanh((x - 1)/(x + 1)) for 1/2 < x < 4."""
+    u = (x - 1) / (x + 1)
+    total, power, k = Fraction(0), u, 0
+    while abs(power) * _ONE > 1:
+        total, k = total + _short(power / (2 * k + 1))[0], k + 1
+        power = _short(power * u * u)[0]
+    return around(2 * total, Fraction(16 * k + 16, _ONE))

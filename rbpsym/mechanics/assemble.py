@@ -1,0 +1,152 @@
+"""From a statement to a `System`: poses, conditions, velocities, accelerations and forces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Vector
+from rbpsym.mechanics.conditions import all_conditions, contradiction, solve_explicitly
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.inertia import Inertia, inertia
+from rbpsym.mechanics.interactions import LAWS, Setting
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.placing import locator, poses
+from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
+from rbpsym.statement.model import Element, Problem
+
+
+def assemble(problem: Problem) -> System:
+    """Kinematics and forces of a problem. Raises StatementError if the poses can't be or contradict."""
+    inertias = {body.name: inertia(body) for body in problem.bodies}
+    given = poses(problem, inertias)
+    names = tuple(c.name for c in problem.coordinates)
+    conditions = all_conditions(problem, locator(problem, inertias, given), given)
+    solved, implicit = solve_explicitly(conditions, _by_preference(problem))
+    placed = {name: _settled(pose, solved) for name, pose in given.items()}
+    free = tuple(name for name in names if name not in solved)
+    _refuse_frozen(problem, implicit, free)
+    scope, independent = _rates(free, implicit, problem)
+    states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
+    bare = System(problem, free, solved, states, (), conditions, implicit, scope, independent)
+    return _with_forces(bare, locator(problem, inertias, placed))
+
+
+def _by_preference(problem: Problem) -> tuple[str, ...]:
+    """Coordinates that are best kept come first: those whose start the author gives, angles."""
+    def rank(c) -> tuple:
+        return (c.start is None, c.quantity.dimension.length != 0)
+
+    return tuple(c.name for c in sorted(problem.coordinates, key=rank))
+
+
+def _settled(pose: Pose, solved: Mapping[str, Scalar]) -> Pose:
+    if not solved:
+        return pose
+    return Pose(pose.origin.substitute(solved), substitute(pose.angle, solved))
+
+
+def _refuse_frozen(problem: Problem, implicit: tuple[Condition, ...], free: tuple[str, ...]) -> None:
+    """As many implicit conditions as coordinates would leave no motion."""
+    for condition in implicit:
+        used = [name for name in free if depends_on(condition.value, name)]
+        if len(used) <= 1:
+            element = next(e for e in problem.constraints if e.name == condition.constraint)
+            raise contradiction(condition, element, _text(condition.value))
+
+
+def _text(value: Scalar) -> str:
+    from rbpsym.algebra.present import present
+    from rbpsym.notation.machine import to_machine
+
+    return to_machine(present(value))
+
+
+def _rates(free: tuple[str, ...], implicit: tuple[Condition, ...], problem: Problem) -> tuple[Scope, tuple[str, ...]]:
+    """Time derivatives of coordinates and speeds; dependent speeds from the implicit conditions."""
+    speeds = {name: symbol(f"{name}_dot") for name in free}
+    dependent = _dependent_speeds(free, implicit, problem) if implicit else {}
+    independent = tuple(name for name in free if f"{name}_dot" not in dependent)
+    rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
+    rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
+    start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in free}
+    start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates
+              if c.speed is not None and c.name in independent}
+    return Scope(rates=rates, start=start), independent
+
+
+def _dependent_speeds(free, implicit, problem: Problem) -> dict[str, Scalar]:
+    """Speeds that the implicit conditions fix, solved in terms of the others."""
+    unknowns = tuple(f"{name}_dot" for name in reversed([n for n in _by_preference(problem) if n in free]))
+    rows = []
+    for condition in implicit:
+        rows.append(sum((derivative(condition.value, n) * symbol(f"{n}_dot") for n in free), NOTHING))
+    return solve_linear(rows, unknowns).values
+
+
+def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
+    center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
+    velocity = vector_rate(center, scope)
+    omega = time_derivative(pose.angle, scope)
+    return BodyState(name, own, pose, center, velocity, omega,
+                     vector_rate(velocity, scope), time_derivative(omega, scope))
+
+
+def vector_rate(vector: Vector, scope: Scope) -> Vector:
+    """d/dt of a plane vector."""
+    total = Vector({})
+    for name, speed in scope.rates.items():
+        part = vector.derivative(name)
+        total = total + part * speed if part else total
+    return total
+
+
+def setting_of(system: System, where) -> Setting:
+    """What the laws of force may look at."""
+    numbers = sample(system.problem)
+    numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
+    names = [*system.coordinates, *(f"{n}_dot" for n in system.coordinates), "t"]
+
+    def is_positive(value: Scalar) -> bool | None:
+        found = number(value, numbers)
+        return None if abs(found) < 1e-12 else found > 0
+
+    return Setting(
+        where, lambda ref: vector_rate(where(ref), system.scope), system.bodies, is_positive,
+        lambda value: not any(depends_on(value, name) for name in names),
+    )
+
+
+def _with_forces(system: System, where) -> System:
+    setting = setting_of(system, where)
+    applied = [f for e in system.problem.interactions for f in LAWS[e.kind].forces(e, setting)]
+    kept = [f for e in system.problem.constraints for f in JOINTS[e.kind].forces(e, where, _sides(system, setting))]
+    forces = tuple(_in_coordinates(force, system.dependent, system.scope) for force in (*applied, *kept))
+    return System(system.problem, system.coordinates, system.dependent, system.bodies, forces,
+                  system.conditions, system.implicit, system.scope, system.independent)
+
+
+def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) -> Force:
+    """The same force in the independent coordinates and speeds."""
+    images = dict(solved)
+    images |= {f"{name}_dot": time_derivative(value, scope) for name, value in solved.items()}
+    if not images:
+        return force
+    return Force(force.name, force.on, force.by, force.point.substitute(images), force.vector.substitute(images),
+                 substitute(force.couple, images), force.unknowns, force.law, force.where)
+
+
+def _sides(system: System, setting: Setting):
+    """+1 or -1 for a contact: the side of the line on which the body is."""
+    def side(element: Element) -> int:
+        if element["side"] != "auto":
+            return 1 if element["side"] == "positive" else -1
+        line, center = element["line"], system.bodies[element["point"].body].center
+        height = scalar(line.a) * center.x + scalar(line.b) * center.y - scalar(line.c)
+        return -1 if not is_zero(height) and setting.is_positive(height) is False else 1
+
+    return side

@@ -1,0 +1,110 @@
+"""Geometric conditions of the constraints in the given poses: proved, solved, or kept as equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.system import Condition, Pose
+from rbpsym.statement.model import Element, Problem
+
+
+def all_conditions(problem: Problem, where: Callable, placed: Mapping[str, Pose]) -> tuple[Condition, ...]:
+    """Every scalar condition of every constraint, as `value = 0`, in the poses as given."""
+    return tuple(c for element in problem.constraints for c in _of(element, problem, where, placed))
+
+
+def _of(element: Element, problem: Problem, where: Callable, placed: Mapping[str, Pose]) -> list[Condition]:
+    joint, found = JOINTS[element.kind], []
+    for first, second in joint.joins(element):
+        found += _meeting(element, first, where(second), where, problem)
+    for join in joint.angles(element):
+        found.append(Condition(element.name, _turned(join, placed, problem), "angle"))
+    for touch in joint.touches(element):
+        at, line = where(touch.point), touch.line
+        value = scalar(line.a) * at.x + scalar(line.b) * at.y - scalar(line.c)
+        found.append(Condition(element.name, value, "line"))
+    return found
+
+
+def _meeting(element: Element, first, second: Vector, where: Callable, problem: Problem) -> list[Condition]:
+    """Two points in one place; a pivot without a place holds its point where the pose has it."""
+    if first is None:
+        moving = [c.name for c in problem.coordinates if second.derivative(c.name)]
+        if moving and not _is_still(second, moving):
+            raise StatementError(
+                f"the pivot “{element.name}” holds {element['point'].label}, but in the given pose that "
+                f"point moves with {moving[0]}",
+                instead='pivot a point that stays in place, or say where it is held: at = ["0", "0"].',
+                place=element.place,
+            )
+        return [Condition(element.name, NOTHING, what) for what in "xy"]
+    difference = second - where(first)
+    if not difference:
+        return [Condition(element.name, NOTHING, what) for what in "xy"]
+    return [Condition(element.name, difference.x, "x"), Condition(element.name, difference.y, "y")]
+
+
+def _is_still(point: Vector, moving: list[str]) -> bool:
+    rates = [point.derivative(name) for name in moving]
+    return all(is_zero(rate.x) and is_zero(rate.y) for rate in rates)
+
+
+def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
+    turn = placed[join.second].angle - (placed[join.first].angle if join.first else NOTHING)
+    if join.offset is not None:
+        return turn - join.offset
+    start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
+    return turn - substitute(turn, start) if start else NOTHING
+
+
+def solve_explicitly(
+    conditions: tuple[Condition, ...], names: tuple[str, ...]
+) -> tuple[dict[str, Scalar], tuple[Condition, ...]]:
+    """(dependent coordinates in terms of the others, conditions that stay implicit).
+
+    A condition is solved for the last-named coordinate in which it is linear with a
+    coefficient that does not depend on coordinates. Raises StatementError if a condition
+    without coordinates is not satisfied.
+    """
+    solved: dict[str, Scalar] = {}
+    implicit: list[Condition] = []
+    for condition in conditions:
+        value = substitute(condition.value, solved)
+        if is_zero(value):
+            continue
+        name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
+        if name is None:
+            implicit.append(Condition(condition.constraint, value, condition.what))
+            continue
+        image = substitute(value, {name: NOTHING}) / derivative(value, name) * -1
+        solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
+    left = tuple(Condition(c.constraint, substitute(c.value, solved), c.what) for c in implicit)
+    return solved, tuple(c for c in left if not is_zero(c.value))
+
+
+def _is_linear(value: Scalar, name: str, names: tuple[str, ...]) -> bool:
+    slope = derivative(value, name)
+    return bool(slope) and not is_zero(slope) and not any(depends_on(slope, other) for other in names)
+
+
+def contradiction(condition: Condition, element: Element, text: str) -> StatementError:
+    """The sentence for a condition that the given poses can't satisfy while they move."""
+    touches = JOINTS[element.kind].touches(element)
+    point = touches[0].point.label if touches else " and ".join(
+        ref.label for join in JOINTS[element.kind].joins(element) for ref in join if ref
+    )
+    return StatementError(
+        f"the constraint “{element.name}” ({element.kind} of {point}) contradicts the poses: "
+        f"it asks for {text} = 0, which does not hold while the coordinates vary",
+        instead="check the pose (center, angle) of the bodies that it joins, and which point it names.",
+        place=element.place,
+    )
+
+

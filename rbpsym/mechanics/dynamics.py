@@ -1,0 +1,206 @@
+"""Equations of motion and unknown forces from Newton's and Euler's equations.
+
+Newton-Euler gives three equations a body, linear in the accelerations and the unknown forces.
+Taken along the velocities that the constraints allow (each equation dotted with ∂V/∂q̇ and
+∂ω/∂q̇, and added), the forces of ideal constraints drop out, which is proved for each of them;
+what is left is M q̈ = f. The unknown forces then follow from the equations of the single bodies.
+Kleppner & Kolenkow, ch. 7; Goldstein, 1.4; the projection is Jourdain's (Kane's) principle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_matrix, solve_rows
+from rbpsym.mechanics.system import BodyState, Force, System
+
+LARGEST_BLOCK = 4
+
+
+@dataclass(frozen=True)
+class Dynamics:
+    """M q̈ = f (in coordinates and speeds); accelerations and reactions solved from it.
+
+    `accelerations` is None where a coupled block is too large for closed formulas. `reactions`
+    are in coordinates and speeds (and in accelerations, where these stay unsolved).
+    `workless` says of each constraint whether its forces drop out of M q̈ = f.
+    """
+
+    mass_matrix: Matrix
+    forcing: tuple[Scalar, ...]
+    accelerations: Mapping[str, Scalar] | None
+    reactions: Mapping[str, Scalar]
+    workless: Mapping[str, bool]
+
+
+def torque_about_center(force: Force, state: BodyState) -> Scalar:
+    """τ_cm of a force on its body, its couple included, counter-clockwise positive."""
+    lever = force.point - state.center
+    turning = lever.cross(force.vector) if lever and force.vector else NOTHING
+    return turning + force.couple
+
+
+def partials(system: System) -> dict[str, tuple[tuple[Vector, Scalar], ...]]:
+    """For each body and each speed: (∂V/∂q̇, ∂ω/∂q̇)."""
+    from rbpsym.algebra.calculus import derivative
+
+    return {
+        name: tuple((state.velocity.derivative(speed), derivative(state.omega, speed)) for speed in system.speeds)
+        for name, state in system.bodies.items()
+    }
+
+
+def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dict[str, bool]]:
+    """(M, f, which constraints are workless). Raises StatementError if a force needs M q̈ = f to be known."""
+    along = partials(system)
+    resting = dict.fromkeys(system.accelerations, NOTHING)
+    mass = tuple(tuple(_mass(system, along, r, s) for s in range(len(system.speeds))) for r in range(len(system.speeds)))
+    forcing, unknown = [], dict.fromkeys((f.name for f in system.forces if f.unknowns), True)
+    still = {name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
+             for name, state in system.bodies.items()}
+    for r in range(len(system.speeds)):
+        forcing.append(short(_known(system, along, r) - _inertial(system, along, still, r)))
+        for name in unknown:
+            unknown[name] = unknown[name] and is_zero(_power(system, along, r, name))
+    return mass, tuple(forcing), unknown
+
+
+def _mass(system: System, along, r: int, s: int) -> Scalar:
+    if s < r:
+        return _mass(system, along, s, r)
+    total = NOTHING
+    for name, state in system.bodies.items():
+        (v_r, w_r), (v_s, w_s) = along[name][r], along[name][s]
+        if v_r and v_s:
+            total = total + state.mass * v_r.dot(v_s)
+        if w_r and w_s:
+            total = total + state.moment * w_r * w_s
+    return short(total)
+
+
+def _force_along(force: Force, state: BodyState, along: tuple[Vector, Scalar]) -> Scalar:
+    direction, turn = along
+    total = direction.dot(force.vector) if direction and force.vector else NOTHING
+    return total + turn * torque_about_center(force, state) if turn else total
+
+
+def _known(system: System, along, r: int) -> Scalar:
+    forces = (f for f in system.forces if not f.unknowns)
+    return sum((_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces), NOTHING)
+
+
+def _power(system: System, along, r: int, name: str) -> Scalar:
+    forces = (f for f in system.forces if f.name == name)
+    return sum((_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces), NOTHING)
+
+
+def _inertial(system: System, along, still, r: int) -> Scalar:
+    total = NOTHING
+    for name, state in system.bodies.items():
+        (direction, turn), (acceleration, alpha) = along[name][r], still[name]
+        if direction and acceleration:
+            total = total + state.mass * direction.dot(acceleration)
+        if turn and alpha:
+            total = total + state.moment * turn * alpha
+    return total
+
+
+def solve(system: System) -> Dynamics:
+    """Accelerations and unknown forces. Raises StatementError if the statement does not determine them."""
+    mass, forcing, workless = equations_of_motion(system)
+    if not all(workless.values()):
+        return _solve_together(system, mass, forcing, workless)
+    accelerations = _accelerations(system, mass, forcing)
+    return Dynamics(mass, forcing, accelerations, _reactions(system, accelerations), workless)
+
+
+def _accelerations(system: System, mass: Matrix, forcing: tuple[Scalar, ...]) -> dict[str, Scalar] | None:
+    found: dict[str, Scalar] = {}
+    for block in blocks(mass):
+        if len(block) > LARGEST_BLOCK:
+            return None
+        part = tuple(tuple(mass[i][j] for j in block) for i in block)
+        try:
+            values = solve_matrix(part, [forcing[i] for i in block])
+        except ZeroDivisionError:
+            raise _massless(system, block) from None
+        found |= {system.accelerations[i]: value for i, value in zip(block, values, strict=True)}
+    return {name: found[name] for name in system.accelerations}
+
+
+def _massless(system: System, block: tuple[int, ...]) -> StatementError:
+    names = ", ".join(system.independent[i] for i in block)
+    return StatementError(
+        f"too few equations: nothing with mass resists a change of {names}",
+        instead="let each coordinate move a body with mass, or leave the coordinate out.",
+    )
+
+
+def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
+    """(body, "x"|"y"|"rotation", value) of m A - F = 0 and I α - τ_cm = 0 for every body."""
+    rows = []
+    for name, state in system.bodies.items():
+        push = state.acceleration * state.mass
+        turn = state.moment * state.alpha
+        for force in system.on(name):
+            push = push - force.vector
+            turn = turn - torque_about_center(force, state)
+        rows += [(name, "x", push.x), (name, "y", push.y), (name, "rotation", turn)]
+    return rows
+
+
+def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
+    unknowns = system.unknowns
+    if not unknowns:
+        return {}
+    rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
+    images = accelerations or {}
+    solution = solve_rows([_on_motion(row, images) for row in rows], unknowns)
+    if solution.free:
+        raise _indistinct(system, solution.free)
+    if accelerations is not None and not all(is_zero(value) for value in solution.left):
+        raise _contradictory(system)
+    return {name: solution.values[name] for name in unknowns}
+
+
+def _on_motion(row: Row, accelerations: Mapping[str, Scalar]) -> Row:
+    return {**row, CONSTANT: substitute(row[CONSTANT], accelerations)} if accelerations else row
+
+
+def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
+    names = " and ".join(free) if len(free) < 3 else ", ".join(free[:-1]) + f" and {free[-1]}"
+    first = next(f.name for f in system.forces if set(f.unknowns) & set(free))
+    return StatementError(
+        f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
+        instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "
+        "(a contact), so that each force has an equation.",
+        place=system.element(first).place,
+    )
+
+
+def _contradictory(system: System) -> StatementError:
+    return StatementError(
+        "the constraints contradict each other: the equations of the bodies have no solution",
+        instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
+        place=system.problem.constraints[0].place if system.problem.constraints else None,
+    )
+
+
+def _solve_together(system: System, mass: Matrix, forcing, workless) -> Dynamics:
+    """Accelerations and forces in one elimination, where a constraint force does not drop out."""
+    unknowns = (*system.unknowns, *system.accelerations)
+    rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
+    solution = solve_rows(rows, unknowns)
+    if solution.free:
+        raise _indistinct(system, solution.free)
+    if not all(is_zero(value) for value in solution.left):
+        raise _contradictory(system)
+    accelerations = {name: solution.values[name] for name in system.accelerations}
+    reactions = {name: solution.values[name] for name in system.unknowns}
+    return Dynamics(mass, forcing, accelerations, reactions, workless)

@@ -1,0 +1,103 @@
+"""Kinetic and potential energy, and the momentum of each body.
+
+T = ½ M V² + ½ I_cm ω² (König); L = R × P + I_cm ω about a fixed origin.
+Kleppner & Kolenkow 7.2-7.4.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from rbpsym.algebra.calculus import derivative, depends_on, substitute
+from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Vector
+from rbpsym.mechanics.assemble import setting_of
+from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.interactions import LAWS
+from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.system import BodyState, System
+
+HALF = Fraction(1, 2)
+
+
+def translational_energy(state: BodyState) -> Scalar:
+    """½ M V² of a body."""
+    return short(state.mass * state.velocity.dot(state.velocity) * HALF)
+
+
+def rotational_energy(state: BodyState) -> Scalar:
+    """½ I_cm ω² of a body."""
+    return state.moment * state.omega**2 * HALF
+
+
+def kinetic_energy(system: System) -> tuple[Scalar, Scalar]:
+    """(translational, rotational) kinetic energy of all bodies."""
+    states = system.bodies.values()
+    parts = [sum(map(of, states), NOTHING) for of in (translational_energy, rotational_energy)]
+    return short(parts[0]), short(parts[1])
+
+
+def potentials(system: System) -> dict[str, Scalar | None]:
+    """Potential energy of each interaction; None for one that has none."""
+    where = locator(system.problem, {n: s.inertia for n, s in system.bodies.items()},
+                    {n: s.pose for n, s in system.bodies.items()})
+    setting = setting_of(system, where)
+    found = {}
+    for element in system.problem.interactions:
+        value = LAWS[element.kind].potential(element, setting)
+        found[element.name] = None if value is None else substitute(value, system.dependent)
+    return found
+
+
+def potential_energy(system: System) -> Scalar | None:
+    """The sum of the potential energies, None if an interaction has none."""
+    values = list(potentials(system).values())
+    return None if any(value is None for value in values) else short(sum(values, NOTHING))
+
+
+def orbital_momentum(state: BodyState, origin: Vector) -> Scalar:
+    """R × P about a fixed origin, counter-clockwise positive."""
+    return short(state.mass * (state.center - origin).cross(state.velocity))
+
+
+def spin_momentum(state: BodyState) -> Scalar:
+    """I_cm ω."""
+    return state.moment * state.omega
+
+
+def is_conserved(system: System, dynamics: Dynamics, value: Scalar) -> bool | None:
+    """Whether d(value)/dt = 0 along the motion (None if accelerations are not known explicitly)."""
+    from rbpsym.algebra.evaluate import time_derivative
+
+    if dynamics.accelerations is None:
+        return None
+    return is_zero(substitute(time_derivative(value, system.scope), dynamics.accelerations))
+
+
+def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
+    """-∫ Q dq for one coordinate whose generalized force Q depends on position alone."""
+    if len(system.independent) != 1 or not all(dynamics.workless.values()) or system.implicit:
+        return None
+    [name], [forcing] = system.independent, dynamics.forcing
+    [[inertia]] = dynamics.mass_matrix
+    speed = f"{name}_dot"
+    force = short(forcing + derivative(inertia, name) * symbol(speed) ** 2 * HALF)
+    if depends_on(force, speed) or depends_on(force, "t"):
+        return None
+    found = antiderivative(force, name)
+    return None if found is None else -found
+
+
+def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
+    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq."""
+    total = sum(kinetic_energy(system), NOTHING)
+    potential = potential_energy(system)
+    if potential is None:
+        potential = effective_potential(system, dynamics)
+    if potential is None:
+        return None
+    energy = short(total + potential)
+    return energy if is_conserved(system, dynamics, energy) is not False else None

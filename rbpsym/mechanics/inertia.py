@@ -1,0 +1,112 @@
+"""Mass, centre of mass and moment of inertia of a shape, by integration over its mass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.integration import definite
+from rbpsym.algebra.normal import reduce_roots, shorten
+from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.errors import StatementError
+from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape
+
+
+@dataclass(frozen=True, slots=True)
+class Inertia:
+    """mass; centre of mass (x, y) in the body frame; moment of inertia about the centre of mass.
+
+    `about_origin` is ∫ dm r² about the origin of the body frame, None if the moment is given.
+    """
+
+    mass: Scalar
+    x: Scalar
+    y: Scalar
+    moment: Scalar
+    about_origin: Scalar | None = None
+
+
+def inertia(body: Body) -> Inertia:
+    """The inertia of a body. Raises StatementError if an integral can't be carried out."""
+    shape = body.shape
+    if shape.given_moment is not None or _has_given_part(shape):
+        return _assembled(shape, body.mass)
+    zeroth, x, y, second = (total_moment(shape.elements, power) for power in POWERS)
+    mass = scalar(body.mass) if body.mass is not None else zeroth
+    return _about_center(mass, x / mass, y / mass, second)
+
+
+def _about_center(mass: Scalar, x: Scalar, y: Scalar, second: Scalar) -> Inertia:
+    """Steiner's theorem: I_cm = I_origin - M d²."""
+    x, y = tidy(x), tidy(y)
+    return Inertia(mass, x, y, tidy(second - mass * (x * x + y * y)), second)
+
+
+POWERS = ((), ("x",), ("y",), ("r", "r"))
+
+
+def total_moment(elements: Iterable[MassElement], power: tuple[str, ...]) -> Scalar:
+    """Σ over the elements of ∫ dm × 1, x, y or r² (power (), ("x",), ("y",), ("r", "r"))."""
+    return tidy(sum((element_moment(element, power) for element in elements), NOTHING))
+
+
+def element_moment(element: MassElement, power: tuple[str, ...]) -> Scalar:
+    """∫ dm × the power over one element, its sign included."""
+    x, y = scalar(element.x), scalar(element.y)
+    weight = {(): UNITY, ("x",): x, ("y",): y}.get(power)
+    weight = x * x + y * y if weight is None else weight
+    integrand = tidy(scalar(element.density) * scalar(element.measure) * weight)
+    return integrate_ranges(integrand, element) * element.sign
+
+
+def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
+    """The integral over the variables of the element, from the innermost outwards."""
+    for item in reversed(element.ranges):
+        found = definite(integrand, item.variable, scalar(item.lower), scalar(item.upper))
+        if found is None:
+            raise StatementError(
+                f"the mass of this density can't be integrated in closed form over {item.variable}",
+                instead="use a polynomial density, or the shape “given” with its moment of inertia.",
+            )
+        integrand = tidy(found)
+    return integrand
+
+
+def tidy(value: Scalar) -> Scalar:
+    """Even powers of roots and sums of squares of sine and cosine worked out."""
+    if value.den is not ONE:
+        return quotient(shorten(value.num), value.den)
+    return Scalar(shorten(reduce_roots(value.num)))
+
+
+def _has_given_part(shape: Shape) -> bool:
+    return any(part.shape.given_moment is not None or _has_given_part(part.shape) for part in shape.parts)
+
+
+def _assembled(shape: Shape, mass: Node | None) -> Inertia:
+    """From given moments and parts, by the parallel-axis theorem."""
+    if shape.given_moment is not None:
+        return Inertia(scalar(mass), NOTHING, NOTHING, scalar(shape.given_moment))
+    pieces = [_piece(part) for part in shape.parts]
+    total = sum((m for m, *_ in pieces), NOTHING)
+    x, y = (sum((p[0] * p[k] for p in pieces), NOTHING) / total for k in (1, 2))
+    second = sum((p[3] for p in pieces), NOTHING)
+    return _about_center(total, x, y, second)
+
+
+def _piece(part: PlacedShape) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+    """(mass, x, y of its centre, ∫ dm r² about the composite's origin), signed."""
+    own = inertia(Body(part.name or "part", part.shape, part.mass))
+    angle, sign = scalar(part.angle), -1 if part.removed else 1
+    x = scalar(part.at[0]) + own.x * cosine(angle) - own.y * sine(angle)
+    y = scalar(part.at[1]) + own.x * sine(angle) + own.y * cosine(angle)
+    return own.mass * sign, x, y, (own.moment + own.mass * (x * x + y * y)) * sign
+
+
+def variables(element: MassElement) -> tuple[Scalar, ...]:
+    """The integration variables as generators."""
+    return tuple(symbol(item.variable) for item in element.ranges)

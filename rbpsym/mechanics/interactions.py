@@ -1,0 +1,183 @@
+"""The force law of each kind of interaction, and its potential energy where it has one.
+
+A new kind is a new entry of `LAWS`. Laws get the element, the positions of points and the
+states of the bodies; they return the forces on each body.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.algebra.calculus import root
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.system import BodyState, Force, rotated
+from rbpsym.statement.model import Element, PointRef
+
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a law may look at: positions and velocities of points, states of bodies, signs."""
+
+    where: Callable[[PointRef], Vector]
+    velocity: Callable[[PointRef], Vector]
+    states: Mapping[str, BodyState]
+    is_positive: Callable[[Scalar], bool | None]
+    is_constant: Callable[[Scalar], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """forces(element, setting); potential(element, setting) is None where there is none."""
+
+    forces: Callable[[Element, Setting], tuple[Force, ...]]
+    potential: Callable[[Element, Setting], Scalar | None]
+
+
+def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
+    down, g = pair(element["direction"]), scalar(element["g"])
+    return tuple(
+        Force(element.name, name, "earth", setting.states[name].center, down * (setting.states[name].mass * g),
+              law=element.kind, where=f"{name}.cm")
+        for name in element["bodies"]
+    )
+
+
+def _height_energy(element: Element, setting: Setting) -> Scalar:
+    down, g = pair(element["direction"]), scalar(element["g"])
+    states = [setting.states[name] for name in element["bodies"]]
+    return sum((-(state.mass * g * down.dot(state.center)) for state in states), NOTHING)
+
+
+def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
+    """(unit vector from the first end to the second, their distance)."""
+    first, second = element["between"]
+    apart = (setting.where(second) - setting.where(first)).settled()
+    if len(apart.parts) == 1:
+        [(angle, length)] = apart.parts.items()
+        sign = -1 if setting.is_positive(length) is False else 1
+        return Vector({angle: UNITY * sign}), length * sign
+    distance = root(tidy(apart.dot(apart)))
+    return apart * distance.inverse(), distance
+
+
+def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]:
+    """The pull on the first end (towards the second) and its opposite on the second."""
+    first, second = element["between"]
+    ends = ((first, second, pull), (second, first, -pull))
+    return tuple(
+        Force(element.name, ref.body, other.body or "ground", setting.where(ref), vector, law=element.kind, where=ref.label)
+        for ref, other, vector in ends if ref.body is not None
+    )
+
+
+def _spring(element: Element, setting: Setting) -> tuple[Force, ...]:
+    k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
+    if not natural:
+        first, second = element["between"]
+        return _ends(element, setting, (setting.where(second) - setting.where(first)) * k)
+    unit, distance = stretch(element, setting)
+    return _ends(element, setting, unit * (k * (distance - natural)))
+
+
+def _spring_energy(element: Element, setting: Setting) -> Scalar:
+    k, natural = scalar(element["stiffness"]), scalar(element["natural_length"])
+    if not natural:
+        first, second = element["between"]
+        apart = setting.where(second) - setting.where(first)
+        return k * apart.dot(apart) * HALF
+    _, distance = stretch(element, setting)
+    return k * (distance - natural) ** 2 * HALF
+
+
+def _couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
+    pairs = ((second, first, on_second), (first, second, -on_second))
+    return tuple(
+        Force(element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm")
+        for name, other, couple in pairs if name in setting.states
+    )
+
+
+def _angle(name: str, setting: Setting) -> Scalar:
+    return setting.states[name].pose.angle if name in setting.states else NOTHING
+
+
+def _twist(element: Element, setting: Setting) -> Scalar:
+    first, second = element["between"]
+    return _angle(second, setting) - _angle(first, setting) - scalar(element["rest_angle"])
+
+
+def _torsion(element: Element, setting: Setting) -> tuple[Force, ...]:
+    first, second = element["between"]
+    return _couples(element, first, second, -(scalar(element["stiffness"]) * _twist(element, setting)), setting)
+
+
+def _damper(element: Element, setting: Setting) -> tuple[Force, ...]:
+    unit, _ = stretch(element, setting)
+    first, second = element["between"]
+    rate = unit.dot(setting.velocity(second) - setting.velocity(first))
+    return _ends(element, setting, unit * (scalar(element["coefficient"]) * rate))
+
+
+def _rotary_damper(element: Element, setting: Setting) -> tuple[Force, ...]:
+    first, second = element["between"]
+    spin = [setting.states[n].omega if n in setting.states else NOTHING for n in (first, second)]
+    return _couples(element, first, second, -(scalar(element["coefficient"]) * (spin[1] - spin[0])), setting)
+
+
+def _applied(element: Element, setting: Setting) -> Vector:
+    vector = pair(element["force"])
+    if element["frame"] == "space":
+        return vector
+    return rotated(vector.x, vector.y, setting.states[element["on"].body].pose.angle)
+
+
+def _applied_force(element: Element, setting: Setting) -> tuple[Force, ...]:
+    ref = element["on"]
+    return (Force(element.name, ref.body, "agent", setting.where(ref), _applied(element, setting),
+                  law=element.kind, where=ref.label),)
+
+
+def _applied_energy(element: Element, setting: Setting) -> Scalar | None:
+    """-F·r for a force that is constant in space."""
+    vector = _applied(element, setting)
+    if element["frame"] != "space" or not all(map(setting.is_constant, (vector.x, vector.y))):
+        return None
+    return -vector.dot(setting.where(element["on"]))
+
+
+def _applied_couple(element: Element, setting: Setting) -> tuple[Force, ...]:
+    return _couples(element, element["reaction_on"] or "agent", element["on"], scalar(element["couple"]), setting)
+
+
+def _couple_energy(element: Element, setting: Setting) -> Scalar | None:
+    """-τ φ for a constant couple."""
+    couple = scalar(element["couple"])
+    if not setting.is_constant(couple):
+        return None
+    other = element["reaction_on"]
+    return -(couple * (_angle(element["on"], setting) - (_angle(other, setting) if other else NOTHING)))
+
+
+def _no_potential(element: Element, setting: Setting) -> None:
+    return None
+
+
+LAWS: Mapping[str, Law] = {
+    "gravity": Law(_weights, _height_energy),
+    "spring": Law(_spring, _spring_energy),
+    "torsion-spring": Law(
+        _torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF
+    ),
+    "damper": Law(_damper, _no_potential),
+    "rotary-damper": Law(_rotary_damper, _no_potential),
+    "force": Law(_applied_force, _applied_energy),
+    "couple": Law(_applied_couple, _couple_energy),
+}

@@ -1,0 +1,108 @@
+"""Floating-point values of scalars, and a sample state of a problem to look at.
+
+Used for drawing, for the simulation and to choose between two equally valid conventions
+(which side of a line a body is on); never for a verdict.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import RbpsymError
+from rbpsym.quantities import ACCELERATION
+from rbpsym.statement.model import Coordinate, Problem
+
+Numbers = Mapping[str, float]
+
+
+def number(value: Scalar, numbers: Numbers) -> float:
+    """The value at these numbers (KeyError for a missing name)."""
+    top = _poly(value.num, numbers)
+    return top if value.den is ONE else top / _poly(value.den, numbers)
+
+
+def _poly(poly: Poly, numbers: Numbers) -> float:
+    total = 0.0
+    for m, c in poly.terms.items():
+        product = float(c)
+        for index, exponent in m:
+            product *= _atom(index, numbers) ** exponent
+        total += product
+    return total
+
+
+FUNCTIONS: Mapping[str, Callable[[float], float]] = {
+    "cos": math.cos, "sin": math.sin, "root": math.sqrt, "exp": math.exp, "ln": math.log,
+    "atan": math.atan, "asin": math.asin, "acos": math.acos,
+}
+
+
+def _atom(index: int, numbers: Numbers) -> float:
+    found = atoms.atom(index)
+    if index == atoms.PI:
+        return math.pi
+    if found.kind == "symbol":
+        return numbers[found.arg]
+    arg = found.arg
+    inner = number(arg, numbers) if isinstance(arg, Scalar) else _poly(arg, numbers)
+    return FUNCTIONS[found.kind](inner)
+
+
+def sample(problem: Problem) -> dict[str, float]:
+    """Generic numbers for all parameters and coordinates, in the middle of their ranges."""
+    numbers = {q.name: _parameter(q.name, place, q) for place, q in enumerate(problem.parameters)}
+    numbers |= _starts(problem, numbers)
+    for coordinate in problem.coordinates:
+        numbers[coordinate.name] = _middle(coordinate, numbers)
+        numbers[f"{coordinate.name}_dot"] = _speed(coordinate, numbers)
+    numbers["t"] = 0.0
+    return numbers
+
+
+def _parameter(name: str, place: int, quantity) -> float:
+    if quantity.dimension == ACCELERATION and name == "g":
+        return 9.81
+    return 1.0 + 0.31 * ((place * 7) % 5) / 2 if quantity.sign != "real" else 0.4 + 0.1 * (place % 3)
+
+
+def _starts(problem: Problem, numbers: dict[str, float]) -> dict[str, float]:
+    """A start that is a constant of its own gets a value inside the coordinate's range."""
+    found = {}
+    for coordinate in problem.coordinates:
+        name = getattr(coordinate.start, "name", None)
+        if name in problem.implicit:
+            found[name] = _within(coordinate, numbers, 0.8)
+    return found
+
+
+def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:
+    low, high = (_bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
+    if low is None and high is None:
+        return 0.6 * share / 0.8
+    low = high - 2.0 if low is None else low
+    high = low + 2.0 if high is None else high
+    return low + share * (high - low)
+
+
+def _bound(node, numbers: Numbers) -> float | None:
+    try:
+        return None if node is None else number(scalar(node), numbers)
+    except (KeyError, RbpsymError, ZeroDivisionError, ValueError):
+        return None
+
+
+def _middle(coordinate: Coordinate, numbers: Numbers) -> float:
+    if coordinate.lower is None and coordinate.upper is None and coordinate.start is not None:
+        start = _bound(coordinate.start, numbers)
+        return start if start is not None else 0.45
+    return _within(coordinate, numbers, 0.55)
+
+
+def _speed(coordinate: Coordinate, numbers: Numbers) -> float:
+    found = _bound(coordinate.speed, numbers)
+    return found if found else 0.0

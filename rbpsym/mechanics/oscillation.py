@@ -1,0 +1,135 @@
+"""Equilibria, their stability, and the frequencies of small oscillations about them.
+
+At rest the generalized forces Q(q) vanish. About an equilibrium, M q̈ = -K δq with K = -∂Q/∂q; the
+squares of the angular frequencies are the roots of det(K - λ M). An equilibrium of conservative
+forces is stable if K is positive definite (Lagrange-Dirichlet); a direction with negative
+curvature makes it unstable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.roots import common_zeros, numerator_factors
+from rbpsym.mechanics.system import System
+
+LAMBDA = "lambda_"
+
+
+@dataclass(frozen=True, slots=True)
+class Equilibrium:
+    """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
+    normal modes that have a closed form; `stable` None if it can't be decided."""
+
+    at: Mapping[str, Scalar]
+    stable: bool | None
+    frequencies_squared: tuple[Scalar, ...]
+    stiffness: Matrix = ()
+    inertia: Matrix = ()
+
+
+def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
+    """Generalized forces with all speeds zero."""
+    still = dict.fromkeys(system.speeds, NOTHING)
+    return tuple(short(substitute(value, still)) for value in dynamics.forcing)
+
+
+def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> tuple[Equilibrium, ...]:
+    """The positions of rest within the ranges of the coordinates, as far as closed forms go."""
+    if system.implicit or not all(dynamics.workless.values()) or len(system.independent) > 4:
+        return ()
+    forces = resting_forces(system, dynamics)
+    if any(depends_on(force, "t") for force in forces):
+        return ()
+    names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
+    if not names:
+        return ()
+    places = common_zeros(forces, names)
+    return tuple(_describe(system, dynamics, forces, at, assumptions) for at in places if _within(system, at))
+
+
+def _within(system: System, at: Mapping[str, Scalar]) -> bool:
+    """Whether the place lies in the declared ranges, as far as sample numbers tell."""
+    numbers = sample(system.problem)
+    for coordinate in system.problem.coordinates:
+        if coordinate.name not in at:
+            continue
+        try:
+            here = number(at[coordinate.name], numbers)
+        except (ValueError, ZeroDivisionError, KeyError):
+            return False
+        for bound, side in ((coordinate.lower, 1), (coordinate.upper, -1)):
+            if bound is not None and side * (here - _number(bound, numbers)) < -1e-9:
+                return False
+    return True
+
+
+def _number(node, numbers) -> float:
+    from rbpsym.algebra.evaluate import scalar
+
+    return number(scalar(node), numbers)
+
+
+def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assumptions) -> Equilibrium:
+    names = system.independent
+    stiffness = tuple(tuple(short(substitute(-derivative(force, n), at)) for n in names) for force in forces)
+    inertia = tuple(tuple(short(substitute(entry, at)) for entry in row) for row in dynamics.mass_matrix)
+    return Equilibrium(
+        at, _stability(stiffness, names, forces, at, assumptions), _frequencies(stiffness, inertia), stiffness, inertia
+    )
+
+
+def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -> bool | None:
+    """From the signs of the leading minors over the coordinates that are not arbitrary."""
+    kept = [k for k, n in enumerate(names) if n in at]
+    matrix = tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
+    diagonal = [sign(matrix[k][k], assumptions).sign for k in range(len(kept))]
+    if "negative" in diagonal:
+        return False
+    minors = [sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).sign for k in range(1, len(kept) + 1)]
+    if all(s == "positive" for s in minors):
+        return True
+    return False if minors[-1] == "negative" else None
+
+
+def _frequencies(stiffness: Matrix, inertia: Matrix) -> tuple[Scalar, ...]:
+    """The non-zero roots λ of det(K - λ M) that have a closed form, factor by factor."""
+    unknown = symbol(LAMBDA)
+    size = range(len(stiffness))
+    matrix = tuple(tuple(stiffness[i][j] - unknown * inertia[i][j] for j in size) for i in size)
+    try:
+        whole = determinant(matrix)
+        found: list[Scalar] = []
+        for factor in numerator_factors(whole):
+            found += _roots_of(Scalar(factor))
+    except RbpsymError:
+        return ()
+    return tuple(found)
+
+
+def _roots_of(factor: Scalar) -> list[Scalar]:
+    """Roots in λ of a linear or quadratic factor (λ itself is left out: no restoring force)."""
+    c = substitute(factor, {LAMBDA: NOTHING})
+    slope = derivative(factor, LAMBDA)
+    if not slope or is_zero(c):
+        return []
+    curvature = derivative(slope, LAMBDA)
+    if not curvature:
+        return [short(-(c / slope))]
+    if depends_on(curvature, LAMBDA):
+        return []
+    a, b = curvature / 2, substitute(slope, {LAMBDA: NOTHING})
+    spread = root(short(b * b - 4 * a * c))
+    return [(-b - spread) / (2 * a), (-b + spread) / (2 * a)]
+
+

@@ -1,0 +1,145 @@
+"""Poses of all bodies: as given, or as the constraints leave no choice."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Vector, cartesian
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.inertia import Inertia
+from rbpsym.mechanics.points import local_point, pair
+from rbpsym.mechanics.system import Pose, at_point, rotated
+from rbpsym.statement.model import Body, PointRef, Problem
+
+Inertias = Mapping[str, Inertia]
+
+
+def poses(problem: Problem, inertias: Inertias) -> dict[str, Pose]:
+    """The pose of every body. Raises StatementError naming a body that nothing places."""
+    angles = _angles(problem)
+    origins = _given_origins(problem, inertias, angles)
+    _follow_joins(problem, inertias, angles, origins)
+    _follow_lines(problem, inertias, angles, origins)
+    missing = [name for name in problem.body_names if name not in origins]
+    if missing:
+        raise _unplaced(problem.body(missing[0]))
+    return {name: Pose(origins[name], angles[name]) for name in problem.body_names}
+
+
+def _angles(problem: Problem) -> dict[str, Scalar]:
+    known = {b.name: scalar(b.angle) for b in problem.bodies if b.angle is not None}
+    known |= {b.name: NOTHING for b in problem.bodies if b.angle is None and b.shape.kind == "particle"}
+    joins = [join for e in problem.constraints for join in JOINTS[e.kind].angles(e)]
+    _until_settled(lambda: any([_join_angle(join, known) for join in joins]))
+    for body in problem.bodies:
+        if body.name not in known:
+            raise StatementError(
+                f"nothing says how the body “{body.name}” is turned",
+                instead=f'give [bodies.{body.name}] an angle = "...", or weld it to another body.',
+                place=body.place,
+            )
+    return known
+
+
+def _join_angle(join, known: dict[str, Scalar]) -> bool:
+    offset = join.offset if join.offset is not None else NOTHING
+    if join.first is None or join.first in known:
+        if join.second in known:
+            return False
+        known[join.second] = (known[join.first] if join.first else NOTHING) + offset
+        return True
+    if join.second in known:
+        known[join.first] = known[join.second] - offset
+        return True
+    return False
+
+
+def _until_settled(step: Callable[[], bool]) -> None:
+    while step():
+        pass
+
+
+def _given_origins(problem: Problem, inertias: Inertias, angles) -> dict[str, Vector]:
+    origins = {}
+    for body in problem.bodies:
+        if body.placed is not None:
+            point, place = body.placed
+            local = local_point(body, point, inertias[body.name])
+            origins[body.name] = pair(place) - rotated(*local, angles[body.name])
+    return origins
+
+
+def _follow_joins(problem: Problem, inertias: Inertias, angles, origins: dict[str, Vector]) -> None:
+    """Bodies are put where pins, pivots and welds to placed bodies say."""
+    joins = [join for e in problem.constraints for join in JOINTS[e.kind].joins(e) if None not in join]
+    bodies = {body.name: body for body in problem.bodies}
+
+    def turned(ref: PointRef) -> Vector:
+        return rotated(*local_point(bodies[ref.body], ref.point, inertias[ref.body]), angles[ref.body])
+
+    def place(a: PointRef, b: PointRef) -> bool:
+        if b.body is None or b.body in origins or (a.body is not None and a.body not in origins):
+            return False
+        here = pair(a.at) if a.body is None else origins[a.body] + turned(a)
+        origins[b.body] = here - turned(b)
+        return True
+
+    _until_settled(lambda: any([place(a, b) or place(b, a) for a, b in joins]))
+
+
+def _follow_lines(problem: Problem, inertias: Inertias, angles, origins: dict[str, Vector]) -> None:
+    """A body that touches two lines, not parallel, is put where both say."""
+    for body in problem.bodies:
+        if body.name in origins:
+            continue
+        touches = [t for e in problem.constraints for t in JOINTS[e.kind].touches(e) if t.point.body == body.name]
+        for touch, other in _pairs(touches):
+            rows = [_row(t, body, inertias, angles) for t in (touch, other)]
+            origin = _intersection(*rows)
+            if origin is not None:
+                origins[body.name] = origin
+                break
+
+
+def _pairs(items: list) -> list[tuple]:
+    return [(a, b) for k, a in enumerate(items) for b in items[k + 1 :]]
+
+
+def _row(touch, body: Body, inertias: Inertias, angles) -> tuple[Scalar, Scalar, Scalar]:
+    """a, b, c with a X + b Y = c for the origin (X, Y) of the body."""
+    turned = rotated(*local_point(body, touch.point.point, inertias[body.name]), angles[body.name])
+    a, b, c = (scalar(n) for n in (touch.line.a, touch.line.b, touch.line.c))
+    return a, b, c - a * turned.x - b * turned.y
+
+
+def _intersection(first, second) -> Vector | None:
+    (a, b, c), (d, e, f) = first, second
+    determinant = a * e - b * d
+    if is_zero(determinant):
+        return None
+    return cartesian((c * e - b * f) / determinant, (a * f - c * d) / determinant)
+
+
+def _unplaced(body: Body) -> StatementError:
+    return StatementError(
+        f"nothing says where the body “{body.name}” is",
+        instead=f'give [bodies.{body.name}] the place of one of its points, such as center = ["...", "..."], '
+        "or join it by a pivot, pin or weld to something that is placed.",
+        place=body.place,
+    )
+
+
+def locator(problem: Problem, inertias: Inertias, placed: Mapping[str, Pose]) -> Callable[[PointRef], Vector]:
+    """A function from point references to positions in space."""
+    bodies = {body.name: body for body in problem.bodies}
+
+    def where(ref: PointRef) -> Vector:
+        if ref.body is None:
+            return pair(ref.at)
+        return at_point(placed[ref.body], local_point(bodies[ref.body], ref.point, inertias[ref.body]))
+
+    return where

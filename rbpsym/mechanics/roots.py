@@ -1,0 +1,136 @@
+"""Where a function of coordinates vanishes: factor by factor, in closed form where there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on, derivative, function, substitute
+from rbpsym.algebra.normal import is_zero, normal, shorten
+from rbpsym.algebra.poly import Poly, inverse
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.algebra.sympy_bridge import factors
+
+HALF = Fraction(1, 2)
+
+
+def numerator_factors(value: Scalar) -> list[Poly]:
+    """The irreducible factors of the numerator that hold a non-constant, without multiplicity."""
+    poly = shorten(value.num)
+    if not poly.terms:
+        return []
+    low = tuple((i, min(0, *(dict(m).get(i, 0) for m in poly.terms))) for i in poly.atoms())
+    cleared = poly.scaled(1, inverse(tuple(item for item in sorted(low) if item[1])))
+    return [factor for factor, _ in factors(cleared)[1]]
+
+
+def zeros(value: Scalar, name: str) -> list[Scalar]:
+    """Values of the coordinate (angles in (-π, π]) at which the function vanishes, as far as closed forms go."""
+    found: list[Scalar] = []
+    for factor in numerator_factors(value):
+        for root in factor_zeros(Scalar(factor), name):
+            if not any(is_zero(root - old) for old in found):
+                found.append(root)
+    return found
+
+
+def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
+    """The zeros of one irreducible factor."""
+    if not depends_on(factor, name):
+        return []
+    slope = derivative(factor, name)
+    if not depends_on(slope, name):
+        return [-(substitute(factor, {name: NOTHING}) / slope)]
+    return _trig_zeros(factor, name)
+
+
+def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
+    """Zeros of a cos A + b sin A + d with A = rate × coordinate + phase."""
+    angles = {atoms.atom(i).arg for i in factor.num.atoms()
+              if atoms.atom(i).kind in ("cos", "sin") and depends_on(Scalar(atoms.atom(i).arg), name)}
+    if len(angles) != 1:
+        return _other_forms(factor, name, angles)
+    [angle] = angles
+    rate = derivative(Scalar(angle), name)
+    if depends_on(rate, name):
+        return []
+    cos, sin = (atoms.intern(kind, angle) for kind in ("cos", "sin"))
+    parts = _linear_parts(factor.num, cos, sin)
+    if parts is None or any(depends_on(part, name) for part in parts):
+        return []
+    phase = substitute(Scalar(angle), {name: NOTHING})
+    return [_principal((solution - phase) / rate) for solution in _solve_wave(*parts)]
+
+
+def _other_forms(factor: Scalar, name: str, angles: set) -> list[Scalar]:
+    """The same in base angles, where several multiples of one angle occur."""
+    if len(angles) < 2:
+        return []
+    image = normal(factor.num)
+    return [] if image == factor.num else zeros(Scalar(image), name)
+
+
+def _linear_parts(poly: Poly, cos: int, sin: int) -> tuple[Scalar, Scalar, Scalar] | None:
+    """(a, b, d) of a cos + b sin + d, None if it is not of that form."""
+    by_cos = poly.by_power(cos)
+    if set(by_cos) - {0, 1}:
+        return None
+    a, rest = by_cos.get(1, Poly({})), by_cos.get(0, Poly({}))
+    by_sin = rest.by_power(sin)
+    if set(by_sin) - {0, 1} or sin in a.atoms():
+        return None
+    return Scalar(a), Scalar(by_sin.get(1, Poly({}))), Scalar(by_sin.get(0, Poly({})))
+
+
+def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
+    """Angles at which a cos A + b sin A + d = 0, for d = 0, a = 0 or b = 0."""
+    if not d:
+        if not a:
+            return [NOTHING, PI]
+        if not b:
+            return [PI * HALF, PI * -HALF]
+        base = function("atan", -(a / b))
+        return [base, base + PI]
+    if not b:
+        base = function("acos", -(d / a))
+        return [base, -base]
+    if not a:
+        base = function("asin", -(d / b))
+        return [base, PI - base]
+    return []
+
+
+def _principal(value: Scalar) -> Scalar:
+    """A plain multiple of π brought into (-π, π]."""
+    number = (value / PI).number()
+    if number is None:
+        return value
+    reduced = -((-Fraction(number) + 1) % 2 - 1)
+    return PI * reduced
+
+
+def common_zeros(values: Sequence[Scalar], names: Sequence[str], most: int = 32) -> list[dict[str, Scalar]]:
+    """Assignments of all the names at which all values vanish, found one equation at a time."""
+    found: list[dict[str, Scalar]] = []
+    _search(list(values), tuple(names), {}, found, most)
+    return found
+
+
+def _search(values: list[Scalar], names: tuple[str, ...], at: dict[str, Scalar], found: list, most: int) -> None:
+    values = [value for value in values if not is_zero(value)]
+    if not values:
+        if all(name in at for name in names):
+            found.append(dict(at))
+        return
+    for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
+        for name in names:
+            if name in at or not depends_on(value, name):
+                continue
+            roots = zeros(value, name)
+            for root in roots[: most - len(found)]:
+                image = {name: root}
+                fixed = {n: substitute(v, image) for n, v in at.items()} | image
+                _search([substitute(v, fixed) for v in values], names, fixed, found, most)
+            if roots:
+                return

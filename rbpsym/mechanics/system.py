@@ -1,0 +1,130 @@
+"""The values that mechanics passes on: states of bodies, forces, the assembled system."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.mechanics.inertia import Inertia
+from rbpsym.statement.model import Element, Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where the frame of a body is: position of its origin, angle of its x' axis from +x."""
+
+    origin: Vector
+    angle: Scalar
+
+
+@dataclass(frozen=True, slots=True)
+class BodyState:
+    """A body in motion. All vectors in space; angles, ω and α counter-clockwise positive."""
+
+    name: str
+    inertia: Inertia
+    pose: Pose
+    center: Vector
+    velocity: Vector = ORIGIN
+    omega: Scalar = NOTHING
+    acceleration: Vector = ORIGIN
+    alpha: Scalar = NOTHING
+
+    @property
+    def mass(self) -> Scalar:
+        """Total mass."""
+        return self.inertia.mass
+
+    @property
+    def moment(self) -> Scalar:
+        """Moment of inertia about the centre of mass."""
+        return self.inertia.moment
+
+
+@dataclass(frozen=True, slots=True)
+class Force:
+    """A force, a couple, or both, on one body.
+
+    `name` is that of the interaction or constraint; `by` is the body that exerts it, or
+    "earth", "ground", "agent"; `point` where it acts (in space); `unknowns` the names of
+    the unknown components in it; `law` "constraint" or the kind of the interaction.
+    """
+
+    name: str
+    on: str
+    by: str
+    point: Vector
+    vector: Vector = ORIGIN
+    couple: Scalar = NOTHING
+    unknowns: tuple[str, ...] = ()
+    law: str = "constraint"
+    where: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """One scalar geometric condition `value = 0` of a constraint."""
+
+    constraint: str
+    value: Scalar
+    what: str = ""
+
+
+@dataclass(frozen=True)
+class System:
+    """A problem with kinematics and forces worked out.
+
+    `coordinates` are the independent ones, `dependent` what the constraints make of the
+    others; `conditions` all geometric conditions of the constraints as they stand in the given
+    poses; `identities` those that hold identically; `implicit` those that stay as equations.
+    """
+
+    problem: Problem
+    coordinates: tuple[str, ...]
+    dependent: Mapping[str, Scalar]
+    bodies: Mapping[str, BodyState]
+    forces: tuple[Force, ...]
+    conditions: tuple[Condition, ...]
+    implicit: tuple[Condition, ...] = ()
+    scope: Scope = field(default_factory=Scope)
+    independent: tuple[str, ...] = ()
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of the independent speeds."""
+        return tuple(f"{name}_dot" for name in self.independent)
+
+    @property
+    def accelerations(self) -> tuple[str, ...]:
+        """Names of the independent accelerations."""
+        return tuple(f"{name}_ddot" for name in self.independent)
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """Names of all unknown force components, in the order of the statement."""
+        return tuple(dict.fromkeys(n for force in self.forces for n in force.unknowns))
+
+    def on(self, body: str) -> tuple[Force, ...]:
+        """The forces on one body."""
+        return tuple(force for force in self.forces if force.on == body)
+
+    def element(self, name: str) -> Element:
+        """The interaction or constraint called `name`."""
+        both = (*self.problem.interactions, *self.problem.constraints)
+        return {element.name: element for element in both}[name]
+
+
+def rotated(x: Scalar, y: Scalar, angle: Scalar) -> Vector:
+    """The vector (x, y) of a body frame in space."""
+    from rbpsym.algebra.vector import QUARTER, vector_sum
+
+    return vector_sum(((x, angle), (y, angle + QUARTER)))
+
+
+def at_point(state: BodyState | Pose, local: tuple[Scalar, Scalar]) -> Vector:
+    """Position in space of a point given in the body frame."""
+    pose = state.pose if isinstance(state, BodyState) else state
+    return pose.origin + rotated(*local, pose.angle)

@@ -1,0 +1,1 @@
+"""The display tree: its nodes, readers and printers."""

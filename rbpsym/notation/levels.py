@@ -1,0 +1,76 @@
+"""How tightly a node binds: the knowledge behind parentheses and signs."""
+
+from __future__ import annotations
+
+from fractions import Fraction as Rational
+
+from rbpsym.notation import tree as t
+
+CHAIN, SUM, CROSS, PRODUCT, APPLIED, POWER, ATOM = range(7)
+
+_LEVELS: dict[type, int] = {
+    t.Chain: CHAIN, t.System: CHAIN, t.Add: SUM, t.Neg: SUM, t.Cross: CROSS, t.Dot: CROSS,
+    t.Mul: PRODUCT, t.Integral: PRODUCT, t.BodyIntegral: PRODUCT, t.PathIntegral: PRODUCT,
+    t.Limit: PRODUCT, t.Fn: APPLIED, t.Delta: APPLIED, t.Deriv: APPLIED, t.Sqrt: POWER,
+    t.Pow: POWER,
+}  # fmt: skip
+_OPEN = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Limit)
+
+
+def level(node: t.Node, mode: str = "display") -> int:
+    """The binding level of a node as it is printed (fractions bind less in one line)."""
+    if isinstance(node, (t.Neg, t.Mul)):
+        return _signed_level(node, mode)
+    if isinstance(node, t.Num):
+        return SUM if node.value < 0 else PRODUCT if _slashed(node, mode) else ATOM
+    if isinstance(node, t.Div):
+        return ATOM if mode == "display" else PRODUCT
+    return _LEVELS.get(type(node), ATOM)
+
+
+def _signed_level(node: t.Node, mode: str) -> int:
+    """The level of a term after its signs are gathered: -(-x) is x."""
+    negative, body = signed(node)
+    if negative:
+        return SUM
+    return PRODUCT if isinstance(body, t.Mul) else level(body, mode)
+
+
+def _slashed(node: t.Num, mode: str) -> bool:
+    return mode != "display" and Rational(node.value).denominator != 1
+
+
+def is_open(node: t.Node) -> bool:
+    """Does the node have no visible end, so that a factor after it would slip in?"""
+    if isinstance(node, t.Mul) and node.factors:
+        return is_open(node.factors[-1])
+    return isinstance(node, _OPEN)
+
+
+def plain_fraction(node: t.Node) -> bool:
+    """Is it printed as a fraction: a Div or a positive number that is not whole?"""
+    whole = not isinstance(node, t.Num) or Rational(node.value).denominator == 1
+    return isinstance(node, (t.Div, t.Deriv)) or not whole
+
+
+def signed(node: t.Node) -> tuple[bool, t.Node]:
+    """(is it negative, the rest): gathers the signs of Neg, negative numbers, first factors."""
+    if isinstance(node, t.Neg):
+        negative, body = signed(node.arg)
+        return not negative, body
+    if isinstance(node, t.Num):
+        return node.value < 0, t.Num(abs(node.value))
+    if isinstance(node, t.Mul):
+        return _signed_product(node)
+    return False, node
+
+
+def _signed_product(node: t.Mul) -> tuple[bool, t.Node]:
+    if not node.factors:
+        return False, t.ONE
+    negative, first = signed(node.factors[0])
+    rest = node.factors[1:]
+    if rest and first == t.ONE:
+        deeper, body = signed(t.Mul(rest))
+        return negative != deeper, body
+    return negative, t.Mul((first, *rest)) if rest else first

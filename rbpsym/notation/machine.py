@@ -1,0 +1,142 @@
+"""The infix of files and JSON: `-3*g/(4*ell)*cos(theta)`. One function a node type.
+
+Expressions can be read by Python, sympy and `read_infix`; what is no expression is written as
+a call (`Integral(f, theta, theta_0, theta)`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction as Rational
+
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import DEFAULT, Notation
+
+_RELATION, _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(6)
+_FUNCTIONS = {"ln": "log"}
+
+
+def to_machine(node: t.Node, notation: Notation = DEFAULT) -> str:
+    """The machine infix of a formula; names are those of the problem, whatever the notation."""
+    return _written(node)[0]
+
+
+def _written(node: t.Node) -> tuple[str, int]:
+    """(text, how tightly it binds)."""
+    return TABLE[type(node)](node)
+
+
+def _wrap(node: t.Node, least: int) -> str:
+    text, level = _written(node)
+    return text if level >= least else f"({text})"
+
+
+def _num(node: t.Num) -> tuple[str, int]:
+    value = Rational(node.value)
+    level = _SUM if value < 0 else _ATOM if value.denominator == 1 else _PRODUCT
+    return str(value), level
+
+
+def _name(node: t.Sym | t.Vec) -> tuple[str, int]:
+    return node.name, _ATOM
+
+
+def _add(node: t.Add) -> tuple[str, int]:
+    if not node.terms:
+        return "0", _ATOM
+    text = _wrap(node.terms[0], _SUM)
+    for term in node.terms[1:]:
+        written = _wrap(term, _SUM + (isinstance(term, t.Add)))
+        text += f" - {written[1:]}" if written.startswith("-") else f" + {written}"
+    return text, _SUM
+
+
+def _neg(node: t.Neg) -> tuple[str, int]:
+    return f"-{_wrap(node.arg, _PRODUCT)}", _SUM
+
+
+def _mul(node: t.Mul) -> tuple[str, int]:
+    if not node.factors:
+        return "1", _ATOM
+    first, *rest = node.factors
+    return "*".join([_wrap(first, _PRODUCT), *(_wrap(f, _UNARY) for f in rest)]), _PRODUCT
+
+
+def _div(node: t.Div) -> tuple[str, int]:
+    return f"{_wrap(node.num, _PRODUCT)}/{_wrap(node.den, _UNARY)}", _PRODUCT
+
+
+def _pow(node: t.Pow) -> tuple[str, int]:
+    return f"{_wrap(node.base, _ATOM)}**{_wrap(node.exponent, _ATOM)}", _POWER
+
+
+def _sqrt(node: t.Sqrt) -> tuple[str, int]:
+    return _call("sqrt", node.arg)
+
+
+def _fn(node: t.Fn) -> tuple[str, int]:
+    return _call(_FUNCTIONS.get(node.name, node.name), node.arg)
+
+
+def _abs(node: t.Abs) -> tuple[str, int]:
+    return _call("abs", node.arg)
+
+
+def _group(node: t.Group) -> tuple[str, int]:
+    return f"({to_machine(node.arg)})", _ATOM
+
+
+def _call(name: str, *parts: t.Node | str | int) -> tuple[str, int]:
+    written = (to_machine(part) if isinstance(part, t.Node) else str(part) for part in parts)
+    return f"{name}({', '.join(written)})", _ATOM
+
+
+def _unit(node: t.Unit) -> tuple[str, int]:
+    return f"unit_{node.axis}", _ATOM
+
+
+def _deriv(node: t.Deriv) -> tuple[str, int]:
+    name = "PartialDerivative" if node.partial else "Derivative"
+    return _call(name, node.of, *([node.wrt] * node.order))
+
+
+def _integral(node: t.Integral) -> tuple[str, int]:
+    return _call("Integral", node.integrand, node.var, node.lower, node.upper)
+
+
+def _bracket(node: t.Bracket) -> tuple[str, int]:
+    return _call("Bracket", node.arg, node.var, node.lower, node.upper)
+
+
+def _path(node: t.PathIntegral) -> tuple[str, int]:
+    return _call("PathIntegral", node.integrand, node.path, f'"{node.product}"')
+
+
+def _word(node: t.Word) -> tuple[str, int]:
+    escaped = node.text.replace("\\", r"\\").replace('"', r"\"")
+    return f'"{escaped}"', _ATOM
+
+
+def _chain(node: t.Chain) -> tuple[str, int]:
+    text = _wrap(node.items[0], _SUM)
+    for op, item in zip(node.ops, node.items[1:], strict=True):
+        text += f" {op} {_wrap(item, _SUM)}"
+    return text, _RELATION
+
+
+def _system(node: t.System) -> tuple[str, int]:
+    return "; ".join(to_machine(row) for row in node.rows), _RELATION
+
+
+TABLE: dict[type, Callable[..., tuple[str, int]]] = {
+    t.Num: _num, t.Sym: _name, t.Vec: _name, t.Unit: _unit, t.Add: _add, t.Neg: _neg,
+    t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Sqrt: _sqrt, t.Fn: _fn, t.Abs: _abs,
+    t.Group: _group, t.Deriv: _deriv, t.Integral: _integral, t.Bracket: _bracket,
+    t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.System: _system,
+    t.Cross: lambda node: _call("Cross", node.left, node.right),
+    t.Dot: lambda node: _call("Dot", node.left, node.right),
+    t.BodyIntegral: lambda node: _call("BodyIntegral", node.integrand, node.body),
+    t.Delta: lambda node: _call("Delta", node.arg),
+    t.At: lambda node: _call("At", node.arg, node.condition),
+    t.Limit: lambda node: _call("Limit", node.arg, node.var, node.to),
+}  # fmt: skip

@@ -1,0 +1,223 @@
+"""A formula in words, for alternative text. One function a node type.
+
+All words stand in `WORDS`; another language is another table with the same keys.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction as Rational
+from types import MappingProxyType
+
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, letter_name
+from rbpsym.notation.levels import plain_fraction, signed
+
+WORDS: Mapping[str, str] = MappingProxyType({
+    "plus": "plus", "minus": "minus", "times": "times", "over": "over", "end": "end fraction",
+    "power": "{} to the power {}", "squared": "{} squared", "cubed": "{} cubed",
+    "sqrt": "the square root of {}", "of": "{} of {}", "open": "open parenthesis",
+    "close": "close parenthesis", "abs": "the magnitude of {}", "cross": "cross", "dot": "dot",
+    "deriv": "the derivative of {} with respect to {}",
+    "second": "the second derivative of {} with respect to {}",
+    "nth": "the derivative of order {2} of {0} with respect to {1}",
+    "partial": "the partial derivative of {} with respect to {}",
+    "integral": "the integral from {} to {} of {} d {}",
+    "body": "the integral over {} of {} d m", "path": "the path integral of {} {} d {}",
+    "bracket": "the change of {} from {} equals {} to {}", "delta": "the change of {}",
+    "at": "{} when {}", "limit": "the limit as {} tends to {} of {}", "vector": "vector {}",
+    "unit": "unit vector {}", "and": "; and ", "sub": "{} sub {}", "prime": "{} prime",
+    "script": "script {}", "capital": "capital {}", "hat": "{} hat", "bar": "{} bar",
+    "tilde": "{} tilde", "check": "{} check", "dot1": "{} dot", "dot2": "{} double dot",
+    "dot3": "{} triple dot", "change": "delta {}",
+    "=": "equals", "<": "is less than", ">": "is greater than", "<=": "is at most",
+    ">=": "is at least", "!=": "is not equal to", "~": "is approximately", "->": "tends to",
+    "sin": "sine", "cos": "cosine", "tan": "tangent", "cot": "cotangent", "sec": "secant",
+    "csc": "cosecant", "asin": "arc sine", "acos": "arc cosine", "atan": "arc tangent",
+    "exp": "the exponential", "ln": "the natural logarithm",
+    "1/2": "one half", "1/3": "one third", "2/3": "two thirds", "1/4": "one quarter",
+    "3/4": "three quarters",
+})  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """The notation and the words of a language."""
+
+    notation: Notation = DEFAULT
+    words: Mapping[str, str] = field(default_factory=lambda: WORDS)
+
+    def say(self, key: str, *parts: object) -> str:
+        """The phrase of `key` with its parts."""
+        return self.words[key].format(*parts)
+
+
+def to_speech(
+    node: t.Node, notation: Notation = DEFAULT, *, words: Mapping[str, str] = WORDS
+) -> str:
+    """The formula in words."""
+    return spoken(node, Voice(notation, words))
+
+
+def spoken(node: t.Node, voice: Voice) -> str:
+    """The words of a formula."""
+    return TABLE[type(node)](node, voice)
+
+
+def _closed(node: t.Node, voice: Voice) -> str:
+    """The words of a part, between spoken parentheses if it is a sum."""
+    text = spoken(node, voice)
+    if isinstance(node, (t.Add, t.Neg, t.Cross, t.Dot, t.Chain)):
+        return f"{voice.say('open')} {text} {voice.say('close')}"
+    return text
+
+
+def _num(node: t.Num, voice: Voice) -> str:
+    value = Rational(node.value)
+    text = str(abs(value))
+    over = f" {voice.say('over')} "
+    text = voice.words.get(text) or text.replace("/", over)
+    return f"{voice.say('minus')} {text}" if value < 0 else text
+
+
+def _sym(node: t.Sym, voice: Voice) -> str:
+    return glyph_words(voice.notation.glyph(node.name), voice)
+
+
+def glyph_words(glyph: Glyph, voice: Voice) -> str:
+    """The words of a drawn name: "theta sub 1 double dot"."""
+    text = letter_name(glyph.base)
+    if len(glyph.base) == 1 and glyph.base.isupper():
+        text = voice.say("capital", text.lower())
+    text = voice.say("script", text) if glyph.style == "script" else text
+    for sub in glyph.subs:
+        text = voice.say("sub", text, glyph_words(sub, voice))
+    for mark in (glyph.accent, f"dot{glyph.dots}", *["prime"] * glyph.primes):
+        text = voice.say(mark, text) if mark in voice.words else text
+    return voice.say("change", text) if glyph.prefix else text
+
+
+def _vec(node: t.Vec, voice: Voice) -> str:
+    return voice.say("vector", glyph_words(voice.notation.glyph(node.name), voice))
+
+
+def _unit(node: t.Unit, voice: Voice) -> str:
+    return voice.say("unit", {"x": "i", "y": "j", "z": "k"}[node.axis])
+
+
+def _add(node: t.Add, voice: Voice) -> str:
+    texts: list[str] = []
+    for term in node.terms:
+        negative, body = signed(term)
+        texts += [voice.say("minus")] if negative else [voice.say("plus")] if texts else []
+        texts.append(_closed(body, voice))
+    return " ".join(texts) or "0"
+
+
+def _neg(node: t.Neg, voice: Voice) -> str:
+    negative, body = signed(node)
+    return f"{voice.say('minus')} {_closed(body, voice)}" if negative else spoken(body, voice)
+
+
+def _mul(node: t.Mul, voice: Voice) -> str:
+    negative, body = signed(node)
+    if not isinstance(body, t.Mul):
+        return spoken(t.Neg(body) if negative else body, voice)
+    text = f" {voice.say('times')} ".join(_closed(factor, voice) for factor in body.factors)
+    return f"{voice.say('minus')} {text}" if negative else text
+
+
+def _div(node: t.Div, voice: Voice) -> str:
+    if isinstance(node.num, t.Num) and isinstance(node.den, t.Num):
+        known = voice.words.get(f"{node.num.value}/{node.den.value}")
+        if known:
+            return known
+    text = f"{_closed(node.num, voice)} {voice.say('over')} {_closed(node.den, voice)}"
+    short = all(isinstance(part, (t.Sym, t.Num)) for part in (node.num, node.den))
+    return text if short else f"{text} {voice.say('end')}"
+
+
+def _pow(node: t.Pow, voice: Voice) -> str:
+    base = _closed(node.base, voice)
+    if plain_fraction(node.base) or isinstance(node.base, t.Mul):
+        base = f"{voice.say('open')} {spoken(node.base, voice)} {voice.say('close')}"
+    key = {t.Num(2): "squared", t.Num(3): "cubed"}.get(node.exponent, "power")
+    return voice.say(key, base, spoken(node.exponent, voice))
+
+
+def _fn(node: t.Fn, voice: Voice) -> str:
+    return voice.say("of", voice.say(node.name), _closed(node.arg, voice))
+
+
+def _group(node: t.Group, voice: Voice) -> str:
+    return f"{voice.say('open')} {spoken(node.arg, voice)} {voice.say('close')}"
+
+
+def _product_of(key: str) -> Callable[[t.Cross | t.Dot, Voice], str]:
+    def say(node: t.Cross | t.Dot, voice: Voice) -> str:
+        return f"{_closed(node.left, voice)} {voice.say(key)} {_closed(node.right, voice)}"
+
+    return say
+
+
+def _deriv(node: t.Deriv, voice: Voice) -> str:
+    key = "partial" if node.partial else {1: "deriv", 2: "second"}.get(node.order, "nth")
+    wrt = glyph_words(voice.notation.glyph(node.wrt), voice)
+    return voice.say(key, _closed(node.of, voice), wrt, node.order)
+
+
+def _integral(node: t.Integral, voice: Voice) -> str:
+    ends = (spoken(node.lower, voice), spoken(node.upper, voice))
+    var = glyph_words(voice.notation.glyph(node.var), voice)
+    return voice.say("integral", *ends, _closed(node.integrand, voice), var)
+
+
+def _body_integral(node: t.BodyIntegral, voice: Voice) -> str:
+    body = glyph_words(voice.notation.glyph(node.body), voice)
+    return voice.say("body", body, _closed(node.integrand, voice))
+
+
+def _path_integral(node: t.PathIntegral, voice: Voice) -> str:
+    sign = {"dot": "dot", "cross": "cross"}.get(node.product, "times")
+    return voice.say(
+        "path", _closed(node.integrand, voice), voice.say(sign), spoken(node.path, voice)
+    )
+
+
+def _bracket(node: t.Bracket, voice: Voice) -> str:
+    var = glyph_words(voice.notation.glyph(node.var), voice)
+    ends = (spoken(node.lower, voice), spoken(node.upper, voice))
+    return voice.say("bracket", _closed(node.arg, voice), var, *ends)
+
+
+def _limit(node: t.Limit, voice: Voice) -> str:
+    var = glyph_words(voice.notation.glyph(node.var), voice)
+    return voice.say("limit", var, spoken(node.to, voice), _closed(node.arg, voice))
+
+
+def _chain(node: t.Chain, voice: Voice) -> str:
+    texts = [spoken(node.items[0], voice)]
+    for op, item in zip(node.ops, node.items[1:], strict=True):
+        texts += [voice.say(op), spoken(item, voice)]
+    return " ".join(texts)
+
+
+def _system(node: t.System, voice: Voice) -> str:
+    return voice.say("and").join(spoken(row, voice) for row in node.rows)
+
+
+TABLE: dict[type, Callable[..., str]] = {
+    t.Num: _num, t.Sym: _sym, t.Vec: _vec, t.Unit: _unit, t.Add: _add, t.Neg: _neg,
+    t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Fn: _fn, t.Group: _group,
+    t.Cross: _product_of("cross"), t.Dot: _product_of("dot"), t.Deriv: _deriv,
+    t.Integral: _integral, t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral,
+    t.Bracket: _bracket, t.Limit: _limit, t.Chain: _chain, t.System: _system,
+    t.Sqrt: lambda node, voice: voice.say("sqrt", _closed(node.arg, voice)),
+    t.Abs: lambda node, voice: voice.say("abs", _closed(node.arg, voice)),
+    t.Delta: lambda node, voice: voice.say("delta", _closed(node.arg, voice)),
+    t.At: lambda node, voice: voice.say(
+        "at", _closed(node.arg, voice), spoken(node.condition, voice)
+    ),
+    t.Word: lambda node, voice: node.text,
+}  # fmt: skip

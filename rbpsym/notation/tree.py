@@ -1,0 +1,313 @@
+"""The display tree: every formula that rbpsym reads, computes or prints.
+
+A tree keeps the form and the order in which a formula was written; it is never
+simplified. Printers turn it into LaTeX, Typst, MathML, text and speech; `algebra.evaluate`
+computes its exact value. All nodes are frozen and compared by value; `span` (the
+characters of the source it was read from) takes no part in comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A formula or a part of one."""
+
+    span: tuple[int, int] | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Num(Node):
+    """An exact rational number."""
+
+    value: Fraction | int
+
+
+@dataclass(frozen=True, slots=True)
+class Sym(Node):
+    """A scalar quantity, by its name in the problem (`theta`, `ell`, `theta_dot`, `I_rod`)."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Vec(Node):
+    """A vector quantity, by name: printed with an arrow (or in bold)."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unit(Node):
+    """A Cartesian unit vector: axis "x", "y" or "z", printed î, ĵ, k̂."""
+
+    axis: str
+
+
+@dataclass(frozen=True, slots=True)
+class Add(Node):
+    """A sum in the author's order; a subtracted term is `Neg(term)`."""
+
+    terms: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Neg(Node):
+    """Minus the argument."""
+
+    arg: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Mul(Node):
+    """A product, printed by juxtaposition in the author's order (a vector may be one factor)."""
+
+    factors: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Div(Node):
+    """A fraction with a bar."""
+
+    num: Node
+    den: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Pow(Node):
+    """A power; the exponent is any tree (usually `Num`)."""
+
+    base: Node
+    exponent: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Sqrt(Node):
+    """The non-negative square root."""
+
+    arg: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Fn(Node):
+    """A function of one argument: sin cos tan cot sec csc asin acos atan exp ln."""
+
+    name: str
+    arg: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Abs(Node):
+    """Absolute value of a scalar, magnitude of a vector."""
+
+    arg: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Group(Node):
+    """Delimiters that the author wants to see: kind "(" or "[" (printers add needed ones alone)."""
+
+    arg: Node
+    kind: str = "("
+
+
+@dataclass(frozen=True, slots=True)
+class Cross(Node):
+    """Vector product."""
+
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Dot(Node):
+    """Scalar product."""
+
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Deriv(Node):
+    """A derivative written as a fraction, d^n(of)/d(wrt)^n; `wrt` is "t" for the time."""
+
+    of: Node
+    wrt: str = "t"
+    order: int = 1
+    partial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Integral(Node):
+    """A definite integral of `integrand` over the coordinate `var` (printed ∫_lower^upper f dvar)."""
+
+    integrand: Node
+    var: str
+    lower: Node
+    upper: Node
+
+
+@dataclass(frozen=True, slots=True)
+class BodyIntegral(Node):
+    """∫ integrand dm over the region of the body named `body`."""
+
+    integrand: Node
+    body: str = "Omega"
+
+
+@dataclass(frozen=True, slots=True)
+class PathIntegral(Node):
+    """∫ of a force along a path: `product` is "dot" (∫F·dR) or "times" (∫τ dφ); `path` is R or φ."""
+
+    integrand: Node
+    path: Node
+    product: str = "dot"
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket(Node):
+    """[f] taken between two values of `var`: f(upper) - f(lower)."""
+
+    arg: Node
+    var: str
+    lower: Node
+    upper: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Delta(Node):
+    """The change of a quantity between start and now, printed Δ."""
+
+    arg: Node
+
+
+@dataclass(frozen=True, slots=True)
+class At(Node):
+    """A quantity at a given condition, printed f|_{cond}."""
+
+    arg: Node
+    condition: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Limit(Node):
+    """The limit of `arg` as the symbol `var` tends to `to`."""
+
+    arg: Node
+    var: str
+    to: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Word(Node):
+    """An upright word inside a formula ("const", "and"); has no value."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Node):
+    """items[0] ops[0] items[1] ops[1] ...; ops are "=", "<", ">", "<=", ">=", "!=", "~" (≈), "->".
+
+    A plain relation is a chain of two items.
+    """
+
+    items: tuple[Node, ...]
+    ops: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class System(Node):
+    """Several relations shown under each other (an aligned block), all asserted."""
+
+    rows: tuple[Node, ...]
+
+
+ZERO, ONE, TWO, HALF = Num(0), Num(1), Num(2), Num(Fraction(1, 2))
+
+
+def equation(*items: Node) -> Chain:
+    """items[0] = items[1] = ..."""
+    return Chain(tuple(items), ("=",) * (len(items) - 1))
+
+
+def relation(left: Node, op: str, right: Node) -> Chain:
+    """One relation `left op right`."""
+    return Chain((left, right), (op,))
+
+
+def children(node: Node) -> Iterator[Node]:
+    """The direct parts of a node, in reading order."""
+    for item in fields(node):
+        value = getattr(node, item.name)
+        if isinstance(value, Node):
+            yield value
+        elif isinstance(value, tuple) and item.name != "span":
+            yield from (part for part in value if isinstance(part, Node))
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """The node and all its parts, parents first."""
+    yield node
+    for child in children(node):
+        yield from walk(child)
+
+
+def names(node: Node) -> set[str]:
+    """Names of all scalar and vector quantities in the tree."""
+    return {part.name for part in walk(node) if isinstance(part, (Sym, Vec))}
+
+
+def add(*terms: Node) -> Node:
+    """A sum without zeros and nesting; 0 for no terms."""
+    flat: list[Node] = []
+    for term in terms:
+        flat.extend(term.terms if isinstance(term, Add) else (term,))
+    kept = [term for term in flat if term != ZERO]
+    return kept[0] if len(kept) == 1 else Add(tuple(kept)) if kept else ZERO
+
+
+def neg(node: Node) -> Node:
+    """Minus the node; a double minus is removed."""
+    if isinstance(node, Neg):
+        return node.arg
+    if isinstance(node, Num):
+        return node if node.value == 0 else Num(-node.value)
+    return Neg(node)
+
+
+def mul(*factors: Node) -> Node:
+    """A product without ones and nesting, the sign pulled in front; 0 if a factor is 0."""
+    flat: list[Node] = []
+    negative = False
+    for factor in factors:
+        if isinstance(factor, Neg):
+            negative, factor = not negative, factor.arg
+        if isinstance(factor, Num) and factor.value < 0:
+            negative, factor = not negative, Num(-factor.value)
+        flat.extend(factor.factors if isinstance(factor, Mul) else (factor,))
+    if any(factor == ZERO for factor in flat):
+        return ZERO
+    kept = [factor for factor in flat if factor != ONE]
+    product = kept[0] if len(kept) == 1 else Mul(tuple(kept)) if kept else ONE
+    return neg(product) if negative else product
+
+
+def div(num: Node, den: Node) -> Node:
+    """A fraction, the sign in front, without a denominator 1."""
+    if isinstance(num, Neg):
+        return neg(div(num.arg, den))
+    if isinstance(num, Num) and num.value < 0:
+        return neg(div(Num(-num.value), den))
+    return num if den == ONE else ZERO if num == ZERO else Div(num, den)
+
+
+def power(base: Node, exponent: int | Fraction) -> Node:
+    """A power with a rational exponent; exponents 0 and 1 are resolved."""
+    if exponent == 1:
+        return base
+    return ONE if exponent == 0 else Pow(base, Num(exponent))

@@ -1,0 +1,144 @@
+"""A problem from its tables: the sections in the order in which they need each other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rbpsym.quantities import Quantity
+from rbpsym.statement.bodies import read_bodies
+from rbpsym.statement.checks import check_names_differ, check_problem
+from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.elements import Surroundings, read_elements
+from rbpsym.statement.finish import finish
+from rbpsym.statement.interactions import INTERACTIONS
+from rbpsym.statement.model import Pair, PointRef, Problem
+from rbpsym.statement.names import check_name
+from rbpsym.statement.quantities import CoordinateReader, read_parameters
+from rbpsym.statement.references import read_point
+from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
+from rbpsym.statement.source import Table, kind_of
+
+# What each section of a file is for.
+SECTIONS: dict[str, str] = {
+    "name": "name of the problem; else the file's",
+    "title": "title, or titles by language",
+    "source": "where the problem comes from",
+    "level": "for whom it is",
+    "topic": "what it teaches",
+    "parameters": 'constants: name = "dimension: meaning"',
+    "coordinates": "what tells the position: meaning, dimension, start, speed, range",
+    "points": 'fixed points: Q = ["a", "0"]',
+    "bodies": "shape, mass, sizes, pose",
+    "interactions": "forces and couples that are known laws",
+    "constraints": "conditions and the unknown forces that keep them",
+    "origins": "points about which angular momenta are wanted",
+    "notation": 'how names are printed: theta_dot = "omega"',
+    "meanings": "meanings in other languages: [meanings.es]",
+    "example": "values with units, for numbers and plots",
+    "claims": "what a source says, to be confirmed or refuted",
+}
+
+
+def assemble(table: Table, name: str) -> Problem:
+    """The problem that the table of a file (or of Python) states."""
+    table.check_keys(SECTIONS, "the problem")
+    check_names_differ(table)
+    parameters = tuple(read_parameters(table))
+    scope = _scope_of(parameters)
+    reader = CoordinateReader(table, scope)
+    coordinates = tuple(reader.read())
+    parameters = (*parameters, *reader.implicit.values())
+    scope = replace(_scope_of(parameters), coordinates=reader.dimensions)
+    scope = replace(scope, points=_points(table, scope))
+    bodies = read_bodies(table, scope)
+    around = Surroundings(scope, bodies)
+    interactions, constraints = (
+        tuple(finish(element, scope, bodies) for element in read_elements(section, table, kinds, around))
+        for section, kinds in (("interactions", INTERACTIONS), ("constraints", CONSTRAINTS))
+    )
+    problem = Problem(
+        name=table.string("name") or name,
+        title=_title(table, name),
+        parameters=parameters,
+        coordinates=coordinates,
+        bodies=tuple(bodies.values()),
+        interactions=interactions,
+        constraints=constraints,
+        source=table.string("source"),
+        notation=_strings(table, "notation"),
+        origins=_origins(table, around),
+        claims=_claims(table),
+        points=scope.points,
+        meanings=_meanings(table),
+        example=_values(table, "example"),
+        level=table.string("level"),
+        topic=table.string("topic"),
+        implicit=tuple(reader.implicit),
+        file=table.source.file,
+    )
+    check_problem(problem, table)
+    return problem
+
+
+def _scope_of(parameters: tuple[Quantity, ...]) -> Scope:
+    return Scope(
+        {quantity.name: quantity.dimension for quantity in parameters},
+        signs={quantity.name: quantity.sign for quantity in parameters},
+    )
+
+
+def _points(table: Table, scope: Scope) -> dict[str, Pair]:
+    section = table.table("points", "points")
+    points: dict[str, Pair] = {"O": ORIGIN}
+    for name in section.names():
+        check_name(name, section, key=name)
+        points[name] = read_pair(section.item(name), scope, f"the point “{name}”")
+    return points
+
+
+def _origins(table: Table, around: Surroundings) -> dict[str, PointRef]:
+    """The points of a list, by what they are called; O if the author names none."""
+    item = table.item("origins", ["O"])
+    if not isinstance(item.value, (list, tuple)):
+        raise item.error(f"“origins” must be a list of points, not {kind_of(item.value)}", 'write origins = ["O"]')
+    points = [read_point(part, around.scope, around.bodies, "“origins”") for part in item.items()]
+    return {point.label: point for point in points}
+
+
+def _title(table: Table, name: str) -> Mapping[str, str]:
+    value = table.data.get("title", name)
+    if isinstance(value, Mapping):
+        titles = _strings(table, "title")
+        _check_languages(table.table("title", "title"))
+        return titles
+    return {"en": table.string("title", name)}
+
+
+def _check_languages(section: Table) -> None:
+    for language in section.names():
+        if not re.fullmatch(r"[a-z]{2,3}", language):
+            raise section.error(f"“{language}” is no language", 'write title = { en = "...", es = "..." }', language)
+
+
+def _strings(table: Table, key: str) -> dict[str, str]:
+    """A table of texts."""
+    section = table.table(key, f"“{key}”")
+    return {name: section.string(name) for name in section.names()}
+
+
+def _values(table: Table, key: str) -> dict[str, str]:
+    """A table of values: texts with a unit, or plain numbers."""
+    section = table.table(key, f"“{key}”")
+    return {name: text_of(section.item(name), f"“{name}” of [{key}]") for name in section.names()}
+
+
+def _meanings(table: Table) -> dict[str, dict[str, str]]:
+    section = table.table("meanings", "meanings")
+    _check_languages(section)
+    return {language: _strings(section, language) for language in section.names()}
+
+
+def _claims(table: Table) -> tuple[Mapping[str, object], ...]:
+    return tuple(dict(row.data) for row in table.rows("claims", "“claims”"))

@@ -1,0 +1,214 @@
+"""The section [bodies]: shapes with their sizes and masses, points, poses, composites."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rbpsym.notation.tree import Node
+from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
+from rbpsym.statement.elements import kind_of_element
+from rbpsym.statement.kinds import ShapeKind
+from rbpsym.statement.model import Body, Pair, PlacedShape, Shape
+from rbpsym.statement.names import check_name
+from rbpsym.statement.references import CM
+from rbpsym.statement.scope import Scope, read_expression, read_pair
+from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
+from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass
+from rbpsym.statement.source import Table
+
+_BODY_KEYS = ("shape", "mass", "angle", "points", "meaning")
+_PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name")
+_VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi": NUMBER}
+
+
+def read_bodies(table: Table, scope: Scope) -> dict[str, Body]:
+    """The bodies by name."""
+    return {name: read_body(part, name, scope) for name, part in table.tables("bodies", "bodies")}
+
+
+def read_body(table: Table, name: str, scope: Scope) -> Body:
+    """One body."""
+    check_name(name, table)
+    where = f"the body “{name}”"
+    kind = kind_of_element(table, SHAPES, "shape")
+    own = _own_points(table, kind, scope, where)
+    points = (*kind.point_names, *own, CM)
+    table.check_keys([*_BODY_KEYS, *_kind_keys(kind), *points], where)
+    shape, mass = _shape(table, kind, scope, where)
+    shape = replace(shape, points={**shape.points, **own})
+    angle = _angle(table, kind, scope, where)
+    placed = _placed(table, points, scope, where)
+    return Body(name, shape, mass, placed, angle, table.string("meaning"), table.source.key(table.path))
+
+
+def _kind_keys(kind: ShapeKind) -> tuple[str, ...]:
+    extra = ("density",) if kind.density else ("parts",) if kind.name == "composite" else ()
+    return (*(field.name for field in kind.fields), *extra)
+
+
+# --- pose and points
+
+
+def _own_points(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Pair]:
+    section = table.table("points", f"points of {where}")
+    taken = {*_BODY_KEYS, *_kind_keys(kind)}
+    points = {}
+    for name in section.names():
+        check_name(name, section, key=name)
+        if name in kind.point_names or name in taken:
+            raise section.error(f"{where} has “{name}” already", "give the point another name.", name)
+        points[name] = read_pair(section.item(name), replace(scope, points={}), f"point “{name}” of {where}")
+    return points
+
+
+def _angle(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+    if "angle" not in table:
+        return None
+    if not kind.has_angle:
+        raise table.error(f"{where} is a {kind.name}: it has no angle", "remove this line.", "angle")
+    return read_expression(table.item("angle"), scope, f"“angle” of {where}", NUMBER, "coordinates")
+
+
+def _placed(table: Table, points: tuple[str, ...], scope: Scope, where: str) -> tuple[str, Pair] | None:
+    given = [key for key in table.names() if key in points]
+    if len(given) > 1:
+        raise table.error(
+            f"{where} is placed twice: by “{given[0]}” and by “{given[1]}”",
+            "place one of its points; its angle and the constraints do the rest.",
+            given[1],
+        )
+    if not given:
+        return None
+    what = f"“{given[0]}” of {where}"
+    return given[0], read_pair(table.item(given[0]), scope, what, LENGTH, "coordinates")
+
+
+# --- shape and mass
+
+
+def _shape(table: Table, kind: ShapeKind, scope: Scope, where: str) -> tuple[Shape, Node | None]:
+    if kind.name == "composite":
+        return _composite(table, scope, where)
+    return _simple(table, kind, scope, where, _own_mass(table, kind, scope, where))
+
+
+def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
+    sizes = _sizes(table, kind, scope, where)
+    density = None if mass is not None else _density(table, kind, scope, where)
+    return shape_of(kind, sizes, Material(mass, density, frozenset(scope.all))), mass
+
+
+def _sizes(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Node]:
+    for field in kind.fields:
+        if field.default is None:
+            table.require(field.name, where, f"a {kind.name} needs {field.name}: its {field.meaning}.")
+    return {
+        field.name: read_expression(
+            table.item(field.name, field.default), scope, f"“{field.name}” of {where}", field.dimension, sign=field.sign
+        )
+        for field in kind.fields
+    }
+
+
+def _own_mass(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+    """The mass that the table states; None if it states a density instead."""
+    if "density" in table and kind.density:
+        if "mass" in table:
+            raise table.error(
+                f"{where} has both a mass and a density",
+                "the mass follows from the density: remove one of them.",
+                "mass",
+            )
+        return None
+    table.require("mass", where, 'add mass = "M"' + (', or a density = "..."' if kind.density else ""))
+    return _mass(table, scope, where)
+
+
+def _mass(table: Table, scope: Scope, where: str) -> Node:
+    return read_expression(table.item("mass"), scope, f"“mass” of {where}", MASS, sign="nonnegative")
+
+
+def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
+    inner = scope.with_variables({name: _VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
+    dimension: Dimension = DENSITY_DIMENSIONS[kind.element.kind]
+    return read_expression(table.item("density"), inner, f"“density” of {where}", dimension)
+
+
+# --- composites
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A part of a composite, before the mass of the whole is shared out."""
+
+    table: Table
+    kind: ShapeKind
+    where: str
+    removed: bool
+
+    @property
+    def has_mass(self) -> bool:
+        return "mass" in self.table or "density" in self.table or self.kind.name == "composite"
+
+
+def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | None]:
+    parts = [_part(row, i, where) for i, row in enumerate(table.rows("parts", f"“parts” of {where}"), 1)]
+    if not parts:
+        raise table.error(f"{where} is a composite without parts", 'add parts = [{ shape = "rod", ... }, ...]')
+    if all(part.removed for part in parts):
+        raise table.error(f"{where} has no part that is left", "not all parts can be removed.", "parts")
+    masses = _masses(table, parts, scope, where)
+    placed = tuple(_placed_part(part, mass, scope) for part, mass in zip(parts, masses, strict=True))
+    return compose(placed), _mass(table, scope, where) if "mass" in table else total_mass(placed)
+
+
+def _part(table: Table, number: int, where: str) -> _Part:
+    kind = kind_of_element(table, SHAPES, "shape")
+    part = table.string("name") or f"part {number}"
+    label = f"{part} of {where}"
+    table.check_keys([*_PART_KEYS, *_kind_keys(kind)], label)
+    removed = table.data.get("removed", False)
+    if not isinstance(removed, bool):
+        raise table.value_error("removed", f"“removed” of {label} must be true or false", "write removed = true")
+    return _Part(table, kind, label, removed)
+
+
+def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node | None]:
+    """The mass of each part: its own, or its share of the mass of the whole."""
+    own = [part for part in parts if part.has_mass]
+    if not own:
+        table.require("mass", where, 'add mass = "M" for the whole, or one for each part.')
+        return _shared(table, parts, scope, where)
+    bare = [part for part in parts if not part.has_mass]
+    if bare:
+        raise bare[0].table.error(
+            f"{bare[0].where} has no mass, but another part has one", "give each part a mass, or the whole body one."
+        )
+    if "mass" in table:
+        raise table.error(f"{where} and its parts both have a mass", "remove one of them.", "mass")
+    return [_part_mass(part, scope) for part in parts]
+
+
+def _part_mass(part: _Part, scope: Scope) -> Node | None:
+    return None if part.kind.name == "composite" else _own_mass(part.table, part.kind, scope, part.where)
+
+
+def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node]:
+    for part in parts:
+        if part.kind.element is None or part.kind.element.kind != parts[0].kind.element.kind:
+            raise part.table.error(
+                f"{where}: a {parts[0].kind.name} and a {part.kind.name} have no common density",
+                "give each part a mass of its own.",
+            )
+    sizes = [(size_of(part.kind, _sizes(part.table, part.kind, scope, part.where)), part.removed) for part in parts]
+    return shares(_mass(table, scope, where), sizes)
+
+
+def _placed_part(part: _Part, mass: Node | None, scope: Scope) -> PlacedShape:
+    if part.kind.name == "composite":
+        shape, mass = _composite(part.table, scope, part.where)
+    else:
+        shape, mass = _simple(part.table, part.kind, scope, part.where, mass)
+    at = read_pair(part.table.item("at", ["0", "0"]), replace(scope, points={}), f"“at” of {part.where}")
+    angle = read_expression(part.table.item("angle", "0"), scope, f"“angle” of {part.where}", NUMBER)
+    return PlacedShape(shape, mass, at, angle, part.removed, part.table.string("name"))

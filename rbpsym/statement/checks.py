@@ -1,0 +1,197 @@
+"""What must hold of a problem as a whole; what needs mechanics is checked there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rbpsym.errors import StatementError
+from rbpsym.notation.tree import Node, names
+from rbpsym.quantities import Dimension
+from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.model import Body, Coordinate, Element, Line, Problem
+from rbpsym.statement.names import fault_of_name, twice
+from rbpsym.statement.signs import compare_numbers
+from rbpsym.statement.source import Table, did_you_mean
+
+MAX_BODIES = 64
+
+
+def check_problem(problem: Problem, table: Table) -> None:
+    """Refuse a problem that can't be meant."""
+    for check in _CHECKS:
+        check(problem, table)
+
+
+def unknowns_of(element: Element) -> dict[str, Dimension]:
+    """Names and dimensions of the unknown forces and couples that a constraint brings in."""
+    values = {**element.values, "name": element.name}
+    return {text.format(**values): dimension for text, dimension in CONSTRAINTS[element.kind].unknowns}
+
+
+def _something(problem: Problem, table: Table) -> None:
+    if not problem.bodies:
+        raise table.error("the problem has no bodies", "add [bodies.rod] with its shape, mass and place.")
+    if not problem.coordinates:
+        raise table.error("the problem has no coordinates", "add [coordinates.theta] and use theta in a pose.")
+    if len(problem.bodies) > MAX_BODIES:
+        raise table.error(f"the problem has {len(problem.bodies)} bodies, {MAX_BODIES} are allowed", key="bodies")
+
+
+# Sections whose names must differ from each other, and what a name of each is.
+_SYMBOLS = {"parameters": "a parameter", "coordinates": "a coordinate"}
+_THINGS = {
+    "points": "a point",
+    "bodies": "a body",
+    "interactions": "an interaction",
+    "constraints": "a constraint",
+}
+
+
+def check_names_differ(table: Table) -> None:
+    """Refuse a name that two sections give: before anything is read, for it confuses the rest."""
+    for sections in (_SYMBOLS, _THINGS):
+        seen: dict[str, str] = {}
+        for section, what in sections.items():
+            part = table.table(section, section)
+            for name in part.names():
+                if name in seen:
+                    raise twice(name, seen[name], what, part, name)
+                seen[name] = what
+
+
+def _unknowns_differ(problem: Problem, table: Table) -> None:
+    """An unknown force has a name that no other quantity has."""
+    seen = {quantity.name: "a parameter" for quantity in problem.parameters}
+    seen |= {coordinate.name: "a coordinate" for coordinate in problem.coordinates}
+    for element in problem.constraints:
+        for name in unknowns_of(element):
+            what = f"an unknown of the {element.kind} “{element.name}”"
+            if name in seen:
+                raise twice(name, seen[name], what, table.table("constraints", "constraints"), element.name)
+            seen[name] = what
+
+
+def _unknown_names(problem: Problem, table: Table) -> None:
+    """A couple's name is the author's own; the others derive from a name that was checked."""
+    for element in problem.constraints:
+        for name in unknowns_of(element):
+            what, instead = fault_of_name(name)
+            if what:
+                raise StatementError(what, instead=instead, place=element.place)
+
+
+def _ranges(problem: Problem, table: Table) -> None:
+    for coordinate in problem.coordinates:
+        section = table.table("coordinates", "coordinates").table(coordinate.name, coordinate.name)
+        _check_range(coordinate, section)
+        _check_start(coordinate, section)
+
+
+def _check_range(coordinate: Coordinate, section: Table) -> None:
+    if _compare(coordinate.lower, coordinate.upper) in (0, 1):
+        raise section.value_error(
+            "range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first."
+        )
+
+
+def _check_start(coordinate: Coordinate, section: Table) -> None:
+    below = _compare(coordinate.start, coordinate.lower) == -1
+    above = _compare(coordinate.start, coordinate.upper) == 1
+    if below or above:
+        bounds = section.data["range"]
+        raise section.value_error(
+            "start",
+            f"the start of “{coordinate.name}” is outside its range",
+            f"it must lie between {bounds[0]} and {bounds[1]}.",
+        )
+
+
+def _compare(left: Node | None, right: Node | None) -> int | None:
+    return None if left is None or right is None else compare_numbers(left, right)
+
+
+def _coordinates_used(problem: Problem, table: Table) -> None:
+    used = {name for node in _expressions(problem) for name in names(node)}
+    for coordinate in problem.coordinates:
+        if coordinate.name not in used:
+            raise table.table("coordinates", "coordinates").error(
+                f"no body's pose uses the coordinate “{coordinate.name}”",
+                "use it in a place or an angle of a body, or remove it.",
+                coordinate.name,
+            )
+
+
+def _expressions(problem: Problem) -> Iterator[Node]:
+    """The expressions that tell the poses."""
+    for body in problem.bodies:
+        yield from _pose(body)
+
+
+def _pose(body: Body) -> Iterator[Node]:
+    if body.placed:
+        yield from body.placed[1]
+    if body.angle is not None:
+        yield body.angle
+
+
+def _known_names(problem: Problem, table: Table) -> None:
+    """[notation], [example] and [meanings] speak of names that exist."""
+    quantities = _quantity_names(problem)
+    own = [quantity.name for quantity in problem.parameters]
+    starts = [coordinate.name for coordinate in problem.coordinates]
+    _check_names(table.table("notation", "notation"), quantities)
+    _check_names(table.table("example", "example"), [*own, *starts, *_rates(problem, "_dot")])
+    meanings = table.table("meanings", "meanings")
+    for language in meanings.names():
+        _check_names(meanings.table(language, language), [*quantities, *problem.body_names, *_elements(problem)])
+
+
+def _check_names(section: Table, known: list[str]) -> None:
+    for name in section.names():
+        if name not in known:
+            raise section.error(
+                f"[{section.path[-1]}] speaks of “{name}”, which does not exist",
+                did_you_mean(name, known, "names"),
+                name,
+            )
+
+
+def _quantity_names(problem: Problem) -> list[str]:
+    own = [quantity.name for quantity in problem.parameters]
+    coordinates = [coordinate.name for coordinate in problem.coordinates]
+    unknowns = [name for element in problem.constraints for name in unknowns_of(element)]
+    return [*own, *coordinates, *_rates(problem, "_dot"), *_rates(problem, "_ddot"), *unknowns]
+
+
+def _rates(problem: Problem, suffix: str) -> list[str]:
+    return [coordinate.name + suffix for coordinate in problem.coordinates]
+
+
+def _elements(problem: Problem) -> list[str]:
+    return [element.name for element in (*problem.interactions, *problem.constraints)]
+
+
+def _same_contact(problem: Problem, table: Table) -> None:
+    """One point against one line once."""
+    seen: dict[tuple[str, str], str] = {}
+    for element in (element for element in problem.constraints if element.kind == "contact"):
+        line: Line = element["line"]
+        key = element["point"].label, line.label
+        if key in seen:
+            raise StatementError(
+                f"contact “{element.name}” says again what “{seen[key]}” says",
+                place=element.place,
+                instead="remove one of them.",
+            )
+        seen[key] = element.name
+
+
+_CHECKS = (
+    _something,
+    _unknowns_differ,
+    _unknown_names,
+    _ranges,
+    _coordinates_used,
+    _known_names,
+    _same_contact,
+)

@@ -1,0 +1,130 @@
+"""Interactions and constraints, read by the fields of their kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from rbpsym.statement.kinds import Field, Kind, known_names
+from rbpsym.statement.lines import read_line
+from rbpsym.statement.model import Body, Element
+from rbpsym.statement.names import check_name, check_name_item
+from rbpsym.statement.references import GROUND, read_body, read_point
+from rbpsym.statement.scope import Scope, read_expression, read_pair
+from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What a field may refer to."""
+
+    scope: Scope
+    bodies: Mapping[str, Body]
+
+
+def read_elements(section: str, table: Table, kinds: Mapping[str, Kind], around: Surroundings) -> tuple[Element, ...]:
+    """All elements of the section [interactions] or [constraints]."""
+    return tuple(read_element(part, name, kinds, around) for name, part in table.tables(section, section))
+
+
+def read_element(table: Table, name: str, kinds: Mapping[str, Kind], around: Surroundings) -> Element:
+    """One element: its kind, then the fields of the kind."""
+    check_name(name, table)
+    kind = kind_of_element(table, kinds, "type")
+    where = f"{kind.name} “{name}”"
+    table.check_keys(["type", *(field.name for field in kind.fields)], where)
+    values = {field.name: _field(field, table, name, where, around) for field in kind.fields}
+    return Element(name, kind.name, values, table.source.key(table.path))
+
+
+def kind_of_element(table: Table, kinds: Mapping[str, Kind], key: str) -> Kind:
+    """The kind that the table names under `key`."""
+    known = known_names(kinds)
+    where = ".".join(str(part) for part in table.path)
+    table.require(key, where, f"{key}s: {', '.join(kinds)}.")
+    word = table.string(key)
+    if word not in known:
+        raise table.value_error(key, f"unknown {key} “{word}”", did_you_mean(word, known, f"{key}s"))
+    return kinds[known[word]]
+
+
+def _field(field: Field, table: Table, name: str, where: str, around: Surroundings) -> object:
+    if field.name not in table and field.default is None:
+        table.require(field.name, where, f"{field.name}: {field.meaning}.")
+    default = field.default.format(name=name) if isinstance(field.default, str) else field.default
+    item = table.item(field.name, default)
+    if field.name not in table and item.value == "":
+        return None
+    return _READERS[field.kind](item, field, f"“{field.name}” of {where}", around)
+
+
+def _expression(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    return read_expression(item, around.scope, what, field.dimension, field.may_use, field.sign)
+
+
+def _pair(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    return read_pair(item, around.scope, what, field.dimension, field.may_use)
+
+
+def _point(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    return read_point(item, around.scope, around.bodies, what)
+
+
+def _two(item: Item, what: str, things: str, example: str) -> list[Item]:
+    value = item.value
+    if not isinstance(value, (list, tuple)) or len(value) != 2:
+        found = f"{len(value)}" if isinstance(value, (list, tuple)) else kind_of(value)
+        raise item.error(f"{what} must name two {things}, not {found}", example)
+    return item.items()
+
+
+def _points(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    parts = _two(item, what, "points", f'write {field.name} = ["rod.end", "disk.center"]')
+    return tuple(read_point(part, around.scope, around.bodies, what) for part in parts)
+
+
+def _body(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    return read_body(item, around.bodies, what)
+
+
+def _two_bodies(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    parts = _two(item, what, "bodies", f'write {field.name} = ["ground", "rod"]')
+    return tuple(read_body(part, around.bodies, what, (GROUND,)) for part in parts)
+
+
+def _bodies(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    if item.value == "all":
+        return tuple(around.bodies)
+    if not isinstance(item.value, (list, tuple)) or not item.value:
+        raise item.error(f"{what} must be a list of bodies or “all”", f'write {field.name} = ["rod", "disk"]')
+    return tuple(read_body(part, around.bodies, what) for part in item.items())
+
+
+def _choice(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    if item.value not in field.choices:
+        found = f"“{item.value}”" if isinstance(item.value, str) else kind_of(item.value)
+        raise item.error(
+            f"{what} must be one of {', '.join(field.choices)}, not {found}",
+            did_you_mean(str(item.value), field.choices),
+        )
+    return item.value
+
+
+def _name(item: Item, field: Field, what: str, around: Surroundings) -> object:
+    return check_name_item(item, what)
+
+
+_Reader = Callable[[Item, Field, str, Surroundings], object]
+
+_READERS: dict[str, _Reader] = {
+    "expression": _expression,
+    "pair": _pair,
+    "point": _point,
+    "points": _points,
+    "line": lambda item, field, what, around: read_line(item, around.scope, what),
+    "body": _body,
+    "two bodies": _two_bodies,
+    "bodies": _bodies,
+    "choice": _choice,
+    "name": _name,
+}

@@ -1,0 +1,154 @@
+"""What a kind leaves to its surroundings, and what two of its fields must not be together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from rbpsym.errors import StatementError
+from rbpsym.notation.tree import ZERO, names
+from rbpsym.statement.model import Body, Element, Pair, PointRef
+from rbpsym.statement.scope import Scope
+
+
+def finish(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """The element with what follows from the poses; refused if its fields contradict each other."""
+    for rule in _RULES.get(element.kind, ()):
+        element = rule(element, scope, bodies)
+    return element
+
+
+def _error(element: Element, what: str, instead: str) -> StatementError:
+    return StatementError(f"{element.kind} “{element.name}” {what}", instead=instead, place=element.place)
+
+
+def _with(element: Element, **values: object) -> Element:
+    return replace(element, values={**element.values, **values})
+
+
+def bodies_joined(element: Element, key: str) -> tuple[str | None, str | None]:
+    """The bodies of two points; None for a fixed place."""
+    first, second = element[key]
+    return first.body, second.body
+
+
+def _on_a_body(key: str) -> Callable:
+    """The point under `key` must belong to a body."""
+
+    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+        point: PointRef = element[key]
+        if point.body is None:
+            raise _error(element, f"acts on “{point.label}”, a fixed place", "name a point of a body: rod.end.")
+        return element
+
+    return rule
+
+
+def _between_points(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    first, second = bodies_joined(element, "between")
+    if first == second:
+        what = "joins two fixed places" if first is None else f"joins two points of one body, “{first}”"
+        raise _error(element, what, "at least one end must be able to move against the other.")
+    return element
+
+
+def _between_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    first, second = element["between"]
+    if first == second:
+        raise _error(element, f"joins “{first}” to itself", "name two different bodies, or “ground” and a body.")
+    for name in (first, second):
+        if name in bodies and bodies[name].shape.kind == "particle":
+            raise _error(element, f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
+    return element
+
+
+def _turns(key: str) -> Callable:
+    """The body under `key` (if any) must be able to turn."""
+
+    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+        name = element[key]
+        if name is not None and bodies[name].shape.kind == "particle":
+            raise _error(element, f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
+        return element
+
+    return rule
+
+
+def _other_body(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    if element["on"] == element["reaction_on"]:
+        raise _error(element, f"acts on “{element['on']}” and reacts on it as well", "name another body.")
+    return element
+
+
+def _pivot_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """Where the pose puts the point; None if only the mechanics can tell."""
+    if element["at"] is not None:
+        return element
+    point: PointRef = element["point"]
+    body = bodies[point.body]
+    if body.placed is None:
+        raise _error(element, f"does not say where “{point.label}” is held", 'add at = ["0", "0"]')
+    if body.placed[0] != point.point:
+        return element
+    _check_fixed(element, point, body.placed[1], scope)
+    return _with(element, at=body.placed[1])
+
+
+def _check_fixed(element: Element, point: PointRef, place: Pair, scope: Scope) -> None:
+    moving = sorted((names(place[0]) | names(place[1])) & set(scope.coordinates))
+    if moving:
+        raise _error(
+            element,
+            f"holds “{point.label}”, but the pose lets it move with “{moving[0]}”",
+            'say where it is held: at = ["0", "0"]',
+        )
+
+
+def _joins_two(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    first, second = bodies_joined(element, "points")
+    if first is not None and first == second:
+        raise _error(element, f"joins the body “{first}” to itself", "name points of two different bodies.")
+    if first is None and second is None:
+        raise _error(element, "joins two fixed places", "name a point of a body.")
+    return element
+
+
+def _no_fixed_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    for point in element["points"]:
+        if point.body is None:
+            raise _error(element, f"joins a body to “{point.label}”, a fixed place", 'use type = "pivot" for this.')
+    return element
+
+
+def _no_particle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    for point in element["points"]:
+        if point.body and bodies[point.body].shape.kind == "particle":
+            raise _error(element, f"fixes the angle of “{point.body}”, a particle, which has none", "use a pin.")
+    return element
+
+
+def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """0 unless both angles are in the poses (the ground has one)."""
+    known = all(point.body is None or bodies[point.body].angle is not None for point in element["points"])
+    return element if known or element["angle"] is not None else _with(element, angle=ZERO)
+
+
+def _has_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    if element["direction"] == (ZERO, ZERO):
+        raise _error(element, "has no direction", 'write direction = ["0", "-1"]')
+    return element
+
+
+_RULES: Mapping[str, tuple[Callable, ...]] = {
+    "gravity": (_has_direction,),
+    "spring": (_between_points,),
+    "damper": (_between_points,),
+    "torsion-spring": (_between_bodies,),
+    "rotary-damper": (_between_bodies,),
+    "force": (_on_a_body("on"),),
+    "couple": (_turns("on"), _turns("reaction_on"), _other_body),
+    "pivot": (_on_a_body("point"), _pivot_place),
+    "pin": (_no_fixed_place, _joins_two),
+    "weld": (_joins_two, _no_particle, _weld_angle),
+    "contact": (_on_a_body("point"),),
+}

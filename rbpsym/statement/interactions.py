@@ -1,0 +1,80 @@
+"""The interactions that a statement can name: forces and couples that are known laws."""
+
+from __future__ import annotations
+
+from rbpsym.quantities import ACCELERATION, DIMENSIONS, FORCE, LENGTH, NUMBER
+from rbpsym.statement.kinds import Field, Kind, registry
+
+_TORQUE, _STIFFNESS = DIMENSIONS["torque"], DIMENSIONS["stiffness"]
+_BETWEEN_POINTS = Field("between", "points", "the two points that it joins")
+_BETWEEN_BODIES = Field("between", "two bodies", "the two bodies that it joins; one may be “ground”")
+
+INTERACTIONS: dict[str, Kind] = registry(
+    Kind(
+        "gravity",
+        "uniform gravity: the weight of each body, at its centre of mass",
+        (
+            Field("g", "expression", "its acceleration", ACCELERATION, default="g"),
+            Field("direction", "pair", "unit vector along which things fall", NUMBER, default=["0", "-1"]),
+            Field("bodies", "bodies", "the bodies that it acts on", default="all"),
+        ),
+    ),
+    Kind(
+        "spring",
+        "a linear spring between two points: force stiffness × (distance − natural length)",
+        (
+            _BETWEEN_POINTS,
+            Field("stiffness", "expression", "force per elongation", _STIFFNESS, sign="positive"),
+            Field(
+                "natural_length", "expression", "length at which it is slack", LENGTH, default="0", sign="nonnegative"
+            ),
+        ),
+    ),
+    Kind(
+        "torsion-spring",
+        "a spiral spring: couple stiffness × (angle of the second body − angle of the first − rest angle)",
+        (
+            _BETWEEN_BODIES,
+            Field("stiffness", "expression", "couple per angle", DIMENSIONS["torsion stiffness"], sign="positive"),
+            Field("rest_angle", "expression", "angle between the bodies at which it is slack", NUMBER, default="0"),
+        ),
+    ),
+    Kind(
+        "damper",
+        "a dashpot between two points: force coefficient × rate at which their distance changes",
+        (
+            _BETWEEN_POINTS,
+            Field("coefficient", "expression", "force per speed", DIMENSIONS["damping"], sign="positive"),
+        ),
+    ),
+    Kind(
+        "rotary-damper",
+        "a rotary dashpot: couple coefficient × difference of the angular speeds",
+        (
+            _BETWEEN_BODIES,
+            Field(
+                "coefficient", "expression", "couple per angular speed", DIMENSIONS["rotary damping"], sign="positive"
+            ),
+        ),
+    ),
+    Kind(
+        "force",
+        "an applied force, its components in space or in the frame of the body",
+        (
+            Field("on", "point", "the point of a body at which it acts"),
+            Field("force", "pair", "its components", FORCE, may_use="speeds"),
+            Field("frame", "choice", "where the components are fixed", default="space", choices=("space", "body")),
+        ),
+    ),
+    Kind(
+        "couple",
+        "an applied couple, counter-clockwise positive",
+        (
+            Field("on", "body", "the body that it acts on"),
+            Field("couple", "expression", "its torque", _TORQUE, may_use="speeds"),
+            Field(
+                "reaction_on", "body", "the body that feels the opposite couple; absent: an outside agent", default=""
+            ),
+        ),
+    ),
+)

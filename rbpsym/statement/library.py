@@ -1,0 +1,29 @@
+"""The problems that ship with rbpsym: the files in `derivations/`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rbpsym.errors import Place, ReadError
+from rbpsym.statement.source import did_you_mean
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+_FOLDERS = (_PACKAGE / "_data" / "derivations", _PACKAGE.parent / "derivations")  # in a wheel, in a checkout
+
+
+def problem_files() -> dict[str, Path]:
+    """The files of the library by the name of their problem."""
+    folder = next((folder for folder in _FOLDERS if folder.is_dir()), _FOLDERS[-1])
+    return {path.stem: path for path in sorted(folder.glob("*.toml"))}
+
+
+def find_problem(name_or_file: str) -> Path:
+    """The file of a problem, by its name in the library or by its path."""
+    files = problem_files()
+    if name_or_file in files:
+        return files[name_or_file]
+    path = Path(name_or_file)
+    if path.is_file():
+        return path
+    hint = did_you_mean(name_or_file, files, "problems in the library")
+    raise ReadError(f"there is no problem and no file “{name_or_file}”", instead=hint, place=Place(name_or_file))

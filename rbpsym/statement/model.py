@@ -1,0 +1,198 @@
+"""The values that a problem statement consists of.
+
+All expressions are display trees (`notation.tree`). Counter-clockwise is positive; x points
+to the right, y upwards. A body frame has its origin at the shape's reference point and its
+x' axis at the body's `angle`, counter-clockwise from +x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.errors import Place
+from rbpsym.notation.tree import Node
+from rbpsym.quantities import Quantity
+
+Pair = tuple[Node, Node]
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """A generalized coordinate: its quantity, start value, start speed and range (or None)."""
+
+    quantity: Quantity
+    start: Node | None = None
+    speed: Node | None = None
+    lower: Node | None = None
+    upper: Node | None = None
+    place: Place | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def name(self) -> str:
+        """Name of the coordinate; its speed is `<name>_dot`, its acceleration `<name>_ddot`."""
+        return self.quantity.name
+
+
+@dataclass(frozen=True, slots=True)
+class PointRef:
+    """A point of a body (`body`, `point`), a point (`local`) in a body's frame, or a fixed one.
+
+    For a fixed point `body` is None and `at` holds its place in space; `label` is how the
+    author wrote it ("rod.end", "O").
+    """
+
+    label: str
+    body: str | None = None
+    point: str | None = None
+    at: Pair | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """The straight line a x + b y = c, fixed in space (`label` as written)."""
+
+    label: str
+    a: Node
+    b: Node
+    c: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """One variable of a mass element with its bounds (the inner ones may depend on outer ones)."""
+
+    variable: str
+    lower: Node
+    upper: Node
+
+
+@dataclass(frozen=True, slots=True)
+class MassElement:
+    """How a shape's mass is spread: dm = density × measure × d(variables).
+
+    `x`, `y` (body frame) and `measure` are trees in the variables; `distance_squared` is the
+    square of the distance from the axis through the frame's origin perpendicular to the
+    plane (x² + y², which for solids counts the two directions in the plane of motion only).
+    `kind` is "line", "surface", "volume" or "point"; a removed part has `sign` -1. `outline`
+    names the variables' usual reading for the notes ("s", "r phi", ...).
+    """
+
+    ranges: tuple[Range, ...]
+    x: Node
+    y: Node
+    measure: Node
+    density: Node
+    kind: str = "surface"
+    sign: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A shape in its own frame: its mass elements, named points and outline for drawing.
+
+    The elements of a composite are those of its parts, put into its frame (a part of kind
+    "given" has none). `given_moment` (about the centre of mass) replaces the integral where the author gives it.
+    `sizes` are the author's dimensions by key ("length", "radius", ...). `parts` of a composite
+    are the placed shapes it consists of.
+    """
+
+    kind: str
+    sizes: Mapping[str, Node]
+    elements: tuple[MassElement, ...]
+    points: Mapping[str, Pair]
+    given_moment: Node | None = None
+    parts: tuple[PlacedShape, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedShape:
+    """A part of a composite: a shape with its mass, origin and angle in the composite's frame."""
+
+    shape: Shape
+    mass: Node | None
+    at: Pair
+    angle: Node
+    removed: bool = False
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A rigid body; `placed` = (name of a point, its position in space), None if constraints say.
+
+    `mass` is the total mass, None if it is the integral of the author's own density (for the
+    mechanics to carry out); `angle` None means that a weld determines it (or that the body is
+    a particle, which has none).
+    """
+
+    name: str
+    shape: Shape
+    mass: Node | None
+    placed: tuple[str, Pair] | None = None
+    angle: Node | None = None
+    meaning: str = ""
+    place: Place | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def points(self) -> Mapping[str, Pair]:
+        """Named points in the body frame (the shape's and the author's own)."""
+        return self.shape.points
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """An interaction or a constraint: `kind` is a key of its registry, `values` its fields.
+
+    Values by field kind: "expression" Node; "pair" (Node, Node); "point" PointRef; "points"
+    (PointRef, PointRef); "line" Line; "body" name; "bodies" tuple of names; "two bodies"
+    two names, one may be "ground"; "choice"/"name" str; what was left out, None. Defaults are
+    filled in. `place` is where it stands in the file.
+    """
+
+    name: str
+    kind: str
+    values: Mapping[str, object]
+    place: Place | None = field(default=None, compare=False, repr=False)
+
+    def __getitem__(self, key: str) -> object:
+        return self.values[key]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A whole statement. `notation` maps names to the glyph names that print them.
+
+    `points` are the author's fixed points with O, `origins` those about which momenta are
+    wanted. `meanings` holds translations, by language and name; `example` values with units,
+    by parameter; `claims` what a source says, as data. `implicit` names the constants that no
+    one declared: a coordinate starts at them.
+    """
+
+    name: str
+    title: Mapping[str, str]
+    parameters: tuple[Quantity, ...]
+    coordinates: tuple[Coordinate, ...]
+    bodies: tuple[Body, ...]
+    interactions: tuple[Element, ...] = ()
+    constraints: tuple[Element, ...] = ()
+    source: str = ""
+    notation: Mapping[str, str] = field(default_factory=dict)
+    origins: Mapping[str, PointRef] = field(default_factory=dict)
+    claims: tuple[Mapping[str, object], ...] = ()
+    points: Mapping[str, Pair] = field(default_factory=dict)
+    meanings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    example: Mapping[str, str] = field(default_factory=dict)
+    level: str = ""
+    topic: str = ""
+    implicit: tuple[str, ...] = ()
+    file: str = field(default="", compare=False)
+
+    def body(self, name: str) -> Body:
+        """The body called `name` (KeyError if there is none)."""
+        return {body.name: body for body in self.bodies}[name]
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """Names of the bodies in the author's order."""
+        return tuple(body.name for body in self.bodies)

@@ -1,0 +1,136 @@
+"""The sections [parameters] and [coordinates]: what the problem's symbols are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+
+from rbpsym.errors import DimensionError
+from rbpsym.notation.tree import Node, Sym
+from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
+from rbpsym.statement.model import Coordinate
+from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
+from rbpsym.statement.scope import Scope, read_expression
+from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+
+SIGNS = ("positive", "nonnegative", "nonzero", "real")
+_PARAMETER_KEYS = ("dimension", "meaning", "sign", "glyph")
+_COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
+_EXAMPLE = 'write it as "length: radius of the disk" or "mass, nonnegative: mass of the rod"'
+
+
+def read_parameters(table: Table) -> Iterator[Quantity]:
+    """The quantities of the section [parameters]."""
+    section = table.table("parameters", "parameters")
+    for name in section.names():
+        check_name(name, section, RESERVED | AXES, key=name)
+        yield _parameter(name, section)
+
+
+def _parameter(name: str, section: Table) -> Quantity:
+    if isinstance(section.data[name], Mapping):
+        return _parameter_of_table(name, section.table(name, f"parameters.{name}"))
+    item = section.item(name)
+    if not isinstance(item.value, str) or not item.value.strip():
+        raise item.error(f"the parameter “{name}” must be a text, not {kind_of(item.value)}", _EXAMPLE)
+    head, _, meaning = item.value.partition(":")
+    dimension, _, sign = head.partition(",")
+    checked = _sign(item, sign, len(dimension) + 1) if sign else "positive"
+    return Quantity(name, _dimension(item, dimension), meaning.strip(), checked)
+
+
+def _parameter_of_table(name: str, table: Table) -> Quantity:
+    table.check_keys(_PARAMETER_KEYS, f"the parameter “{name}”")
+    table.require("dimension", f"the parameter “{name}”", 'add dimension = "length"')
+    dimension = _dimension(table.item("dimension"), table.string("dimension"))
+    sign = _sign(table.item("sign"), table.string("sign")) if "sign" in table else "positive"
+    return Quantity(name, dimension, table.string("meaning"), sign, table.string("glyph") or None)
+
+
+def _dimension(item: Item, text: str) -> Dimension:
+    word = text.strip()
+    try:
+        return dimension_named(word)
+    except DimensionError as error:
+        column = 1 + len(text) - len(text.lstrip())
+        place = item.source.inside(item.path, str(item.value), column, len(word))
+        raise DimensionError(error.what, instead=error.instead, place=place) from None
+
+
+def _sign(item: Item, text: str, shift: int = 0) -> str:
+    word = text.strip()
+    if word not in SIGNS:
+        column = shift + 1 + len(text) - len(text.lstrip())
+        raise item.error_inside(f"unknown sign “{word}”", did_you_mean(word, SIGNS, "signs"), column, len(word))
+    return word
+
+
+class CoordinateReader:
+    """Reads [coordinates]; collects the constants that only a start names (`implicit`)."""
+
+    def __init__(self, table: Table, scope: Scope) -> None:
+        self.section = table.table("coordinates", "coordinates")
+        self.scope = scope
+        self.dimensions = {name: self._dimension(name) for name in self.section.names()}
+        self.implicit: dict[str, Quantity] = {}
+
+    def read(self) -> Iterator[Coordinate]:
+        """The coordinates, in order."""
+        for name in self.section.names():
+            yield self._coordinate(name, self.section.table(name, f"coordinates.{name}"))
+
+    def _dimension(self, name: str) -> Dimension:
+        table = self.section.table(name, f"coordinates.{name}")
+        check_name(name, table)
+        if "dimension" not in table:
+            return NUMBER
+        return _dimension(table.item("dimension"), table.string("dimension"))
+
+    def _coordinate(self, name: str, table: Table) -> Coordinate:
+        where = f"the coordinate “{name}”"
+        table.check_keys(_COORDINATE_KEYS, where)
+        dimension = self.dimensions[name]
+        quantity = Quantity(name, dimension, table.string("meaning"), "real", table.string("glyph") or None)
+        start = self._value(table, "start", f"start of {where}", dimension, f"start value of {name}")
+        lower, upper = self._range(table, where, dimension)
+        speed = self._speed(table, where, dimension / TIME, name)
+        return Coordinate(quantity, start, speed, lower, upper, table.source.key(table.path))
+
+    def _speed(self, table: Table, where: str, dimension: Dimension, name: str) -> Node | None:
+        if "speed" not in table and "start" not in table:
+            return None
+        return self._value(table, "speed", f"speed of {where}", dimension, f"start speed of {name}", default="0")
+
+    def _value(
+        self, table: Table, key: str, what: str, dimension: Dimension, meaning: str, default: str | None = None
+    ) -> Node | None:
+        """The expression under `key`; a plain name that nobody declared becomes a constant."""
+        item = table.item(key, default)
+        if item.value is None:
+            return None
+        if self._is_new_name(item.value):
+            self.implicit[item.value] = Quantity(item.value, dimension, meaning, "real")
+            return Sym(item.value)
+        return read_expression(item, self._scope(), what, dimension)
+
+    def _is_new_name(self, text: object) -> bool:
+        """Whether a text names a new constant, and not a declared one with a slip."""
+        if not isinstance(text, str) or fault_of_name(text)[0] or text in self._scope().all:
+            return False
+        return text[-1].isdigit() or not get_close_matches(text, self.scope.parameters, n=1, cutoff=0.8)
+
+    def _scope(self) -> Scope:
+        implicit = {name: quantity.dimension for name, quantity in self.implicit.items()}
+        return Scope({**self.scope.parameters, **implicit}, self.dimensions, self.scope.signs)
+
+    def _range(self, table: Table, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
+        if "range" not in table:
+            return None, None
+        item = table.item("range")
+        if not isinstance(item.value, (list, tuple)) or len(item.value) != 2:
+            raise item.error(f"range of {where} must be a list of two expressions", 'write range = ["0", "pi/2"]')
+        lower, upper = (self._bound(part, f"range of {where}", dimension) for part in item.items())
+        return lower, upper
+
+    def _bound(self, item: Item, what: str, dimension: Dimension) -> Node | None:
+        return None if item.value == "" else read_expression(item, self._scope(), what, dimension)

@@ -1,0 +1,153 @@
+"""The names that an expression of a statement may use, and the reading of expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from rbpsym.equality.dimensions import require_dimension
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.tree import Node, Num, Sym, walk
+from rbpsym.quantities import LENGTH, TIME, Dimension
+from rbpsym.statement.model import Pair
+from rbpsym.statement.signs import sign_of
+from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
+
+ORIGIN: Pair = (Num(0), Num(0))
+
+
+@dataclass(frozen=True)
+class Scope:
+    """The quantities of a problem: dimensions and signs of its parameters, its coordinates.
+
+    `variables` are names that only one expression knows (s in a rod's density, x and y in a
+    line); they hide quantities of the same name. `points` are the fixed points.
+    """
+
+    parameters: Mapping[str, Dimension] = field(default_factory=dict)
+    coordinates: Mapping[str, Dimension] = field(default_factory=dict)
+    signs: Mapping[str, str] = field(default_factory=dict)
+    points: Mapping[str, Pair] = field(default_factory=lambda: {"O": ORIGIN})
+    variables: Mapping[str, Dimension] = field(default_factory=dict)
+
+    @property
+    def speeds(self) -> dict[str, Dimension]:
+        """The first time derivatives of the coordinates."""
+        return {f"{name}_dot": dimension / TIME for name, dimension in self.coordinates.items()}
+
+    @property
+    def all(self) -> dict[str, Dimension]:
+        """Every name with its dimension."""
+        return {**self.parameters, **self.coordinates, **self.speeds, **self.variables}
+
+    def role(self, name: str) -> str:
+        """What a name is: "parameter", "coordinate" or "speed"."""
+        roles = {"parameter": {**self.parameters, **self.variables}, "coordinate": self.coordinates}
+        return next((role for role, names in roles.items() if name in names), "speed")
+
+    def with_variables(self, variables: Mapping[str, Dimension]) -> Scope:
+        """The scope inside an expression that has variables of its own."""
+        return replace(self, variables=variables)
+
+
+_FORBIDDEN = {"parameters": ("coordinate", "speed"), "coordinates": ("speed",), "speeds": ()}
+
+
+def text_of(item: Item, what: str) -> str:
+    """The text of an expression: a string or a plain number."""
+    value = item.value
+    if isinstance(value, str) and value.strip():
+        return value
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return str(value)
+    found = "an empty text" if isinstance(value, str) else kind_of(value)
+    raise item.error(f"{what} must be an expression in quotes, not {found}", 'write it as "2*ell"')
+
+
+def read_expression(
+    item: Item,
+    scope: Scope,
+    what: str,
+    dimension: Dimension | None = None,
+    may_use: str = "parameters",
+    sign: str = "",
+) -> Node:
+    """The tree of an expression, its names, dimension and sign checked."""
+    text = text_of(item, what)
+    return read_text(item, text, scope, what, dimension, may_use, sign)
+
+
+def read_text(
+    item: Item,
+    text: str,
+    scope: Scope,
+    what: str,
+    dimension: Dimension | None = None,
+    may_use: str = "parameters",
+    sign: str = "",
+    shift: int = 0,
+) -> Node:
+    """As `read_expression`, for a part of the item's text that begins `shift` characters in."""
+    names = scope.all
+    try:
+        node = read_infix(text, names)
+        _check_names(node, scope, what, may_use)
+        if dimension is not None:
+            require_dimension(node, names, dimension, what)
+        _check_sign(node, scope, what, sign)
+    except RbpsymError as error:
+        raise relocate(error, item.source, item.path, text_of(item, what), shift) from None
+    return node
+
+
+def _check_names(node: Node, scope: Scope, what: str, may_use: str) -> None:
+    for part in walk(node):
+        if not isinstance(part, Sym) or part.name == "pi":
+            continue
+        if part.name not in scope.all:
+            raise _at(part, f"unknown symbol “{part.name}” in {what}", did_you_mean(part.name, scope.all, "declared"))
+        role = scope.role(part.name)
+        if role in _FORBIDDEN[may_use]:
+            raise _at(part, f"{what} must not depend on “{part.name}”, a {role}", f"it may be made of {may_use}.")
+
+
+def _check_sign(node: Node, scope: Scope, what: str, sign: str) -> None:
+    found = sign_of(node, scope.signs) if sign else None
+    if found == -1 or (found == 0 and sign == "positive"):
+        raise _at(node, f"{what} must be {sign}, but this is {'zero' if found == 0 else 'negative'}")
+
+
+def _at(node: Node, what: str, instead: str = "") -> StatementError:
+    from rbpsym.errors import Place
+
+    place = Place(column=node.span[0] + 1, width=node.span[1] - node.span[0]) if node.span else None
+    return StatementError(what, instead=instead, place=place)
+
+
+def read_pair(
+    item: Item, scope: Scope, what: str, dimension: Dimension | None = LENGTH, may_use: str = "parameters"
+) -> Pair:
+    """Two expressions, or the name of a fixed point."""
+    if isinstance(item.value, str) and dimension == LENGTH:
+        return fixed_point(item, scope, what)
+    if not isinstance(item.value, (list, tuple)) or len(item.value) != 2:
+        raise item.error(
+            f"{what} must be a pair of expressions, not {_pair_fault(item.value)}",
+            'write it as ["ell*cos(theta)", "0"]',
+        )
+    x, y = (read_expression(part, scope, what, dimension, may_use) for part in item.items())
+    return x, y
+
+
+def _pair_fault(value: object) -> str:
+    count = f"a list of {len(value)}" if isinstance(value, (list, tuple)) else ""
+    return count or kind_of(value)
+
+
+def fixed_point(item: Item, scope: Scope, what: str) -> Pair:
+    """The place of the fixed point that is named."""
+    if item.value not in scope.points:
+        others = f", or one of {', '.join(scope.points)}" if scope.points else ""
+        raise item.error(f"{what}: “{item.value}” is not a fixed point", f'write a pair ["0", "0"]{others}.')
+    return scope.points[item.value]

@@ -1,0 +1,192 @@
+"""The shapes that a body can have, each as data: how its mass is spread, never its moment.
+
+The frame of a shape has its origin at the point that lies at (0, 0) in `points`. An element's
+ranges stand from the outermost variable to the innermost. Text in `element`, `size` and
+`points` is in the shape's own sizes.
+"""
+
+from __future__ import annotations
+
+from rbpsym.quantities import DIMENSIONS, LENGTH
+from rbpsym.statement.kinds import ElementText, Field, ShapeKind, registry
+
+
+def _size(name: str, meaning: str, sign: str = "positive", default: object = None) -> Field:
+    return Field(name, "expression", meaning, LENGTH, default=default, sign=sign)
+
+
+_RADIUS = _size("radius", "radius")
+_FULL_TURN, _HALF_TURN = ("phi", "0", "2*pi"), ("phi", "0", "pi")
+_CENTER = (("center", "0", "0"),)
+_HALF_POINTS = (*_CENTER, ("left", "-radius", "0"), ("right", "radius", "0"), ("top", "0", "radius"))
+_CARTESIAN = (("x", "x"), ("y", "y"))
+_POLAR = (("x", "r*cos(phi)"), ("y", "r*sin(phi)"), ("r", "r"), ("phi", "phi"))
+_CIRCLE = (("x", "radius*cos(phi)"), ("y", "radius*sin(phi)"), ("phi", "phi"))
+
+
+def _polar(inner: str, outer: str, turn: tuple[str, str, str]) -> ElementText:
+    return ElementText((("r", inner, outer), turn), "r*cos(phi)", "r*sin(phi)", "r")
+
+
+def _arc(turn: tuple[str, str, str]) -> ElementText:
+    return ElementText((turn,), "radius*cos(phi)", "radius*sin(phi)", "radius", "line")
+
+
+SHAPES: dict[str, ShapeKind] = registry(
+    ShapeKind(
+        "particle",
+        "a point mass",
+        element=ElementText((), "0", "0", kind="point"),
+        size="1",
+        points=_CENTER,
+        has_angle=False,
+    ),
+    ShapeKind(
+        "rod",
+        "a thin straight rod along the axis of the body",
+        (_size("length", "length"),),
+        element=ElementText((("s", "0", "length"),), "s - length/2", "0", kind="line"),
+        size="length",
+        points=(("center", "0", "0"), ("start", "-length/2", "0"), ("end", "length/2", "0")),
+        density=(("s", "s"),),
+    ),
+    ShapeKind(
+        "ring",
+        "a thin circular ring",
+        (_RADIUS,),
+        aliases=("hoop",),
+        element=_arc(_FULL_TURN),
+        size="2*pi*radius",
+        points=_CENTER,
+        density=_CIRCLE,
+    ),
+    ShapeKind(
+        "disk",
+        "a circular disk",
+        (_RADIUS,),
+        aliases=("cylinder",),
+        element=_polar("0", "radius", _FULL_TURN),
+        size="pi*radius**2",
+        points=_CENTER,
+        density=_POLAR,
+    ),
+    ShapeKind(
+        "annulus",
+        "a disk with a concentric round hole",
+        (_size("inner", "inner radius"), _size("outer", "outer radius")),
+        element=_polar("inner", "outer", _FULL_TURN),
+        size="pi*(outer**2 - inner**2)",
+        points=_CENTER,
+        density=_POLAR,
+    ),
+    ShapeKind(
+        "ball",
+        "a solid ball",
+        (_RADIUS,),
+        aliases=("sphere",),
+        element=ElementText(
+            (("z", "-radius", "radius"), ("r", "0", "sqrt(radius**2 - z**2)"), _FULL_TURN),
+            "r*cos(phi)",
+            "r*sin(phi)",
+            "r",
+            "volume",
+        ),
+        size="4*pi*radius**3/3",
+        points=_CENTER,
+    ),
+    ShapeKind(
+        "shell",
+        "a thin spherical shell",
+        (_RADIUS,),
+        element=ElementText(
+            (("z", "-radius", "radius"), _FULL_TURN),
+            "sqrt(radius**2 - z**2)*cos(phi)",
+            "sqrt(radius**2 - z**2)*sin(phi)",
+            "radius",
+        ),
+        size="4*pi*radius**2",
+        points=_CENTER,
+    ),
+    ShapeKind(
+        "rectangle",
+        "a rectangular plate, its width along the axis of the body",
+        (_size("width", "side along the axis"), _size("height", "side across the axis")),
+        element=ElementText((("x", "-width/2", "width/2"), ("y", "-height/2", "height/2")), "x", "y"),
+        size="width*height",
+        points=(
+            ("center", "0", "0"),
+            ("left", "-width/2", "0"),
+            ("right", "width/2", "0"),
+            ("bottom", "0", "-height/2"),
+            ("top", "0", "height/2"),
+            ("bottom_left", "-width/2", "-height/2"),
+            ("bottom_right", "width/2", "-height/2"),
+            ("top_left", "-width/2", "height/2"),
+            ("top_right", "width/2", "height/2"),
+        ),
+        density=_CARTESIAN,
+    ),
+    ShapeKind(
+        "triangle",
+        "a triangular plate, its base along the axis of the body",
+        (
+            _size("base", "base"),
+            _size("height", "height over the base"),
+            _size("offset", "how far the top stands to the right of the middle of the base", sign="", default="0"),
+        ),
+        element=ElementText(
+            (
+                ("y", "0", "height"),
+                ("x", "-base/2 + (offset + base/2)*y/height", "base/2 + (offset - base/2)*y/height"),
+            ),
+            "x",
+            "y",
+        ),
+        size="base*height/2",
+        points=(("middle", "0", "0"), ("left", "-base/2", "0"), ("right", "base/2", "0"), ("top", "offset", "height")),
+        density=_CARTESIAN,
+    ),
+    ShapeKind(
+        "half-disk",
+        "half a disk, its straight edge along the axis of the body",
+        (_RADIUS,),
+        element=_polar("0", "radius", _HALF_TURN),
+        size="pi*radius**2/2",
+        points=_HALF_POINTS,
+        density=_POLAR,
+    ),
+    ShapeKind(
+        "half-ring",
+        "a thin semicircular wire, its ends on the axis of the body",
+        (_RADIUS,),
+        element=_arc(_HALF_TURN),
+        size="pi*radius",
+        points=_HALF_POINTS,
+        density=_CIRCLE,
+    ),
+    ShapeKind(
+        "composite",
+        "parts joined to one rigid body, some of them cut out",
+        points=(("origin", "0", "0"),),
+    ),
+    ShapeKind(
+        "given",
+        "a body whose moment of inertia about its centre of mass, its `center`, is given",
+        (
+            Field(
+                "moment",
+                "expression",
+                "moment of inertia about the centre of mass",
+                DIMENSIONS["moment of inertia"],
+                sign="positive",
+            ),
+        ),
+        points=_CENTER,
+    ),
+)
+
+DENSITY_DIMENSIONS = {
+    "line": DIMENSIONS["linear density"],
+    "surface": DIMENSIONS["surface density"],
+    "volume": DIMENSIONS["density"],
+}

@@ -1,0 +1,121 @@
+"""A shape from its data and its sizes: the mass elements, the points, the parts of a composite."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.tree import ZERO, Fn, Node, Sym, add, mul, neg
+from rbpsym.statement.kinds import ShapeKind
+from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
+from rbpsym.statement.substitution import quotient, substitute
+
+# What a variable of integration is called, and if the problem uses that name itself.
+_VARIABLE_NAMES = {
+    "s": ("s", "xi", "u"),
+    "x": ("x", "xi", "u"),
+    "y": ("y", "eta", "v"),
+    "z": ("z", "zeta", "w"),
+    "r": ("r", "rho", "q"),
+    "phi": ("phi", "varphi", "chi"),
+}
+
+
+@dataclass(frozen=True)
+class Material:
+    """What fills a shape: a mass spread evenly, or the author's own density."""
+
+    mass: Node | None = None
+    density: Node | None = None
+    taken: Collection[str] = field(default_factory=frozenset)
+
+
+@cache
+def _text(text: str) -> Node:
+    """The tree of a text of the shape tables."""
+    words = set(re.findall(r"[a-z_]+", text)) - {"sqrt", "sin", "cos", "pi"}
+    return read_infix(text, dict.fromkeys(words))
+
+
+def variables_of(kind: ShapeKind, taken: Collection[str]) -> dict[str, Node]:
+    """The names of the variables of the kind's element in a problem that has `taken` its own."""
+    return {name: Sym(_free_name(name, taken)) for name, _, _ in (kind.element.ranges if kind.element else ())}
+
+
+def _free_name(name: str, taken: Collection[str]) -> str:
+    choices = (*_VARIABLE_NAMES[name], *(f"{name}_{n}" for n in range(1, 1000)))
+    return next(choice for choice in choices if choice not in taken)
+
+
+def shape_of(kind: ShapeKind, sizes: Mapping[str, Node], material: Material) -> Shape:
+    """The shape of a kind with its sizes and its material."""
+    variables = variables_of(kind, material.taken)
+    values = {**sizes, **variables}
+    elements = (_element(kind, values, material),) if kind.element else ()
+    points = {name: (substitute(_text(x), sizes), substitute(_text(y), sizes)) for name, x, y in kind.points}
+    return Shape(kind.name, dict(sizes), elements, points, sizes.get("moment") if not kind.element else None)
+
+
+def size_of(kind: ShapeKind, sizes: Mapping[str, Node]) -> Node:
+    """The length, area or volume of a shape."""
+    return substitute(_text(kind.size), sizes)
+
+
+def _element(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> MassElement:
+    element = kind.element
+    x, y, measure = (substitute(_text(text), values) for text in (element.x, element.y, element.measure))
+    ranges = tuple(_range(row, values) for row in element.ranges)
+    return MassElement(ranges, x, y, measure, _density(kind, values, material), element.kind)
+
+
+def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
+    name, lower, upper = row
+    return Range(values[name].name, substitute(_text(lower), values), substitute(_text(upper), values))
+
+
+def _density(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> Node:
+    if material.density is None:
+        return quotient(material.mass, size_of(kind, values))
+    meanings = {name: substitute(_text(text), values) for name, text in kind.density}
+    return substitute(material.density, meanings)
+
+
+# --- composites
+
+
+def compose(parts: tuple[PlacedShape, ...]) -> Shape:
+    """The composite of parts that are placed in its frame."""
+    elements = tuple(_moved(element, part) for part in parts for element in part.shape.elements)
+    return Shape("composite", {}, elements, {"origin": (ZERO, ZERO)}, parts=parts)
+
+
+def total_mass(parts: Iterable[PlacedShape]) -> Node | None:
+    """The sum of the masses of the parts, without those cut out; None if one has a density."""
+    masses = [(part.mass, part.removed) for part in parts]
+    if any(mass is None for mass, _ in masses):
+        return None
+    return add(*(neg(mass) if removed else mass for mass, removed in masses))
+
+
+def shares(total: Node, pieces: Iterable[tuple[Node, bool]]) -> list[Node]:
+    """The masses of pieces (size, removed) of one material whose whole has the mass `total`."""
+    pieces = list(pieces)
+    size = add(*(neg(size) if removed else size for size, removed in pieces))
+    return [quotient(mul(total, size_i), size) for size_i, _ in pieces]
+
+
+def _moved(element: MassElement, part: PlacedShape) -> MassElement:
+    x, y = moved((element.x, element.y), part.at, part.angle)
+    return replace(element, x=x, y=y, sign=-element.sign if part.removed else element.sign)
+
+
+def moved(point: Pair, at: Pair, angle: Node) -> Pair:
+    """The place of a point of a frame whose origin is `at` and whose x' axis is at `angle`."""
+    x, y = point
+    if angle == ZERO:
+        return add(at[0], x), add(at[1], y)
+    cos, sin = Fn("cos", angle), Fn("sin", angle)
+    return add(at[0], mul(x, cos), neg(mul(y, sin))), add(at[1], mul(x, sin), mul(y, cos))

@@ -1,0 +1,160 @@
+"""A statement as it was written: plain tables and strings, and where each of them stands.
+
+A TOML file and the Python functions of `build` give the same `Table`; only the places that
+errors tell differ: `file:line:column`, or the path of the key ("pendulum: bodies.rod.angle").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+
+from rbpsym.errors import Place, RbpsymError, StatementError
+from rbpsym.statement.positions import Path, PositionIndex, place_at
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a statement comes from: the name of its file, and its positions if it has a text."""
+
+    file: str = ""
+    index: PositionIndex | None = None
+
+    def key(self, path: Path) -> Place:
+        """The place of a key."""
+        return self._place(path, self.index.key(path)) if self.index else self._named(path)
+
+    def value(self, path: Path) -> Place:
+        """The place of a value."""
+        return self._place(path, self.index.value(path)) if self.index else self._named(path)
+
+    def inside(self, path: Path, text: str, column: int, width: int = 1) -> Place:
+        """The place of a character of the string at `path`."""
+        if self.index:
+            return self._place(path, self.index.inside(path, column, width))
+        return replace(self._named(path), column=column, text=text, width=width)
+
+    def _place(self, path: Path, span: tuple[int, int]) -> Place:
+        return place_at(self.file, self.index.text, *span)
+
+    def _named(self, path: Path) -> Place:
+        dotted = ".".join(str(part) for part in path)
+        return Place(": ".join(part for part in (self.file, dotted) if part))
+
+
+@dataclass(frozen=True)
+class Item:
+    """A value of a statement with its path."""
+
+    source: Source
+    path: Path
+    value: object
+
+    def error(self, what: str, instead: str = "") -> StatementError:
+        """An error about the value."""
+        return StatementError(what, instead=instead, place=self.source.value(self.path))
+
+    def error_inside(self, what: str, instead: str, column: int, width: int) -> StatementError:
+        """An error about some characters of a string."""
+        place = self.source.inside(self.path, str(self.value), column, width)
+        return StatementError(what, instead=instead, place=place)
+
+    def items(self) -> list[Item]:
+        """The parts of a list."""
+        return [Item(self.source, (*self.path, i), part) for i, part in enumerate(self.value)]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of a statement with its path."""
+
+    source: Source
+    path: Path
+    data: Mapping[str, object]
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.data
+
+    def names(self) -> list[str]:
+        """Its keys, in order."""
+        return list(self.data)
+
+    def error(self, what: str, instead: str = "", key: str | None = None) -> StatementError:
+        """An error about the table, or about one of its keys."""
+        path = self.path if key is None else (*self.path, key)
+        return StatementError(what, instead=instead, place=self.source.key(path))
+
+    def value_error(self, key: str, what: str, instead: str = "") -> StatementError:
+        """An error about the value of a key."""
+        place = self.source.value((*self.path, key)) if key in self.data else self.source.key(self.path)
+        return StatementError(what, instead=instead, place=place)
+
+    def item(self, key: str, default: object = None) -> Item:
+        """The value under `key`, or a default that stands for it."""
+        if key in self.data:
+            return Item(self.source, (*self.path, key), self.data[key])
+        return Item(self.source, self.path, default)
+
+    def check_keys(self, known: Iterable[str], where: str) -> None:
+        """Refuse the first key that is not known."""
+        known = list(known)
+        for key in self.data:
+            if key not in known:
+                raise self.error(f"unknown key “{key}” in {where}", did_you_mean(key, known, "keys here"), key)
+
+    def require(self, key: str, where: str, instead: str = "") -> None:
+        """Refuse a table without `key`."""
+        if key not in self.data:
+            raise self.error(f"{where} has no “{key}”", instead or f'add {key} = "..."')
+
+    def table(self, key: str, where: str) -> Table:
+        """The table under `key`, empty if there is none."""
+        value = self.data.get(key, {})
+        if not isinstance(value, Mapping):
+            raise self.value_error(key, f"{where} must be a table, not {kind_of(value)}", f"write [{key}]")
+        return Table(self.source, (*self.path, key), value)
+
+    def tables(self, key: str, where: str) -> Iterator[tuple[str, Table]]:
+        """The named tables under `key`."""
+        section = self.table(key, where)
+        for name in section.names():
+            yield name, section.table(name, f"{key}.{name}")
+
+    def rows(self, key: str, where: str) -> list[Table]:
+        """The tables in the list under `key`, empty if there is none."""
+        value = self.data.get(key, [])
+        if not isinstance(value, (list, tuple)) or not all(isinstance(row, Mapping) for row in value):
+            raise self.value_error(key, f"{where} must be a list of tables", f"write {key} = [{{ ... }}, {{ ... }}]")
+        return [Table(self.source, (*self.path, key, i), row) for i, row in enumerate(value)]
+
+    def string(self, key: str, default: str = "") -> str:
+        """The string under `key`."""
+        value = self.data.get(key, default)
+        if not isinstance(value, str):
+            raise self.value_error(key, f"“{key}” must be a text in quotes, not {kind_of(value)}")
+        return value
+
+
+def did_you_mean(word: str, known: Iterable[str], what: str = "known") -> str:
+    """A hint: the nearest known word, else all of them."""
+    known = list(known)
+    near = get_close_matches(word, known, n=1, cutoff=0.6)
+    if near:
+        return f"did you mean “{near[0]}”?"
+    return f"{what}: {', '.join(known)}." if known else ""
+
+
+_KINDS = {bool: "true or false", int: "a number", float: "a number", str: "a text", list: "a list", tuple: "a list"}
+
+
+def kind_of(value: object) -> str:
+    """What a value of a statement is, in words."""
+    return "a table" if isinstance(value, Mapping) else _KINDS.get(type(value), "a date or time")
+
+
+def relocate(error: RbpsymError, source: Source, path: Path, text: str, shift: int = 0) -> RbpsymError:
+    """The error of a reader of `text`, told where the text stands (`shift` characters in)."""
+    inner = error.place or Place(column=1, width=max(len(text) - shift, 1))
+    place = source.inside(path, text, max(inner.column, 1) + shift, inner.width)
+    return type(error)(error.what, instead=error.instead, place=place)
