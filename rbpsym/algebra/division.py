@@ -23,6 +23,8 @@ def cancel(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     if found[1] is not den or not _has_partners(num, den):
         return found
     reduced = reduce_squares(num), reduce_squares(den)
+    if not reduced[0].terms or not reduced[1].terms:
+        return reduced
     found = _cancel_plain(*reduced)
     return found if found[1] is not reduced[1] else (num, den)
 

@@ -26,7 +26,13 @@ def is_zero(value: Scalar) -> bool:
     """Whether the normal form of the numerator has no terms (True is a proof)."""
     if not value.num.terms:
         return True
-    return not is_surely_nonzero(value.num) and not normal(value.num).terms
+    return not is_surely_nonzero(value.num) and not normal(without_inverses(value.num)).terms
+
+
+def without_inverses(poly: Poly) -> Poly:
+    """The polynomial times the least monomial that leaves no negative power of a sine or cosine."""
+    powers = {i: e for i, e in poly.content()[1] if e < 0 and atoms.atom(i).kind in ("cos", "sin")}
+    return poly.scaled(1, tuple((i, -e) for i, e in powers.items())) if powers else poly
 
 
 def same(a: Scalar, b: Scalar) -> bool:
@@ -167,7 +173,7 @@ def reduce_roots(poly: Poly) -> Poly:
     Where a radicand (or its denominator) would have to be divided by, the whole polynomial
     is multiplied by it instead: the result is the normal form up to a non-zero factor.
     """
-    for _ in range(8):
+    for _ in range(64):
         index = next((i for i in poly.atoms() if _has_square(poly, i)), None)
         if index is None:
             return poly

@@ -100,7 +100,7 @@ def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]
     left, rights = found[0][0], tuple(right for _, right in found)
     margin = width(left)
     if margin + sum(map(width, rights)) <= (column if len(rights) == 1 else 0.6 * column):
-        yield Line(left, rights[0] if len(rights) == 1 else b.Row(rights))
+        yield Line(left, b.Row(tuple(flat(b.Row(rights)))))
         return
     if margin and margin + max(map(least, rights)) > column:
         yield from sum_lines(EMPTY, left, column)
@@ -145,10 +145,10 @@ def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
     """The terms in groups that each fit the room (one that does not stands alone)."""
     group: tuple[b.Box, ...] = ()
     for part in parts:
-        if group and width(b.Row((*group, part))) > room:
+        if group and width(b.Row((*group, *part.items))) > room:
             yield b.Row(group)
             group = ()
-        group = (*group, part)
+        group = (*group, *part.items)
     yield b.Row(group)
 
 

@@ -185,6 +185,7 @@ _RULES: dict[type[Node], Callable[[Node, Dimensions], _Found]] = {
     tree.Integral: _integral,
     tree.BodyIntegral: lambda node, dimensions: _times(_find(node.integrand, dimensions), MASS),
     tree.PathIntegral: _path,
+    tree.Sum: lambda node, dimensions: _find(node.term, dimensions),
     tree.Bracket: _inner,
     tree.Delta: _inner,
     tree.At: _inner,

@@ -39,7 +39,7 @@ def _of(system: System, name: str, value: Scalar, assumptions: Assumptions) -> l
     result = []
     for factor in map(Scalar, numerator_factors(value)):
         coordinate = next((n for n in system.independent if depends_on(factor, n)), None)
-        if coordinate is None or sign(factor, assumptions).sign in ("positive", "negative"):
+        if coordinate is None or sign(factor, assumptions).kind in ("positive", "negative"):
             continue
         places = [z for z in factor_zeros(factor, coordinate) if _reached(system, coordinate, z)]
         if places or _changes_sign(system, coordinate, factor):

@@ -93,10 +93,10 @@ def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -
     """From the signs of the leading minors over the coordinates that are not arbitrary."""
     kept = [k for k, n in enumerate(names) if n in at]
     matrix = tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
-    diagonal = [sign(matrix[k][k], assumptions).sign for k in range(len(kept))]
+    diagonal = [sign(matrix[k][k], assumptions).kind for k in range(len(kept))]
     if "negative" in diagonal:
         return False
-    minors = [sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).sign for k in range(1, len(kept) + 1)]
+    minors = [sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).kind for k in range(1, len(kept) + 1)]
     if all(s == "positive" for s in minors):
         return True
     return False if minors[-1] == "negative" else None

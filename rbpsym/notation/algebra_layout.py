@@ -270,7 +270,8 @@ def _is_simple_argument(node: t.Node, style: Style) -> bool:
         return False
     if isinstance(node, t.Div):
         return _is_simple_product(node.num) and _is_simple_product(node.den)
-    return _is_simple_product(node)
+    symbols = [part for part in t.walk(node) if isinstance(part, t.Sym)]
+    return len(symbols) <= 1 and _is_simple_product(node)
 
 
 def _is_simple_product(node: t.Node) -> bool:

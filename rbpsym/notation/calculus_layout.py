@@ -26,7 +26,7 @@ def _deriv(node: t.Deriv, style: Style) -> b.Box:
 
 
 def _over(num: b.Box, den: b.Box, style: Style) -> b.Box:
-    if style.mode == "display":
+    if style.mode != "text":
         return b.Fraction(num, den)
     return b.Row((num, b.Operator("/", "mark"), den))
 
@@ -78,6 +78,12 @@ def _bracket(node: t.Bracket, style: Style) -> b.Box:
         equals = b.Operator("=", "relation")
         lower, upper = (b.Row((variable, equals, end)) for end in (lower, upper))
     return b.Script(body, lower, upper)
+
+
+@draws(t.Sum)
+def _sum(node: t.Sum, style: Style) -> b.Box:
+    sign = b.Script(b.Big("∑"), glyph_box(style.notation.glyph(node.index)))
+    return b.Row((sign, wrapped(node.term, CROSS, style)))
 
 
 @draws(t.Delta)

@@ -15,8 +15,9 @@ from types import MappingProxyType
 from rbpsym.errors import LimitError, Place, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.cursor import Cursor
-from rbpsym.notation.infix_tokens import Source, Token, tokenize
+from rbpsym.notation.infix_tokens import Token, tokenize
 from rbpsym.notation.limits import check_degree, check_exponent, check_size, number_of
+from rbpsym.notation.source import Source
 
 RELATION_SIGNS = ("=", "<", ">", "<=", ">=", "!=", "~")
 _POWERED = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
@@ -162,10 +163,11 @@ def _one(factors: list[t.Node], start: int, reader: _Reader) -> t.Node:
 
 
 def _division(reader: _Reader, num: t.Node, start: int) -> t.Node:
-    slash = reader.take()
+    slash = reader.token
     if _is_bare_call(num, reader):
         what = "this can be read in two ways: is the function's argument divided, or its value?"
         raise reader.error(what, "Write sin(x)/2 or sin(x/2).", slash)
+    reader.take()
     den = _signed_factor(reader)
     return _spanned(t.Div(num, den), start, reader)
 
@@ -196,7 +198,7 @@ def _refuse_ambiguity(reader: _Reader, before: t.Node) -> None:
 
 def _is_closed(node: t.Node, reader: _Reader) -> bool:
     """Was the node written in parentheses?"""
-    return bool(node.span) and reader.source.text[node.span[1] : node.span[1] + 1] == ")"
+    return bool(node.span) and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
 
 
 def _is_bare_call(node: t.Node, reader: _Reader) -> bool:
@@ -374,7 +376,8 @@ def _unknown(token: Token, reader: _Reader) -> RbpsymError:
         hint = f"Did you mean “{near[0]}”?"
     if pieces:
         hint = f"If a product is meant, write {'*'.join(pieces)}."
-    return reader.error(f"unknown symbol “{token.text}”", hint, token)
+    shown = token.text if len(token.text) <= 40 else token.text[:40] + "…"
+    return reader.error(f"unknown symbol “{shown}”", hint, token)
 
 
 def _pieces(word: str, symbols: frozenset[str]) -> list[str]:

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
-from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.notation.source import Source, refused
 from rbpsym.notation.letters import names_of_letter
 
 MAX_LENGTH, MAX_DIGITS = 2000, 30
@@ -55,36 +56,6 @@ class Token:
     spaced: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Source:
-    """The text being read and the place in a file where it begins."""
-
-    text: str
-    place: Place | None = None
-
-    def at(self, start: int, end: int) -> Place:
-        """The place of the characters from `start` to `end`, with a caret under them."""
-        width = max(end - start, 1)
-        if self.place and self.place.text:
-            column = max(self.place.column, 1) + start
-            return Place(self.place.file, self.place.line, column, self.place.text, width)
-        before = self.text[:start]
-        line = before.count("\n")
-        column = start - (before.rfind("\n") + 1) + 1
-        shown = self.text.split("\n")[line][:200] if column < 200 else ""
-        base = self.place or Place()
-        return Place(base.file, base.line + line if base.line else line and line + 1, column,
-                     shown, width)  # fmt: skip
-
-    def error(self, what: str, start: int, end: int, instead: str = "") -> RbpsymError:
-        """A ReadError with the place of the characters from `start` to `end`."""
-        return ReadError(what, instead=instead, place=self.at(start, end))
-
-    def limit(self, what: str, start: int = 0, end: int = 1) -> RbpsymError:
-        """A LimitError at a place."""
-        return LimitError(what, place=self.at(start, end))
-
-
 def tokenize(source: Source) -> tuple[Token, ...]:
     """The tokens of a text, with an end token. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
@@ -118,9 +89,9 @@ def _number(source: Source, found: re.Match[str], spaced: bool) -> Token:
 def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
     start = found.start()
     word, end = found[0], found.end()
-    if word.startswith("_") or word.endswith("__"):
+    if word.startswith("_") or "__" in word:
         raise source.error(
-            f"“{word}” is not a name: names begin with a letter", start, end,
+            f"“{word[:40]}” is not a name: names have letters, digits and single underscores", start, end,
             "Use the symbols of the problem.",
         )  # fmt: skip
     return _with_tail(source, (word,), start, end, spaced)
@@ -179,19 +150,6 @@ def _dotted(source: Source, char: str, start: int, spaced: bool) -> Token:
         names = tuple(name + "_" + _DOTS[marks[0]] for name in token.names)
         return Token("name", token.text, start, token.end, names=names, spaced=spaced)
     raise refused(source, char, start)
-
-
-def refused(source: Source, char: str, start: int) -> RbpsymError:
-    """The error for a character that can't be read, by its name."""
-    code = f"U+{ord(char):04X}"
-    name = unicodedata.name(char, "control character").lower()
-    if unicodedata.category(char) in ("Cf", "Cc", "Mn", "Co", "Cn"):
-        what = f"an invisible character stands here: {name} ({code})"
-        return source.error(what, start, start + 1, "Delete it and type the expression again.")
-    likeness = unicodedata.normalize("NFKC", char)
-    hint = f"Type “{likeness}” instead." if likeness != char and likeness.isascii() else ""
-    what = f"the character “{char}” ({name}, {code}) can't be read"
-    return source.error(what, start, start + 1, hint or "Use plain letters and Greek letters.")
 
 
 _READERS = MappingProxyType({

@@ -11,10 +11,10 @@ CHAIN, SUM, CROSS, PRODUCT, APPLIED, POWER, ATOM = range(7)
 _LEVELS: dict[type, int] = {
     t.Chain: CHAIN, t.System: CHAIN, t.Add: SUM, t.Neg: SUM, t.Cross: CROSS, t.Dot: CROSS,
     t.Mul: PRODUCT, t.Integral: PRODUCT, t.BodyIntegral: PRODUCT, t.PathIntegral: PRODUCT,
-    t.Limit: PRODUCT, t.Fn: APPLIED, t.Delta: APPLIED, t.Deriv: APPLIED, t.Sqrt: POWER,
-    t.Pow: POWER,
+    t.Limit: PRODUCT, t.Sum: PRODUCT, t.Fn: APPLIED, t.Delta: APPLIED, t.Deriv: APPLIED,
+    t.Sqrt: POWER, t.Pow: POWER,
 }  # fmt: skip
-_OPEN = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Limit)
+_OPEN = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Limit, t.Sum)
 
 
 def level(node: t.Node, mode: str = "display") -> int:

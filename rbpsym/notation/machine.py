@@ -136,6 +136,7 @@ TABLE: dict[type, Callable[..., tuple[str, int]]] = {
     t.Cross: lambda node: _call("Cross", node.left, node.right),
     t.Dot: lambda node: _call("Dot", node.left, node.right),
     t.BodyIntegral: lambda node: _call("BodyIntegral", node.integrand, node.body),
+    t.Sum: lambda node: _call("Sum", node.term, node.index),
     t.Delta: lambda node: _call("Delta", node.arg),
     t.At: lambda node: _call("At", node.arg, node.condition),
     t.Limit: lambda node: _call("Limit", node.arg, node.var, node.to),

@@ -25,6 +25,7 @@ WORDS: Mapping[str, str] = MappingProxyType({
     "partial": "the partial derivative of {} with respect to {}",
     "integral": "the integral from {} to {} of {} d {}",
     "body": "the integral over {} of {} d m", "path": "the path integral of {} {} d {}",
+    "sum": "the sum over {} of {}",
     "bracket": "the change of {} from {} equals {} to {}", "delta": "the change of {}",
     "at": "{} when {}", "limit": "the limit as {} tends to {} of {}", "vector": "vector {}",
     "unit": "unit vector {}", "and": "; and ", "sub": "{} sub {}", "prime": "{} prime",
@@ -185,6 +186,11 @@ def _path_integral(node: t.PathIntegral, voice: Voice) -> str:
     )
 
 
+def _sum(node: t.Sum, voice: Voice) -> str:
+    index = glyph_words(voice.notation.glyph(node.index), voice)
+    return voice.say("sum", index, _closed(node.term, voice))
+
+
 def _bracket(node: t.Bracket, voice: Voice) -> str:
     var = glyph_words(voice.notation.glyph(node.var), voice)
     ends = (spoken(node.lower, voice), spoken(node.upper, voice))
@@ -212,7 +218,7 @@ TABLE: dict[type, Callable[..., str]] = {
     t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Fn: _fn, t.Group: _group,
     t.Cross: _product_of("cross"), t.Dot: _product_of("dot"), t.Deriv: _deriv,
     t.Integral: _integral, t.BodyIntegral: _body_integral, t.PathIntegral: _path_integral,
-    t.Bracket: _bracket, t.Limit: _limit, t.Chain: _chain, t.System: _system,
+    t.Sum: _sum, t.Bracket: _bracket, t.Limit: _limit, t.Chain: _chain, t.System: _system,
     t.Sqrt: lambda node, voice: voice.say("sqrt", _closed(node.arg, voice)),
     t.Abs: lambda node, voice: voice.say("abs", _closed(node.arg, voice)),
     t.Delta: lambda node, voice: voice.say("delta", _closed(node.arg, voice)),

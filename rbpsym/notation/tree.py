@@ -169,6 +169,14 @@ class PathIntegral(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Sum(Node):
+    """The sum of `term` over all particles, numbered by the symbol `index`; printed ∑_index."""
+
+    term: Node
+    index: str = "i"
+
+
+@dataclass(frozen=True, slots=True)
 class Bracket(Node):
     """[f] taken between two values of `var`: f(upper) - f(lower)."""
 

@@ -14,6 +14,7 @@ _HOMES = {
     "unknowns_of": "checks",
     "problem_files": "library",
     "find_problem": "library",
+    "starter_text": "starter",
 }
 
 

@@ -60,26 +60,33 @@ def assemble(table: Table, name: str) -> Problem:
     )
     problem = Problem(
         name=table.string("name") or name,
-        title=_title(table, name),
         parameters=parameters,
         coordinates=coordinates,
         bodies=tuple(bodies.values()),
         interactions=interactions,
         constraints=constraints,
-        source=table.string("source"),
-        notation=_strings(table, "notation"),
-        origins=_origins(table, around),
-        claims=_claims(table),
         points=scope.points,
-        meanings=_meanings(table),
-        example=_values(table, "example"),
-        level=table.string("level"),
-        topic=table.string("topic"),
+        origins=_origins(table, around),
         implicit=tuple(reader.implicit),
-        file=table.source.file,
+        **_about(table, name),
     )
     check_problem(problem, table)
     return problem
+
+
+def _about(table: Table, name: str) -> dict[str, object]:
+    """What a file says about the problem, beside the physics."""
+    return {
+        "title": _title(table, name),
+        "source": table.string("source"),
+        "level": table.string("level"),
+        "topic": table.string("topic"),
+        "notation": _strings(table, "notation"),
+        "meanings": _meanings(table),
+        "example": _values(table, "example"),
+        "claims": _claims(table),
+        "file": table.source.file,
+    }
 
 
 def _scope_of(parameters: tuple[Quantity, ...]) -> Scope:

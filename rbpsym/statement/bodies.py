@@ -42,7 +42,7 @@ def read_body(table: Table, name: str, scope: Scope) -> Body:
 
 
 def _kind_keys(kind: ShapeKind) -> tuple[str, ...]:
-    extra = ("density",) if kind.density else ("parts",) if kind.name == "composite" else ()
+    extra = ("density",) if kind.density else ()
     return (*(field.name for field in kind.fields), *extra)
 
 

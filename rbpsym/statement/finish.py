@@ -9,6 +9,7 @@ from rbpsym.errors import StatementError
 from rbpsym.notation.tree import ZERO, names
 from rbpsym.statement.model import Body, Element, Pair, PointRef
 from rbpsym.statement.scope import Scope
+from rbpsym.statement.signs import multiple_of_pi
 
 
 def finish(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -133,19 +134,28 @@ def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     return element if known or element["angle"] is not None else _with(element, angle=ZERO)
 
 
-def _has_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    if element["direction"] == (ZERO, ZERO):
-        raise _error(element, "has no direction", 'write direction = ["0", "-1"]')
+def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A direction in plain numbers must have the length 1."""
+    parts = [multiple_of_pi(part) for part in element["direction"]]
+    if None not in parts and sum(a * a for a, _ in parts) != 1:
+        raise _error(element, "has a direction that is no unit vector", 'write direction = ["0", "-1"]')
+    return element
+
+
+def _body_frame(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    name = element["on"].body
+    if element["frame"] == "body" and bodies[name].shape.kind == "particle":
+        raise _error(element, f"is fixed in “{name}”, a particle, which has no angle", 'use frame = "space".')
     return element
 
 
 _RULES: Mapping[str, tuple[Callable, ...]] = {
-    "gravity": (_has_direction,),
+    "gravity": (_unit_direction,),
     "spring": (_between_points,),
     "damper": (_between_points,),
     "torsion-spring": (_between_bodies,),
     "rotary-damper": (_between_bodies,),
-    "force": (_on_a_body("on"),),
+    "force": (_on_a_body("on"), _body_frame),
     "couple": (_turns("on"), _turns("reaction_on"), _other_body),
     "pivot": (_on_a_body("point"), _pivot_place),
     "pin": (_no_fixed_place, _joins_two),

@@ -7,7 +7,9 @@ import re
 from rbpsym.errors import StatementError
 from rbpsym.statement.source import Item, Table, kind_of
 
-_NAME = re.compile(r"[^\W\d_]\w*")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_FUNCTIONS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "arcsin", "arccos", "arctan",
+              "exp", "ln", "log", "sqrt", "abs")  # fmt: skip
 
 RESERVED = {
     "t": "the time",
@@ -16,10 +18,7 @@ RESERVED = {
     "cm": "the centre of mass of each body",
     "ground": "what does not move",
     "all": "all bodies",
-    **dict.fromkeys(
-        ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "exp", "ln", "log", "sqrt", "abs"),
-        "a function",
-    ),
+    **dict.fromkeys(_FUNCTIONS, "a function"),
 }
 AXES = {"x": "an axis of space", "y": "an axis of space"}
 
@@ -27,7 +26,7 @@ AXES = {"x": "an axis of space", "y": "an axis of space"}
 def fault_of_name(name: str, reserved: dict[str, str] = RESERVED) -> tuple[str, str]:
     """What is wrong with a name and what to do, two empty texts if nothing is."""
     if not _NAME.fullmatch(name):
-        return f"“{name}” can't be a name", "a name is letters, digits and “_”, a letter first: theta_0, N_w."
+        return f"“{name}” can't be a name", "a name is made of a-z, A-Z, 0-9 and “_”, a letter first: theta_0, N_w."
     if name in reserved:
         return f"“{name}” is reserved: it means {reserved[name]}", "choose another name."
     if re.search(r"_d+ot$", name):

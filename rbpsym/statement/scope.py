@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.equality.dimensions import require_dimension
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.notation.infix import read_infix
-from rbpsym.notation.tree import Node, Num, Sym, walk
-from rbpsym.quantities import LENGTH, TIME, Dimension
+from rbpsym.notation.tree import Add, Div, Node, Num, Sym, walk
+from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.model import Pair
 from rbpsym.statement.signs import sign_of
 from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
@@ -93,8 +93,9 @@ def read_text(
     try:
         node = read_infix(text, names)
         _check_names(node, scope, what, may_use)
+        _check_denominators(node, scope, what)
         if dimension is not None:
-            require_dimension(node, names, dimension, what)
+            _check_dimension(node, scope, dimension, what)
         _check_sign(node, scope, what, sign)
     except RbpsymError as error:
         raise relocate(error, item.source, item.path, text_of(item, what), shift) from None
@@ -112,6 +113,27 @@ def _check_names(node: Node, scope: Scope, what: str, may_use: str) -> None:
             raise _at(part, f"{what} must not depend on “{part.name}”, a {role}", f"it may be made of {may_use}.")
 
 
+def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) -> None:
+    """The most usual slip is a coordinate that is a length, but was not said to be one."""
+    try:
+        require_dimension(node, scope.all, dimension, what)
+    except DimensionError as error:
+        bare = [part.name for part in _terms(node) if isinstance(part, Sym) and part.name in scope.coordinates]
+        if dimension == LENGTH and bare and scope.coordinates[bare[0]] == NUMBER:
+            error.instead = f'if “{bare[0]}” is a length, say so: dimension = "length" in [coordinates.{bare[0]}]'
+        raise
+
+
+def _terms(node: Node) -> tuple[Node, ...]:
+    return node.terms if isinstance(node, Add) else (node,)
+
+
+def _check_denominators(node: Node, scope: Scope, what: str) -> None:
+    for part in walk(node):
+        if isinstance(part, Div) and sign_of(part.den, scope.signs) == 0:
+            raise _at(part, f"{what} divides by zero")
+
+
 def _check_sign(node: Node, scope: Scope, what: str, sign: str) -> None:
     found = sign_of(node, scope.signs) if sign else None
     if found == -1 or (found == 0 and sign == "positive"):
@@ -119,8 +141,6 @@ def _check_sign(node: Node, scope: Scope, what: str, sign: str) -> None:
 
 
 def _at(node: Node, what: str, instead: str = "") -> StatementError:
-    from rbpsym.errors import Place
-
     place = Place(column=node.span[0] + 1, width=node.span[1] - node.span[0]) if node.span else None
     return StatementError(what, instead=instead, place=place)
 

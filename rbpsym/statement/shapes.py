@@ -167,6 +167,7 @@ SHAPES: dict[str, ShapeKind] = registry(
     ShapeKind(
         "composite",
         "parts joined to one rigid body, some of them cut out",
+        (Field("parts", "parts", "its parts: shapes with sizes, at, angle, removed, and a mass each or none"),),
         points=(("origin", "0", "0"),),
     ),
     ShapeKind(

@@ -11,6 +11,7 @@ from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import (
     AngleMark,
     LengthMark,
+    RadiusMark,
     Sketch,
     SketchBody,
     SketchForce,
@@ -85,10 +86,8 @@ def pendulum(theta: float = 0.6) -> Sketch:
             SketchPoint("pin", end, s("A"), ("rod", "disk")),
         ),
         angles=(AngleMark((0, 0), -math.pi / 2, axis, s("theta")),),
-        lengths=(
-            LengthMark((0, 0), end, s("ell")),
-            LengthMark(end, (end[0] + 0.28, end[1]), s("R")),
-        ),
+        lengths=(LengthMark((0, 0), end, s("ell")),),
+        radii=(RadiusMark(end, 0.28, s("R")),),
         forces=(
             SketchForce("rod", times(s("m"), s("g")), middle, DOWN),
             SketchForce("rod", s("N_x"), (0, 0), (1, 0)),

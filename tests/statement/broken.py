@@ -6,135 +6,7 @@ stand; the marks are taken away before the text is read.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-SOUND = """\
-title = { en = "All things", es = "De todo" }
-origins = ["O", "disk.cm"]
-
-[parameters]
-m   = "mass: mass of the rod"
-M   = "mass, nonnegative: mass of the disk"
-ell = "length: length of the rod"
-R   = "length: radius of the disk"
-k   = "stiffness: stiffness of the spring"
-kappa = "torsion stiffness"
-F   = { dimension = "force", meaning = "pull", sign = "real" }
-beta = "angle: slope of the line"
-g   = "acceleration: gravity"
-
-[coordinates.theta]
-meaning = "angle of the rod"
-start   = "pi/3"
-speed   = "omega_0"
-range   = ["-pi/2", "pi/2"]
-
-[coordinates.phi]
-meaning = "angle of the disk"
-start   = "phi_0"
-
-[points]
-Q = ["2*ell", "0"]
-
-[bodies.rod]
-shape  = "rod"
-mass   = "m"
-length = "ell"
-start  = ["0", "0"]
-angle  = "theta - pi/2"
-points = { knot = ["ell/4", "0"] }
-
-[bodies.disk]
-shape  = "disk"
-mass   = "M"
-radius = "R"
-center = [
-    "ell*sin(theta)",   # a comment, with ] in it
-    "-ell*cos(theta)",
-]
-angle  = "phi"
-
-[bodies.bob]
-shape = "particle"
-mass  = "m"
-
-[interactions.W]
-type = "gravity"
-
-[interactions.S]
-type      = "spring"
-between   = ["rod.knot", "Q"]
-stiffness = "k"
-
-[interactions.T]
-type      = "torsion-spring"
-between   = ["ground", "rod"]
-stiffness = "kappa"
-
-[interactions.P]
-type  = "force"
-on    = "disk.center"
-force = ["F", "0"]
-
-[interactions.C]
-type   = "couple"
-on     = "disk"
-couple = "F*R"
-
-[constraints.A]
-type  = "pivot"
-point = "rod.start"
-
-[constraints.N]
-type   = "pin"
-points = ["rod.end", "disk.center"]
-
-[constraints.B]
-type   = "pin"
-points = ["disk.center", "bob.center"]
-
-[constraints.L]
-type  = "contact"
-point = "rod.end"
-line  = "y = x*tan(beta)"
-
-[notation]
-theta_dot = "omega"
-
-[meanings.es]
-m = "masa de la varilla"
-
-[example]
-ell = "1 m"
-"""
-
-
-@dataclass(frozen=True)
-class Broken:
-    """`old` of the sound statement becomes `new`; the error says `says` (and `hint`)."""
-
-    name: str
-    old: str
-    new: str
-    says: str
-    hint: str = ""
-
-    @property
-    def text(self) -> str:
-        """The broken statement."""
-        return self._marked.replace("«", "").replace("»", "")
-
-    @property
-    def caret(self) -> tuple[int, int, int]:
-        """Line, column (from 1) and width of the marked characters."""
-        before, _, after = self._marked.partition("«")
-        return before.count("\n") + 1, len(before) - before.rfind("\n"), len(after.partition("»")[0])
-
-    @property
-    def _marked(self) -> str:
-        assert SOUND.count(self.old) == 1, f"{self.name}: {self.old!r} must stand once in SOUND"
-        return SOUND.replace(self.old, self.new)
-
+from tests.statement.sound import Broken
 
 ROWS = [
     # --- TOML
@@ -239,6 +111,10 @@ ROWS = [
     ),
     Broken("speed in a pose", 'angle  = "phi"', 'angle  = "«phi_dot»"', "must not depend on “phi_dot”, a speed"),
     Broken("coordinate in a line", '"y = x*tan(beta)"', '"y = x*tan(«phi»)"', "must not depend on “phi”"),
+    Broken("open parenthesis", '"-ell*cos(theta)",', '"-ell*cos«(»theta",', "", ""),
+    Broken("operator at the end", 'length = "ell"', 'length = "2*ell +"', ""),
+    Broken("division by zero", 'length = "ell"', 'length = "«ell/(1 - 1)»"', "divides by zero"),
+    Broken("Greek name", 'k   = "stiffness', '«"κ"»   = "stiffness', "“κ” can't be a name", "a-z"),
     # --- dimensions
     Broken(
         "length for an angle",
@@ -255,6 +131,13 @@ ROWS = [
     Broken("force for a couple", 'couple = "F*R"', 'couple = "«F»"', "must be a torque, but this is a force"),
     Broken("start of another dimension", 'start   = "pi/3"', 'start   = "«ell»"', "must be an angle or a number"),
     Broken("line that mixes", '"y = x*tan(beta)"', '"y = «tan(beta)»"', "must be a length"),
+    Broken(
+        "length that was not said to be one",
+        'start  = ["0", "0"]',
+        'start  = ["«phi»", "0"]',
+        "must be a length",
+        'dimension = "length" in [coordinates.phi]',
+    ),
     # --- starts and ranges
     Broken("start outside", 'start   = "pi/3"', 'start   = «"2*pi/3"»', "outside its range", "between -pi/2 and pi/2"),
     Broken("start below", 'start   = "pi/3"', 'start   = «"-1.6"»', "outside its range"),
@@ -297,6 +180,13 @@ ROWS = [
     Broken("meaning of nothing", 'm = "masa', '«mm» = "masa', "speaks of “mm”"),
     Broken("example of nothing", 'ell = "1 m"', '«l» = "1 m"', "speaks of “l”"),
     # --- what can't be meant
+    Broken("slanted direction", 'type = "gravity"', 'type = "gravity"\ndirection = ["1", "-1"]', "no unit vector"),
+    Broken(
+        "body frame of a particle",
+        'on    = "disk.center"',
+        'on    = "bob.cm"\nframe = "body"',
+        "a particle, which has no angle",
+    ),
     Broken("negative length", 'length = "ell"', 'length = "«-ell»"', "must be positive, but this is negative"),
     Broken("no length", 'length = "ell"', 'length = "«0»"', "must be positive, but this is zero"),
     Broken("negative mass", 'mass   = "m"', 'mass   = "«-2*m»"', "must be nonnegative, but this is negative"),
@@ -324,7 +214,7 @@ ROWS = [
         "pivot of an unplaced point", 'start  = ["0", "0"]\n', "", "does not say where “rod.start” is held", "at = "
     ),
     Broken("pivot that moves", 'start  = ["0", "0"]', 'start  = ["ell*cos(phi)", "0"]', "lets it move with “phi”"),
-    Broken("no direction", 'type = "gravity"', 'type = "gravity"\ndirection = ["0", "0"]', "has no direction"),
+    Broken("no direction", 'type = "gravity"', 'type = "gravity"\ndirection = ["0", "0"]', "no unit vector"),
     Broken(
         "contact twice",
         "[notation]",

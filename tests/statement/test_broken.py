@@ -6,7 +6,8 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.statement import load_problem, load_text
-from tests.statement.broken import ROWS, SOUND, Broken
+from tests.statement.broken import ROWS
+from tests.statement.sound import SOUND, Broken
 
 
 def fault(text: str, file: str = "broken.toml") -> RbpsymError:

@@ -10,7 +10,8 @@ import pytest
 
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.statement import build, find_problem, load_problem, load_text, problem_files
-from tests.statement.broken import ROWS, SOUND, Broken
+from tests.statement.broken import ROWS
+from tests.statement.sound import SOUND, Broken
 
 FILES = list(problem_files().values())
 

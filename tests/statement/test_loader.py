@@ -11,8 +11,8 @@ from rbpsym.notation.tree import ZERO, Num, Sym, names
 from rbpsym.quantities import LENGTH, NUMBER, TIME
 from rbpsym.statement import find_problem, load_problem, load_text, problem_files
 from rbpsym.statement.model import Element, Problem
-from tests.statement.broken import SOUND
 from tests.statement.numeric import value
+from tests.statement.sound import SOUND
 
 ALL = load_text(SOUND, name="all")
 

@@ -80,7 +80,7 @@ def test_points_lie_in_the_frame(kind: str) -> None:
     assert "cm" not in shape.points
 
 
-@pytest.mark.parametrize("name", [name for name in SHAPES if name != "particle"])
+@pytest.mark.parametrize("name", [name for name in SHAPES if name != "composite"])
 def test_every_size_is_a_field_with_a_dimension(name: str) -> None:
     assert all(field.dimension in (LENGTH, DIMENSIONS["moment of inertia"]) for field in SHAPES[name].fields)
 

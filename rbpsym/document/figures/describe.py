@@ -56,7 +56,7 @@ def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
         yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
     for mark in sketch.angles:
         yield plain("figure.part.angle", language, name=named(mark.label, notation))
-    for mark in sketch.lengths:
+    for mark in (*sketch.lengths, *sketch.radii):
         yield plain("figure.part.length", language, name=named(mark.label, notation))
 
 

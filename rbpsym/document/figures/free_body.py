@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
-from rbpsym.document.figures.scene import Point, Scene, box_of, points_of, polar
-from rbpsym.document.figures.schematic import axes, labelled, scaled
+from rbpsym.document.figures.scene import Label, Point, Scene, box_of, points_of, polar
+from rbpsym.document.figures.schematic import DOWN, axes, labelled, scaled
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce
 
 SIZE = 3.2  # the greatest extent of the body, in cm
@@ -23,7 +23,7 @@ def free_body(sketch: Sketch, body_name: str) -> Scene:
     scene = Scene((*body_outline(body), *marks.dot(body.center)))
     scene += sum(map(force_scene, spread(forces_on(sketch, body_name))), Scene())
     scene += sum(map(couple_scene, couples_on(sketch, body_name)), Scene())
-    return replace(scene + sense(scene), title=body.label or body.name)
+    return scene + sense(scene) + heading(scene, body)
 
 
 def factor(body: SketchBody) -> float:
@@ -31,7 +31,7 @@ def factor(body: SketchBody) -> float:
     found = tuple(point for item in body_outline(body) for point in points_of(item))
     left, bottom, right, top = box_of(found)
     extent = max(right - left, top - bottom)
-    return SIZE * (0.6 if body.kind != "rod" else 1.0) / extent if extent > 1e-9 else 1.0
+    return SIZE * (0.42 if body.kind != "rod" else 1.0) / extent if extent > 1e-9 else 1.0
 
 
 def forces_on(sketch: Sketch, body: str) -> list[SketchForce]:
@@ -69,9 +69,15 @@ def couple_scene(couple: SketchCouple) -> Scene:
     return Scene((arc,), labelled(couple.label, target, math.pi / 2, gap=0.12, color="force"))
 
 
+def heading(scene: Scene, body: SketchBody) -> Scene:
+    """The name of the body, under it."""
+    left, bottom, right, _ = scene.bounds
+    return Scene((), (Label(body.name, ((left + right) / 2, bottom - 0.15), DOWN, 0.0),))
+
+
 def sense(scene: Scene) -> Scene:
     """The positive senses, at the lower right."""
     _, bottom, right, _ = scene.bounds
-    return axes((right + 0.5, bottom + 0.1))
+    return axes((right + 0.7, bottom + 0.1))
 
 

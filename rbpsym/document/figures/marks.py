@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import math
 
-from rbpsym.document.figures.scene import Arc, Circle, Item, Line, Point, direction, polar
+from rbpsym.document.figures.scene import (
+    Arc,
+    Circle,
+    Item,
+    Line,
+    Point,
+    Strokes,
+    direction,
+    polar,
+)
 
 Items = tuple[Item, ...]
 
@@ -64,13 +73,10 @@ def hatching(start: Point, end: Point, depth: float = 0.22, style: str = "line")
     length = math.dist(start, end)
     count = max(2, round(length / 0.2))
     strokes = tuple(
-        Line(
-            (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)),
-            "hatch",
-        )
+        (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth))
         for n in range(1, count + 1)
     )
-    return (*strokes, Line((start, end), style))
+    return Strokes(strokes), Line((start, end), style)
 
 
 def support(at: Point, away: float) -> Items:

@@ -24,8 +24,8 @@ def disk(sizes: Sizes) -> Outline:
 
 
 def ring(sizes: Sizes) -> Outline:
-    """A circle drawn with a thick line."""
-    return (Circle((0, 0), sizes["radius"], "thin body"),)
+    """A circle drawn as a thin band."""
+    return tuple(Circle((0, 0), sizes["radius"], style) for style in BAND)
 
 
 def annulus(sizes: Sizes) -> Outline:
@@ -34,9 +34,17 @@ def annulus(sizes: Sizes) -> Outline:
 
 
 def rod(sizes: Sizes) -> Outline:
-    """A straight thick line."""
+    """A straight thin band."""
     half = sizes["length"] / 2
-    return (Line(((-half, 0), (half, 0)), "thin body"),)
+    return band(((-half, 0), (half, 0)))
+
+
+BAND = ("rod edge", "rod")
+
+
+def band(points: tuple[Point, ...]) -> Outline:
+    """A thin body along a line: the inner line is drawn over a wider one."""
+    return tuple(Line(points, style) for style in BAND)
 
 
 def rectangle(sizes: Sizes) -> Outline:
@@ -58,7 +66,7 @@ def half_circle(radius: float) -> tuple[Point, ...]:
 
 
 OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
-    "particle": lambda sizes: (Circle((0, 0), 0.0, "dot"),),
+    "particle": lambda sizes: (Circle((0, 0), 0.0, "particle"),),
     "rod": rod,
     "ring": ring,
     "shell": ring,
@@ -68,7 +76,7 @@ OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
     "rectangle": rectangle,
     "triangle": triangle,
     "half-disk": lambda sizes: polygon(half_circle(sizes["radius"])),
-    "half-ring": lambda sizes: (Line(half_circle(sizes["radius"]), "thin body"),),
+    "half-ring": lambda sizes: band(half_circle(sizes["radius"])),
     "given": lambda sizes: polygon(potato(sizes.get("size", 1.0))),
 }
 

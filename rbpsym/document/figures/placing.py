@@ -5,9 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
-from rbpsym.document.figures.scene import EM, Label, Point, Scene, box_of, points_of
+from rbpsym.document.figures.scene import (
+    EM,
+    Item,
+    Label,
+    Point,
+    Scene,
+    Strokes,
+    box_of,
+    points_of,
+)
 from rbpsym.notation.glyphs import DEFAULT, Notation
 
 Box = tuple[float, float, float, float]
@@ -44,11 +54,16 @@ def label_size(label: Label, notation: Notation) -> tuple[float, float]:
 
 
 def strokes_of(scene: Scene) -> Iterator[Stroke]:
-    """All lines of a scene as straight pieces; hatching counts by its outline only."""
+    """All lines of a scene as straight pieces."""
     for item in scene.items:
-        points = points_of(item)
-        for start, end in zip(points, points[1:], strict=False):
+        for start, end in pieces_of(item):
             yield Stroke(start, end, box_of((start, end)))
+
+
+def pieces_of(item: Item) -> tuple[tuple[Point, Point], ...]:
+    """The straight pieces of an item."""
+    points = points_of(item)
+    return item.pieces if isinstance(item, Strokes) else tuple(pairwise(points))
 
 
 def best_place(label: Label, strokes: tuple[Stroke, ...], done: list[Label]) -> Point:

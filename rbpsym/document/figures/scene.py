@@ -7,7 +7,7 @@ The look of a line is the name of one of STYLES.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from rbpsym.notation.tree import Node
@@ -28,7 +28,8 @@ class Style:
 
 STYLES: Mapping[str, Style] = {
     "body": Style("ink", 0.9, fill="body"),
-    "thin body": Style("ink", 3.0),
+    "rod edge": Style("ink", 4.4),
+    "rod": Style("body", 2.8),
     "hole": Style("ink", 0.9, fill="paper"),
     "line": Style("ink", 0.9),
     "hatch": Style("soft", 0.5),
@@ -41,6 +42,7 @@ STYLES: Mapping[str, Style] = {
     "force": Style("force", 1.3),
     "couple": Style("force", 1.1),
     "dot": Style("ink", 0.6, fill="ink"),
+    "particle": Style("ink", 1.2, fill="ink"),
     "joint": Style("ink", 0.9, fill="paper"),
 }
 
@@ -64,6 +66,14 @@ class Line:
     style: str = "line"
     closed: bool = False
     heads: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Strokes:
+    """Many short lines of one style: hatching."""
+
+    pieces: tuple[tuple[Point, Point], ...]
+    style: str = "hatch"
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,19 +124,18 @@ class Label:
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
 
 
-Item = Line | Circle | Arc
+Item = Line | Strokes | Circle | Arc
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Items in drawing order and labels on top. `obstacles` stand for items with many strokes."""
+    """Items in drawing order, with labels on top."""
 
     items: tuple[Item, ...] = ()
     labels: tuple[Label, ...] = ()
-    title: Node | str = ""
 
     def __add__(self, other: Scene) -> Scene:
-        return Scene(self.items + other.items, self.labels + other.labels, self.title)
+        return Scene(self.items + other.items, self.labels + other.labels)
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -149,11 +158,22 @@ def direction(start: Point, end: Point) -> float:
 
 def points_of(item: Item) -> tuple[Point, ...]:
     """Points along an item, close enough to stand for it."""
-    if isinstance(item, Line):
-        return item.points + item.points[:1] if item.closed else item.points
-    if isinstance(item, Circle):
-        return tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17))
-    return tuple(item.at(n / 8) for n in range(9))
+    return TRACE[type(item)](item)
+
+
+def trace_circle(item: Circle) -> tuple[Point, ...]:
+    """Sixteen points and the first again."""
+    radius = max(item.radius, DOT)
+    return tuple(polar(item.center, radius, n * math.pi / 8) for n in range(17))
+
+
+DOT = 0.07  # the radius of a point that has no size
+TRACE: Mapping[type, Callable[..., tuple[Point, ...]]] = {
+    Line: lambda item: item.points + item.points[:1] if item.closed else item.points,
+    Strokes: lambda item: tuple(point for piece in item.pieces for point in piece),
+    Circle: trace_circle,
+    Arc: lambda item: tuple(item.at(n / 8) for n in range(9)),
+}
 
 
 def box_of(points: tuple[Point, ...]) -> tuple[float, float, float, float]:

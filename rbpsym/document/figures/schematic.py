@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 
 from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
@@ -22,6 +22,7 @@ from rbpsym.document.figures.scene import (
 from rbpsym.document.figures.sketch import (
     AngleMark,
     LengthMark,
+    RadiusMark,
     Sketch,
     SketchBody,
     SketchCoil,
@@ -48,7 +49,7 @@ def schematic(sketch: Sketch) -> Scene:
 
 def in_order(sketch: Sketch) -> Iterator[object]:
     """The parts from the back to the front."""
-    for name in ("lines", "links", "coils", "bodies", "points", "angles", "lengths"):
+    for name in ("lines", "links", "coils", "bodies", "points", "angles", "lengths", "radii"):
         yield from getattr(sketch, name)
 
 
@@ -92,11 +93,12 @@ def scaled(sketch: Sketch, factor: float) -> Sketch:
         ends = {f.name for f in fields(value)} & {"at", "start", "end"}
         points = {name: getattr(value, name) for name in ends}
         changed = {name: times(p) for name, p in points.items() if isinstance(p, tuple)}
-        return replace(value, **changed)
+        radius = {"radius": value.radius * factor} if isinstance(value, RadiusMark) else {}
+        return replace(value, **changed, **radius)
 
     moved = {
         name: tuple(map(placed, getattr(sketch, name)))
-        for name in ("points", "links", "coils", "angles", "lengths", "forces", "couples")
+        for name in ("points", "links", "coils", "angles", "lengths", "radii", "forces", "couples")
     }
     lines = tuple(replace(line, c=line.c * factor) for line in sketch.lines)
     return replace(sketch, bodies=tuple(map(body, sketch.bodies)), lines=lines, **moved)
@@ -116,13 +118,16 @@ def draw_body(body: SketchBody, sketch: Sketch) -> Scene:
     """The outline, the centre of mass of what is not a point, the name."""
     items = body_outline(body)
     mark = () if body.kind == "particle" else marks.dot(body.center)
-    side = direction_aside(body)
+    side = direction_aside(body, sketch)
     return Scene((*items, *mark), labelled(body.label, body.center, side, gap=0.12))
 
 
-def direction_aside(body: SketchBody) -> float:
-    """Where a body's name stands: beside its axis, upwards."""
+def direction_aside(body: SketchBody, sketch: Sketch) -> float:
+    """Where a body's name stands: beside its axis, upwards, but not where its length stands."""
     left = body.angle + UP
+    for mark in sketch.lengths:
+        if math.dist(marks.between(mark.start, mark.end, 0.5), body.center) < 0.2:
+            return direction(mark.start, mark.end) - math.copysign(UP, free_side(mark, sketch))
     return left if math.sin(left) >= 0 else left + math.pi
 
 
@@ -187,6 +192,26 @@ def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
     return Scene(items, labelled(mark.label, middle, toward, gap=0.05))
 
 
+def draw_radius(mark: RadiusMark, sketch: Sketch) -> Scene:
+    """An arrow to the rim, away from all that meets at the centre."""
+    angle = free_direction(mark.at, sketch)
+    rim = polar(mark.at, mark.radius, angle)
+    middle = marks.between(mark.at, rim, 0.6)
+    items = (marks.arrow(mark.at, rim, "dimension"),)
+    return Scene(items, labelled(mark.label, middle, angle + UP, gap=0.04))
+
+
+def free_direction(at: Point, sketch: Sketch) -> float:
+    """The direction, of twelve, that is farthest from those to other marked points."""
+    points = [point.at for point in sketch.points] + [body.center for body in sketch.bodies]
+    taken = [direction(at, point) for point in points if math.dist(at, point) > 1e-6]
+    taken += [UP, DOWN]
+    return max(
+        (n * math.pi / 6 - QUARTER / 1.5 for n in range(12)),
+        key=lambda angle: min(abs(math.remainder(angle - other, math.tau)) for other in taken),
+    )
+
+
 def free_side(mark: LengthMark, sketch: Sketch) -> int:
     """+1 if the left side of a length is the emptier one, else -1."""
     (x, y), (u, v) = mark.start, mark.end
@@ -203,6 +228,7 @@ DRAW = {
     SketchLine: draw_line,
     AngleMark: draw_angle,
     LengthMark: draw_length,
+    RadiusMark: draw_radius,
 }
 
 

@@ -7,7 +7,7 @@ fit), angles in radians, counter-clockwise from +x. `label`s are formulas or sho
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from rbpsym.document.figures.scene import Point
 from rbpsym.notation.tree import Node
@@ -101,10 +101,19 @@ class AngleMark:
 
 @dataclass(frozen=True, slots=True)
 class LengthMark:
-    """A length between two points; drawn beside them unless they are far from any body."""
+    """A length between two points, drawn beside them on the emptier side."""
 
     start: Point
     end: Point
+    label: Caption
+
+
+@dataclass(frozen=True, slots=True)
+class RadiusMark:
+    """A radius, drawn as an arrow from the centre to the rim in a free direction."""
+
+    at: Point
+    radius: float
     label: Caption
 
 
@@ -139,11 +148,11 @@ class Sketch:
     coils: tuple[SketchCoil, ...] = ()
     angles: tuple[AngleMark, ...] = ()
     lengths: tuple[LengthMark, ...] = ()
+    radii: tuple[RadiusMark, ...] = ()
     forces: tuple[SketchForce, ...] = ()
     couples: tuple[SketchCouple, ...] = ()
     gravity: Point | None = (0.0, -1.0)
     gravity_label: Caption = None
-    names: Mapping[str, str] = field(default_factory=dict)
 
     def body(self, name: str) -> SketchBody:
         """The body called `name` (KeyError if there is none)."""

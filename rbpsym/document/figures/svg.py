@@ -6,9 +6,11 @@ from collections.abc import Callable, Mapping
 
 from markupsafe import escape
 
+from rbpsym.document.accents import accented
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import (
     COLORS,
+    DOT,
     STYLES,
     Arc,
     Circle,
@@ -16,6 +18,7 @@ from rbpsym.document.figures.scene import (
     Line,
     Point,
     Scene,
+    Strokes,
     head_shape,
     heads_of,
 )
@@ -65,10 +68,16 @@ def line_svg(item: Line) -> str:
     return f'<{tag} points="{points}" {look(item.style)}/>{heads_svg(item)}'
 
 
+def strokes_svg(item: Strokes) -> str:
+    """All strokes in one path."""
+    path = "".join(f"M{pair(start)} L{pair(end)}" for start, end in item.pieces)
+    return f'<path d="{path}" {look(item.style)}/>'
+
+
 def circle_svg(item: Circle) -> str:
     """A circle; one without size is a dot."""
     x, y = pair(item.center).split(",")
-    radius = number(max(item.radius, 0.07))
+    radius = number(max(item.radius, DOT))
     return f'<circle cx="{x}" cy="{y}" r="{radius}" {look(item.style)}/>'
 
 
@@ -91,14 +100,14 @@ def heads_svg(item: Line | Arc) -> str:
     )
 
 
-PRINT: Mapping[type, Callable[..., str]] = {Line: line_svg, Circle: circle_svg, Arc: arc_svg}
+PRINT: Mapping[type, Callable[..., str]] = {Line: line_svg, Strokes: strokes_svg, Circle: circle_svg, Arc: arc_svg}
 
 
 def label_svg(label: Label, notation: Notation) -> str:
     """A label as MathML in a box that is a little larger than the label."""
     left, _, right, top = label.box
-    content = escape(label.content) if isinstance(label.content, str) else None
-    inner = content if content is not None else to_mathml(label.content, notation)
+    plain = isinstance(label.content, str)
+    inner = escape(label.content) if plain else accented(to_mathml(label.content, notation))
     wide, high = right - left + 0.4, top - label.box[1] + 0.4
     return (
         f'<foreignObject x="{number(left - 0.2)}" y="{number(-top - 0.2)}" width="{number(wide)}"'

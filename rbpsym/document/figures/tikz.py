@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import (
     COLORS,
+    DOT,
     STYLES,
     Arc,
     Circle,
@@ -15,6 +16,7 @@ from rbpsym.document.figures.scene import (
     Line,
     Point,
     Scene,
+    Strokes,
     Style,
 )
 from rbpsym.notation.glyphs import DEFAULT, Notation
@@ -55,9 +57,15 @@ def line_tikz(item: Line) -> str:
     return rf"\draw[{style_name(item.style)}{HEADS[item.heads]}] {path};"
 
 
+def strokes_tikz(item: Strokes) -> str:
+    """All strokes in one path."""
+    path = " ".join(f"{pair(start)} -- {pair(end)}" for start, end in item.pieces)
+    return rf"\draw[{style_name(item.style)}] {path};"
+
+
 def circle_tikz(item: Circle) -> str:
     """A circle; one without size is a dot."""
-    radius = number(max(item.radius, 0.07))
+    radius = number(max(item.radius, DOT))
     return rf"\draw[{style_name(item.style)}] {pair(item.center)} circle[radius={radius}];"
 
 
@@ -68,7 +76,7 @@ def arc_tikz(item: Arc) -> str:
     return rf"\draw[{style_name(item.style)}{HEADS[item.heads]}] {pair(item.at(0))} {arc};"
 
 
-PRINT: Mapping[type, Callable[..., str]] = {Line: line_tikz, Circle: circle_tikz, Arc: arc_tikz}
+PRINT: Mapping[type, Callable[..., str]] = {Line: line_tikz, Strokes: strokes_tikz, Circle: circle_tikz, Arc: arc_tikz}
 
 
 def label_tikz(label: Label, notation: Notation) -> str:

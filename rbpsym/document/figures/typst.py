@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import (
     COLORS,
+    DOT,
     STYLES,
     Arc,
     Circle,
@@ -16,6 +17,7 @@ from rbpsym.document.figures.scene import (
     Line,
     Point,
     Scene,
+    Strokes,
     head_shape,
     heads_of,
     polar,
@@ -64,9 +66,18 @@ def line_typst(item: Line, origin: Origin) -> str:
     return f"place(curve({look(item.style)}, {', '.join(steps)}))" + heads_typst(item, origin)
 
 
+def strokes_typst(item: Strokes, origin: Origin) -> str:
+    """All strokes in one curve."""
+    steps = ", ".join(
+        f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})"
+        for start, end in item.pieces
+    )
+    return f"place(curve({look(item.style)}, {steps}))"
+
+
 def circle_typst(item: Circle, origin: Origin) -> str:
     """A circle, placed by its corner."""
-    radius = max(item.radius, 0.07)
+    radius = max(item.radius, DOT)
     x, y = item.center[0] - radius, item.center[1] + radius
     dx, dy = number(x - origin[0]), number(origin[1] - y)
     shape = f"circle(radius: {number(radius)}cm, {look(item.style)})"
@@ -104,6 +115,7 @@ def heads_typst(item: Line | Arc, origin: Origin) -> str:
 
 PRINT: Mapping[type, Callable[..., str]] = {
     Line: line_typst,
+    Strokes: strokes_typst,
     Circle: circle_typst,
     Arc: arc_typst,
 }

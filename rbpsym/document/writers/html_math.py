@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.document import breaking
+from rbpsym.document.accents import accented
 from rbpsym.document.writers.page import Page
 from rbpsym.notation import boxes as b
 from rbpsym.notation.mathml import render, to_mathml
@@ -13,22 +14,31 @@ OPEN = '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">'
 
 def inline_math(node: Node, page: Page) -> str:
     """A formula within a sentence."""
-    return to_mathml(node, page.notation)
+    return accented(to_mathml(node, page.notation))
 
 
 def display_math(node: Node, page: Page) -> str:
     """A displayed formula as a table of lines; the style sheet folds it on a phone."""
     lines = breaking.lines(node, page.notation, page.column)
     rows = "".join(map(table_row, lines))
-    return f'{OPEN}<mtable displaystyle="true" class="lines">{rows}</mtable></math>'
+    return accented(f'{OPEN}<mtable displaystyle="true" class="lines">{rows}</mtable></math>')
 
 
 def table_row(line: breaking.Line) -> str:
     """One line: its left side, then its terms, each of which may move to the next line."""
     left = f'<mtd class="left">{render(line.left)}</mtd>'
     kind = "right indent" if line.indent else "right"
-    pieces = "".join(map(render, folding_pieces(line.right)))
+    pieces = "".join(map(folding_piece, folding_pieces(line.right)))
     return f'<mtr>{left}<mtd class="{kind}">{pieces}</mtd></mtr>'
+
+
+def folding_piece(piece: b.Row) -> str:
+    """A piece; the sign at its start keeps the spaces that it has between two terms."""
+    first, *others = piece.items
+    if not isinstance(first, b.Operator) or first.kind == "prefix":
+        return render(piece)
+    sign = render(first).replace("<mo>", '<mo form="infix">')
+    return f"<mrow>{sign}{render(b.Row(tuple(others)))}</mrow>"
 
 
 def folding_pieces(box: b.Box) -> tuple[b.Row, ...]:

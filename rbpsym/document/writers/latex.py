@@ -90,12 +90,16 @@ def display(block: Display, page: Page) -> str:
 def formula(block: Display, page: Page) -> str:
     """The formula in one row or an aligned block; shrunk only if nothing else helps."""
     lines = breaking.lines(block.node, page.notation, page.column)
-    if len(lines) > 1:
-        inner = " \\\\\n  ".join(map(aligned_line, lines))
-        content = f"\\begin{{aligned}}\n  {inner}\n\\end{{aligned}}"
-    else:
-        content = f"  {single_line(lines[0])}"
+    content = formula_text(lines)
     return rf"\shrunk{{{content}}}" if breaking.widest(lines) > page.column else content
+
+
+def formula_text(lines: tuple[breaking.Line, ...]) -> str:
+    """One line as it is, several aligned."""
+    if len(lines) == 1:
+        return f"  {single_line(lines[0])}"
+    inner = " \\\\\n  ".join(map(aligned_line, lines))
+    return f"\\begin{{aligned}}\n  {inner}\n\\end{{aligned}}"
 
 
 def single_line(line: breaking.Line) -> str:
@@ -105,7 +109,7 @@ def single_line(line: breaking.Line) -> str:
 
 def aligned_line(line: breaking.Line) -> str:
     """A line of an aligned block, its mark before the relation sign."""
-    lead = r"\qquad " if line.indent else ""
+    lead = r"\qquad {}" if line.indent else ""
     return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 

@@ -115,7 +115,7 @@ def single_line(line: breaking.Line) -> str:
 
 def aligned_line(line: breaking.Line) -> str:
     """A line of an aligned block, its mark before the relation sign."""
-    lead = "wide " if line.indent else ""
+    lead = 'wide ""' if line.indent else ""
     return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 

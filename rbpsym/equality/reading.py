@@ -1,0 +1,304 @@
+"""Values read into independent generators: tan(a/2), roots of factors, logarithms of factors.
+
+√(Π fᵏ) = Π |f|^(k/2) holds wherever the left side exists, so one generator √|f| a factor f is
+enough, and the sign of f says what |f| is. `shallow` reading takes only monomials out of a
+radicand; `deep` reading passes to t = tan(a/2), where the field is purely transcendental, and
+factors. A divisor that is no monomial is a generator `factor` until `cleared`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import lru_cache
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import root
+from rbpsym.algebra.normal import Bases, reduce_roots, reduce_squares, turn
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, lift
+from rbpsym.algebra.trig import PI_TERM, cosine, sine
+from rbpsym.equality.signs import Study
+from rbpsym.errors import Undecided
+
+Factors = dict[Poly, int]
+Turn = tuple[Poly, Poly]
+
+
+class Impossible(Exception):
+    """In this case of signs a radicand is negative: there is nothing to prove."""
+
+
+@dataclass
+class Reading:
+    """One way of reading, in one case of signs.
+
+    case: the signs (1, -1) of factors whose sign is not known. Signs that are missing are taken
+    as 1 and noted in `assumed`.
+    """
+
+    study: Study
+    bases: Bases
+    deep: bool
+    case: dict[Poly, int]
+    assumed: list[Poly] = field(default_factory=list)
+    images: dict[tuple[int, int], Poly] = field(default_factory=dict)
+
+    def scalar(self, value: Scalar) -> Poly:
+        """The image of a value."""
+        num = self.poly(value.num)
+        return num if value.den is ONE else num * self.raised(self.poly(value.den), -1)
+
+    def poly(self, poly: Poly) -> Poly:
+        """The image of a polynomial."""
+        parts = []
+        for m, c in poly.terms.items():
+            product = ONE
+            for index, exponent in m:
+                product = product * self.power(index, exponent)
+            parts.append((c, product))
+        return accumulate(parts)
+
+    def power(self, index: int, exponent: int) -> Poly:
+        """The image of a power of a generator."""
+        key = (index, exponent)
+        if key not in self.images:
+            found = atoms.atom(index)
+            rule = IMAGES.get(found.kind)
+            image = rule(self, found.arg) if rule else None
+            self.images[key] = generator(index) ** exponent if image is None else self.raised(image, exponent)
+        return self.images[key]
+
+    def raised(self, image: Poly, exponent: int) -> Poly:
+        """An integer power; what can't be divided by becomes a `factor`."""
+        if exponent >= 0 or image.is_monomial():
+            return image**exponent
+        whole, divisors = cleared(image)
+        if not whole.terms:
+            raise ZeroDivisionError
+        rational, powers = whole.content()
+        rest = whole.scaled(1 / rational, inverse(powers))
+        result = Poly({powers: rational}) ** exponent * _divisor(rest, exponent)
+        for factor, k in divisors.items():
+            result = result * factor ** (-k * exponent)
+        return result
+
+    def sign(self, factor: Poly) -> int:
+        """The sign of a factor in this case."""
+        mask = self.study.poly(factor)
+        if not mask & 1:
+            return 1
+        if not mask & 4:
+            return -1
+        if factor not in self.case:
+            self.case[factor] = 1
+            self.assumed.append(factor)
+        return self.case[factor]
+
+    def factored(self, value: Scalar) -> tuple[Fraction, Factors]:
+        """A value as coefficient × product of integer powers of factors."""
+        coefficient, found = Fraction(1), {}
+        for poly, direction in ((value.num, 1), (value.den, -1)):
+            c, parts = self._factors(self.poly(poly) if poly is not ONE else ONE)
+            coefficient *= c**direction if c else 0
+            for factor, k in parts.items():
+                found[factor] = found.get(factor, 0) + k * direction
+        return coefficient, found
+
+    def _factors(self, image: Poly) -> tuple[Fraction, Factors]:
+        whole, divisors = cleared(image)
+        if not whole.terms:
+            return Fraction(0), {}
+        _, powers = whole.content()
+        rest = reduced(whole.scaled(1, inverse(powers)))
+        if not rest.terms:
+            return Fraction(0), {}
+        found: Factors = {factor: -k for factor, k in divisors.items()}
+        rational, more = rest.content()
+        for index, k in (*powers, *more):
+            found[generator(index)] = found.get(generator(index), 0) + k
+        coefficient, parts = split(rest.scaled(1 / rational, inverse(more)), self.deep)
+        for factor, k in parts:
+            found[factor] = found.get(factor, 0) + k
+        return coefficient * rational, found
+
+    def absolute(self, factor: Poly, exponent: int) -> Poly:
+        """|factor|^exponent."""
+        factor = factor if self.sign(factor) > 0 else -factor
+        return factor**exponent if exponent >= 0 or factor.is_monomial() else _divisor(factor, exponent)
+
+    def half_power(self, factor: Poly, exponent: int) -> Poly:
+        """|factor|^(exponent/2)."""
+        whole = self.absolute(factor, exponent // 2)
+        if exponent % 2 == 0:
+            return whole
+        inside = factor if self.sign(factor) > 0 else -factor
+        return whole * generator(atoms.intern("root", Scalar(inside)))
+
+
+def _divisor(poly: Poly, exponent: int) -> Poly:
+    return generator(atoms.intern("factor", poly)) ** exponent
+
+
+def cleared(poly: Poly) -> tuple[Poly, Factors]:
+    """The polynomial without `factor` generators, and what it must be divided by."""
+    divisors: Factors = {}
+    for index in poly.atoms():
+        found = atoms.atom(index)
+        if found.kind == "factor":
+            poly, divisors[found.arg] = _without(poly, index, found.arg)
+    return poly, {factor: k for factor, k in divisors.items() if k}
+
+
+def _without(poly: Poly, index: int, factor: Poly) -> tuple[Poly, int]:
+    parts = poly.by_power(index)
+    least = min(0, *parts)
+    return accumulate((1, part * factor ** (k - least)) for k, part in parts.items()), -least
+
+
+def reduced(poly: Poly) -> Poly:
+    """Normal form modulo sin² + cos² = 1 and √x² = x (up to a non-zero factor)."""
+    return reduce_roots(reduce_squares(poly))
+
+
+def split(poly: Poly, deep: bool) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
+    """Coefficient and factors; each factor has a positive leading coefficient."""
+    if len(poly) == 1:
+        return Fraction(poly.constant_value() or 0), ()
+    if deep:
+        return _factor_list(poly)
+    lead = poly.terms[min(poly.terms)]
+    return (Fraction(1), ((poly, 1),)) if lead > 0 else (Fraction(-1), ((-poly, 1),))
+
+
+@lru_cache(maxsize=512)
+def _factor_list(poly: Poly) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
+    from rbpsym.algebra.sympy_bridge import factors
+
+    coefficient, found = factors(poly)
+    total, parts = Fraction(coefficient), []
+    for factor, k in found:
+        rational, _ = factor.content()
+        rational = -rational if factor.terms[min(factor.terms)] < 0 else rational
+        total *= rational**k
+        parts.append((factor.scaled(1 / rational), k))
+    return total, tuple(parts)
+
+
+def _of_root(reading: Reading, arg: Scalar) -> Poly:
+    """√(c Π fᵏ) = √|c| Π |f|^(k/2)."""
+    from rbpsym.equality.denesting import denested
+
+    coefficient, found = reading.factored(arg)
+    if not coefficient:
+        return ZERO
+    odd = [factor for factor, k in found.items() if k % 2]
+    product = 1 if coefficient > 0 else -1
+    for factor in odd:
+        product *= reading.sign(factor)
+    if product < 0:
+        raise Impossible
+    nested = denested(reading, coefficient, found)
+    image = root(lift(abs(coefficient))).num if nested is None else nested.image
+    for factor, k in (found if nested is None else nested.others).items():
+        image = image * reading.half_power(factor, k)
+    return image
+
+
+def _of_logarithm(reading: Reading, arg: Scalar) -> Poly:
+    """ln(c Π fᵏ) = Σ over the primes of c, and Σ k ln |f|."""
+    coefficient, found = reading.factored(arg)
+    product = 1 if coefficient > 0 else -1
+    for factor, k in found.items():
+        product *= reading.sign(factor) ** (k % 2)
+    if product < 0 or not coefficient:
+        raise Impossible
+    parts = [(k, _logarithm(constant(p))) for p, k in primes(abs(coefficient)).items()]
+    parts += [(k, _logarithm(factor)) for factor, k in found.items()]
+    return accumulate(parts)
+
+
+def _logarithm(factor: Poly) -> Poly:
+    return generator(atoms.intern("ln", Scalar(factor)))
+
+
+def primes(value: Fraction) -> dict[int, int]:
+    """Prime factors with exponents (a large rest counts as one)."""
+    found: dict[int, int] = {}
+    for number, direction in ((value.numerator, 1), (value.denominator, -1)):
+        p = 2
+        while p * p <= number and p < 10_000:
+            while number % p == 0:
+                number, found[p] = number // p, found.get(p, 0) + direction
+            p += 1
+        if number > 1:
+            found[number] = found.get(number, 0) + direction
+    return found
+
+
+def _wave(place: int):
+    def image(reading: Reading, angle: Poly) -> Poly:
+        return _turn_of(reading, angle)[place]
+
+    return image
+
+
+def _turn_of(reading: Reading, angle: Poly) -> Turn:
+    """(cos, sin) of an angle in the base angles of the reading."""
+    point, parts = (ONE, ZERO), dict(reading.bases)
+    for m, c in angle.terms.items():
+        if m == PI_TERM:
+            constant_angle = Scalar(Poly({m: c}))
+            step = tuple(_constant_image(reading, of(constant_angle)) for of in (cosine, sine))
+        else:
+            step = _multiple(_base(reading, m, parts[m]), int(c * parts[m]))
+        point = turn(point, step)
+    return point
+
+
+def _constant_image(reading: Reading, value: Scalar) -> Poly:
+    """Cosine or sine of a multiple of π: roots of numbers, or a generator of its own."""
+    return value.num
+
+
+def _multiple(point: Turn, times: int) -> Turn:
+    step = point if times >= 0 else (point[0], -point[1])
+    result = (ONE, ZERO)
+    for _ in range(abs(times)):
+        result = turn(result, step)
+    return result
+
+
+def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
+    from rbpsym.equality.inverses import turn_of_inverse
+
+    known = turn_of_inverse(reading, m, parts)
+    if known is not None:
+        return known
+    angle = Poly({m: Fraction(1, parts) if parts > 1 else 1})
+    if not reading.deep:
+        return tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
+    t = generator(atoms.intern("half", angle))
+    below = _divisor(ONE + t * t, -1)
+    return (ONE - t * t) * below, t.scaled(2) * below
+
+
+def _of_inverse(kind: str):
+    def image(reading: Reading, arg: Scalar) -> Poly:
+        from rbpsym.equality.inverses import inverse_image
+
+        return inverse_image(reading, kind, arg)
+
+    return image
+
+
+IMAGES = {
+    "cos": _wave(0),
+    "sin": _wave(1),
+    "root": _of_root,
+    "ln": _of_logarithm,
+    "exp": _of_inverse("exp"),
+    "asin": _of_inverse("asin"),
+    "acos": _of_inverse("acos"),
+    "atan": _of_inverse("atan"),
+}

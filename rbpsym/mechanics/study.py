@@ -1,0 +1,129 @@
+"""All that mechanics knows of a problem, each part worked out when it is first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import Style
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.mechanics import energy, events, motion, oscillation, work
+from rbpsym.mechanics.assemble import assemble
+from rbpsym.mechanics.dynamics import Dynamics, solve
+from rbpsym.mechanics.system import System
+from rbpsym.quantities import ACCELERATION, Quantity
+from rbpsym.statement.model import Problem
+
+
+@dataclass(frozen=True)
+class Study:
+    """A problem with its mechanics."""
+
+    problem: Problem
+
+    @cached_property
+    def system(self) -> System:
+        """Kinematics and forces."""
+        return assemble(self.problem)
+
+    @cached_property
+    def dynamics(self) -> Dynamics:
+        """Equations of motion, accelerations, unknown forces."""
+        return solve(self.system)
+
+    @cached_property
+    def assumptions(self) -> Assumptions:
+        """Declared signs of the parameters and ranges of the coordinates."""
+        signs = {q.name: q.sign for q in self.problem.parameters}
+        ranges = {
+            c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
+            for c in self.problem.coordinates if (c.lower, c.upper) != (None, None)
+        }
+        ranges |= {
+            c.start.name: ranges[c.name] for c in self.problem.coordinates
+            if c.name in ranges and getattr(c.start, "name", None) in self.problem.implicit
+        }
+        return Assumptions(signs, ranges)
+
+    @cached_property
+    def style(self) -> Style:
+        """How factors are ordered: masses, stiffnesses, g, other parameters, lengths."""
+        rank = {q.name: (*_rank(q), place) for place, q in enumerate(self.problem.parameters)}
+        rank |= {name: (0.5, place) for place, name in enumerate(self.system.unknowns)}
+        moving = [c.name for c in self.problem.coordinates] + list(self.system.unknowns)
+        return Style(rank, frozenset([*moving, *(f"{name}_dot" for name in moving), "t"]))
+
+    @cached_property
+    def kinetic(self) -> tuple[Scalar, Scalar]:
+        """(translational, rotational) kinetic energy."""
+        return energy.kinetic_energy(self.system)
+
+    @cached_property
+    def potential(self) -> Scalar | None:
+        """Potential energy, None if an interaction has none."""
+        return energy.potential_energy(self.system)
+
+    @cached_property
+    def first_integral(self) -> Scalar | None:
+        """The energy integral, None if there is none."""
+        return energy.first_integral(self.system, self.dynamics)
+
+    @cached_property
+    def squares(self) -> Mapping[str, Scalar]:
+        """Squares of speeds as functions of position, from the start."""
+        return motion.speed_squared(self.system, self.dynamics, self.first_integral)
+
+    @cached_property
+    def reactions_along_motion(self) -> Mapping[str, Scalar] | None:
+        """Unknown forces as functions of position alone; None if they aren't."""
+        found = {}
+        for name, value in self.dynamics.reactions.items():
+            along = motion.along_motion(value, self.squares)
+            if along is None:
+                return None
+            found[name] = along
+        return found
+
+    @cached_property
+    def works(self) -> tuple[work.ForceWork, ...]:
+        """Works of every force on every body."""
+        return work.works(self.system, self.dynamics.reactions, self.squares)
+
+    @cached_property
+    def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
+        """Positions of rest with their stability and frequencies."""
+        return oscillation.equilibria(self.system, self.dynamics, self.assumptions)
+
+    @cached_property
+    def losses(self) -> tuple[events.Loss, ...]:
+        """Contacts that end."""
+        along = self.reactions_along_motion
+        return events.losses(self.system, along, self.assumptions) if along else ()
+
+    @cached_property
+    def origins(self) -> dict[str, Vector]:
+        """Fixed points about which momenta are taken: O, pivots, and those that the author names."""
+        from rbpsym.mechanics.origins import origins
+
+        return origins(self.system)
+
+    def on_motion(self, value: Scalar) -> Scalar:
+        """The value with accelerations and unknown forces replaced by what they are."""
+        value = substitute(value, self.dynamics.reactions)
+        return substitute(value, self.dynamics.accelerations or {})
+
+
+RANKS = ((lambda d: d.mass and not d.length and not d.time, 1), (lambda d: d == ACCELERATION, 3),
+         (lambda d: d.mass, 2), (lambda d: d.length and not d.time, 4))
+
+
+def _rank(quantity: Quantity) -> tuple:
+    rank = next((rank for test, rank in RANKS if test(quantity.dimension)), 5)
+    return (rank,)
+
+

@@ -1,0 +1,132 @@
+"""The answer for machines: a problem's results as infix strings in one dictionary."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.work import Work
+from rbpsym.notation.machine import to_machine
+from rbpsym.statement.model import Problem
+
+
+def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
+    """The contract of `rbpsym solve --json`; expressions as text that Python and sympy read.
+
+    A speed is `theta_dot`; a value that is not known in closed form is None. Raises
+    StatementError for a statement that does not determine the motion.
+    """
+    from rbpsym.derive import derive
+
+    derivation = derive(problem, simulation=simulation)
+    return {**results(derivation.study), "verdicts": derivation.summary()}
+
+
+def text(value: Scalar | None, study: Study | None = None) -> str | None:
+    """The infix text of a value."""
+    if value is None:
+        return None
+    return to_machine(present(value, study.style) if study else present(value))
+
+
+def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, str] | None:
+    return None if values is None else {name: text(value, study) for name, value in values.items()}
+
+
+def results(study: Study) -> dict[str, Any]:
+    """All results without the verdicts."""
+    system, dynamics = study.system, study.dynamics
+    return {
+        "problem": study.problem.name,
+        "degrees_of_freedom": len(system.independent),
+        "coordinates": [c.name for c in study.problem.coordinates],
+        "moments_of_inertia": {name: text(state.moment, study) for name, state in system.bodies.items()},
+        "masses": {name: text(state.mass, study) for name, state in system.bodies.items()},
+        "accelerations": _accelerations(study),
+        "equations_of_motion": {
+            "speeds": list(system.speeds),
+            "mass_matrix": [[text(entry, study) for entry in row] for row in dynamics.mass_matrix],
+            "forcing": [text(value, study) for value in dynamics.forcing],
+        },
+        "dependent_coordinates": _table(system.dependent, study),
+        "reactions": _table(dynamics.reactions, study),
+        "kinetic_energy": _kinetic(study),
+        "potential_energy": text(study.potential, study),
+        "first_integral": text(study.first_integral, study),
+        "speed_squared": _table(study.squares, study) or None,
+        "reactions_along_motion": _table(study.reactions_along_motion, study) if study.squares else None,
+        "angular_momentum": _momenta(study),
+        "works": _works(study),
+        "equilibria": _equilibria(study),
+        "conditions": [_condition(loss, study) for loss in study.losses],
+    }
+
+
+def _accelerations(study: Study) -> dict[str, str] | None:
+    """Accelerations of all coordinates, also of those that the constraints tie to others."""
+    from rbpsym.algebra.calculus import substitute
+    from rbpsym.algebra.evaluate import time_derivative
+
+    found, scope = study.dynamics.accelerations, study.system.scope
+    if found is None:
+        return None
+    values: dict[str, Scalar] = {}
+    for coordinate in study.problem.coordinates:
+        speed = scope.rates.get(coordinate.name)
+        if speed is None:
+            speed = time_derivative(study.system.dependent[coordinate.name], scope)
+        values[coordinate.name] = substitute(time_derivative(speed, scope), found)
+    return _table(values, study)
+
+
+def _kinetic(study: Study) -> dict[str, str]:
+    translational, rotational = study.kinetic
+    parts = {"translational": translational, "rotational": rotational, "total": translational + rotational}
+    return _table(parts, study)
+
+
+def _momenta(study: Study) -> dict[str, Any]:
+    return {
+        name: {
+            body: {"orbital": text(energy.orbital_momentum(state, origin), study),
+                   "spin": text(energy.spin_momentum(state), study)}
+            for body, state in study.system.bodies.items()
+        }
+        for name, origin in study.origins.items()
+    }
+
+
+def _works(study: Study) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for item in study.works:
+        found.setdefault(item.force, {})[item.on] = {
+            "translational": _half(item.translational, study), "rotational": _half(item.rotational, study),
+        }
+    return found
+
+
+def _half(half: Work, study: Study) -> dict[str, str | None]:
+    """One coordinate: the integrand over it; several: the sum with d_<coordinate> as factors."""
+    from rbpsym.algebra.scalar import symbol
+
+    if len(half.parts) > 1:
+        integrand = sum((part * symbol(f"d_{name}") for name, part in half.parts.items()), NOTHING)
+    else:
+        integrand = next(iter(half.parts.values()), NOTHING)
+    return {"integrand": text(integrand, study), "value": text(half.value, study)}
+
+
+def _equilibria(study: Study) -> list[dict[str, Any]]:
+    return [
+        {"at": _table(item.at, study), "stable": item.stable,
+         "frequencies_squared": [text(value, study) for value in item.frequencies_squared]}
+        for item in study.equilibria
+    ]
+
+
+def _condition(loss, study: Study) -> dict[str, Any]:
+    return {"force": loss.force, "vanishes": text(loss.factor, study), "at": _table(loss.at, study) or None}
