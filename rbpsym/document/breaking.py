@@ -94,6 +94,11 @@ def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
     return tuple(line for part in parts for line in chain_lines(part, notation, column))
 
 
+def display_lines(block: Display, notation: Notation, column: float) -> tuple[Line, ...]:
+    """The lines of a displayed block; its box takes room."""
+    return lines(block.node, notation, column - (3.0 if block.boxed else 0.0))
+
+
 def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]:
     """The lines of a chain: one, or one for each relation and more for long sums."""
     found = layout_rows(node, notation).rows
@@ -154,9 +159,7 @@ def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
 
 def widest(found: tuple[Line, ...]) -> float:
     """The width of the block: its widest left and right parts meet at the alignment mark."""
-    return max(width(line.left) for line in found) + max(
-        line.width - width(line.left) for line in found
-    )
+    return max(width(line.left) for line in found) + max(line.width - width(line.left) for line in found)
 
 
 INLINE_WIDTHS: Mapping[type, Callable[..., float]] = {
@@ -175,13 +178,20 @@ def text_width(inlines: Inlines, notation: Notation) -> float:
 
 def reason_fits(block: Display, notation: Notation, column: float) -> bool:
     """Is there room for the reason beside the formula (with the number at the right)?"""
-    used = widest(lines(block.node, notation, column)) + 0.9 * text_width(block.reason, notation)
+    used = widest(display_lines(block, notation, column)) + 0.9 * text_width(block.reason, notation)
     return used + 5.0 <= 0.92 * column
 
 
 def is_wordy(block: Table, place: int, notation: Notation) -> bool:
     """Does a column hold words that should wrap?"""
     return any(text_width(row[place], notation) > 12 for row in block.rows)
+
+
+def table_width(block: Table, notation: Notation) -> float:
+    """The width of a table whose cells do not wrap, in em."""
+    rows = (block.header, *block.rows)
+    widths = [max(text_width(row[place], notation) for row in rows) for place in range(len(block.header))]
+    return sum(widths) + 1.1 * len(widths)
 
 
 def node_height(node: Node, notation: Notation = DEFAULT) -> float:

@@ -81,7 +81,7 @@ def number_blocks(blocks: tuple, counters: Counters) -> tuple:
 
 
 def section_number(level: int, counters: Counters) -> str:
-    """"3" for a section, "3.2" for a subsection, "" below."""
+    """ "3" for a section, "3.2" for a subsection, "" below."""
     if level > 2:
         return ""
     own = counters.next(f"level {level}")

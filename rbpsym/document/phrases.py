@@ -142,7 +142,7 @@ def inlines_of(value: object, language: str) -> Inlines:
 
 
 def joined(items: list[Inlines], language: str) -> Inlines:
-    """"a, b and c" by the language's rule (`list.separator` and `list.last` of its phrases)."""
+    """ "a, b and c" by the language's rule (`list.separator` and `list.last` of its phrases)."""
     table = phrases(language)
     found: list[Inline] = []
     for position, item in enumerate(items):

@@ -16,6 +16,4 @@ def data_folder(name: str) -> Path:
     for folder in (PACKAGE / "_data" / name, PACKAGE.parent / name):
         if folder.is_dir():
             return folder
-    raise RbpsymError(
-        f"the folder “{name}” of rbpsym is missing", instead="install rbpsym again with pip."
-    )
+    raise RbpsymError(f"the folder “{name}” of rbpsym is missing", instead="install rbpsym again with pip.")

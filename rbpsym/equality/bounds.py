@@ -8,8 +8,8 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import UNIT, Monomial, Poly
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift
-from rbpsym.algebra.trig import cosine
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift
+from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions
 
 Bound = Scalar | None
@@ -105,3 +105,28 @@ def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: Is
         lower = None if lower is None else lower - quarter
         upper = None if upper is None else upper - quarter
     return of_cosine(lower, upper, is_nonnegative)
+
+
+def of_half_tangent(angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:
+    """Bounds of tan(a/2) for an angle a between -π and π."""
+    lower, upper = of_angle(angle, assumptions)
+    if lower is not None and not is_nonnegative(lower + PI):
+        return NO_BOUNDS
+    if upper is not None and not is_nonnegative(PI - upper):
+        return NO_BOUNDS
+    if lower is None or upper is None:
+        return NO_BOUNDS
+    return Bounds(_half_tangent(lower), _half_tangent(upper))
+
+
+def _half_tangent(angle: Scalar) -> Bound:
+    """tan(a/2) as a value; None at ±π, where it is infinite."""
+    if not depends_on_names(angle):
+        below = 1 + cosine(angle)
+        return sine(angle) / below if below else None
+    return generator_of("half", angle.num)
+
+
+def depends_on_names(value: Scalar) -> bool:
+    """Whether something else than π occurs in an angle."""
+    return bool(value.atoms() - {atoms.PI})

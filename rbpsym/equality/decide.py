@@ -28,6 +28,7 @@ from rbpsym.notation.tree import Node
 
 PLAIN = frozenset({"symbol", "cos", "sin"})
 MOST_INEXACT = 8
+FIRST_POINTS, MOST_POINTS = 3, 60
 
 
 def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope = BARE) -> Verdict:
@@ -99,16 +100,22 @@ def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Con
     kinds = {atoms.atom(index).kind for index in all_atoms([difference])}
     if "opaque" in kinds:
         return undecided("it holds a quantity that is known only by name")
-    if not kinds <= PLAIN:
-        from rbpsym.equality.radicals import vanishes
-
-        how = vanishes(difference, assumptions)
-        if how:
-            return proved(how, obligations(domain, assumptions))
-    witness = find_witness(a, b, assumptions, domain)
+    how = "" if kinds <= PLAIN else _with_functions(difference, assumptions, deep=False)
+    witness = None if how else find_witness(a, b, assumptions, domain, most=FIRST_POINTS)
+    if not how and witness is None and not kinds <= PLAIN:
+        how = _with_functions(difference, assumptions, deep=True)
+    if how:
+        return proved(how, obligations(domain, assumptions))
+    witness = witness or find_witness(a, b, assumptions, domain)
     if witness is not None:
         return refuted("the sides differ at a point", witness)
     return undecided("neither a proof nor a point at which the sides differ was found")
+
+
+def _with_functions(difference: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
+    from rbpsym.equality.radicals import vanishes
+
+    return vanishes(difference, assumptions, deep=deep)
 
 
 def cross_difference(a: Scalar, b: Scalar) -> Scalar:
@@ -124,10 +131,11 @@ def find_witness(
     assumptions: Assumptions,
     domain: Iterable[Condition] = (),
     differ: Callable[[Number, Number], bool] = enclosure.are_disjoint,
+    most: int = MOST_POINTS,
 ) -> Witness | None:
     """A point that satisfies the assumptions and at which the sides `differ`; exact ones preferred."""
     domain, first, inexact = list(domain), None, 0
-    for point in points([a, b, *(condition.value for condition in domain)], assumptions):
+    for point in points([a, b, *(condition.value for condition in domain)], assumptions, most):
         if not all(holds_at(condition, point) for condition in domain):
             continue
         found = _witness_at(point, a, b, differ)

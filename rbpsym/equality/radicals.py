@@ -1,3 +1,114 @@
-"""placeholder"""
-def vanishes(difference, assumptions):
-    return ""
+"""The zero test for values with roots, logarithms, exponentials and inverse functions.
+
+The value is read into independent generators (see `reading`), once for every possible choice
+of signs of the factors whose sign is not known; it vanishes if it does so in every case.
+"""
+
+from __future__ import annotations
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.normal import Bases, bases_of
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.masks import NONZERO, ZERO
+from rbpsym.equality.points import all_atoms
+from rbpsym.equality.reading import Constraint, Reading, cleared, reduced
+from rbpsym.equality.signs import Study
+from rbpsym.errors import LimitError, Undecided
+
+MOST_CASES = 64
+Signs = dict[Poly, int]
+HOW = {False: "exact algebra of roots and functions", True: "exact algebra of roots in t = tan(a/2)"}
+
+
+def vanishes(value: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
+    """How it was proved that the numerator vanishes wherever it has a value; "" if it was not."""
+    study, bases = Study(assumptions, factoring=False), _bases(value)
+    try:
+        forced = _forced(value, Reading(study, bases, deep, {}))
+        real = _count_cases(value, study, bases, deep, forced)
+    except (LimitError, Undecided, ZeroDivisionError):
+        return ""
+    return HOW[deep] + (f", in each of {real} cases of signs" if real > 1 else "") if real else ""
+
+
+def _count_cases(value: Scalar, study: Study, bases: Bases, deep: bool, forced: Signs) -> int:
+    """The number of cases of signs, if the value vanishes in each of them; else 0."""
+    waiting, real = [dict(forced)], 0
+    for _ in range(MOST_CASES):
+        if not waiting:
+            return real
+        reading = Reading(study, bases, deep, waiting.pop())
+        found = _in_case(value, reading, forced)
+        if found is False:
+            return 0
+        waiting.extend(_other_cases(reading.case, reading.assumed))
+        real += found is True
+    return 0
+
+
+def _in_case(value: Scalar, reading: Reading, forced: Signs) -> bool | None:
+    """Whether it vanishes in this case; None if no point of the domain needs this case."""
+    whole, _ = cleared(reading.poly(value.num))
+    broken = [constraint for constraint in reading.constraints if reading.is_broken(constraint)]
+    if broken:
+        return None if _is_void(broken, reading, forced) else False
+    return not reduced(whole).terms
+
+
+def _forced(value: Scalar, reading: Reading) -> Signs:
+    """Signs that follow from the existence of a root with only one factor of unknown sign."""
+    reading.poly(value.num)
+    forced: Signs = {}
+    for constraint in reading.constraints:
+        unknown = [factor for factor in constraint.odd() if _is_unknown(factor, reading)]
+        if len(unknown) == 1 and _is_strict(constraint, reading, except_for=unknown):
+            forced[unknown[0]] = reading.case.get(unknown[0], 1) * (-1 if reading.is_broken(constraint) else 1)
+    return forced
+
+
+def _is_unknown(factor: Poly, reading: Reading) -> bool:
+    return reading.study.poly(factor) & NONZERO == NONZERO
+
+
+def _is_strict(constraint: Constraint, reading: Reading, except_for: list[Poly]) -> bool:
+    """Whether the other factors surely do not vanish where the constraint holds."""
+    if constraint.is_strict:
+        return True
+    return all(not reading.study.poly(f) & ZERO for f in constraint.factors if f not in except_for)
+
+
+def _is_void(broken: list[Constraint], reading: Reading, forced: Signs) -> bool:
+    """Whether each point of the domain in this (closed) case lies in another case as well.
+
+    So it is if some constraint is surely violated; or if in each violated one only factors of
+    unknown sign may vanish, and these occur in no other constraint: then they may be flipped.
+    """
+    if any(_is_strict(constraint, reading, []) for constraint in broken):
+        return True
+    return all(_may_flip(constraint, reading, forced) for constraint in broken)
+
+
+def _may_flip(constraint: Constraint, reading: Reading, forced: Signs) -> bool:
+    free = [factor for factor in constraint.odd() if factor not in forced and _is_unknown(factor, reading)]
+    uses = [factor for other in reading.constraints for factor in other.factors]
+    nested = any(atoms.atom(index).kind in ("root", "ln") for factor in uses for index in factor.atoms())
+    single = all(uses.count(factor) == 1 for factor in free)
+    return single and not nested and _is_strict(constraint, reading, except_for=free)
+
+
+def _other_cases(case: Signs, assumed: list[Poly]) -> list[Signs]:
+    """The cases in which one of the assumed signs is the other one (those before it kept)."""
+    known = {factor: sign for factor, sign in case.items() if factor not in assumed}
+    others = []
+    for factor in assumed:
+        others.append({**known, factor: -1})
+        known[factor] = 1
+    return others
+
+
+def _bases(value: Scalar) -> Bases:
+    """Base angles of everything, also of what stands inside roots and functions."""
+    waves = [index for index in all_atoms([value]) if atoms.atom(index).kind in ("cos", "sin")]
+    return bases_of(Poly({((index, 1),): 1 for index in waves}))

@@ -11,12 +11,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
+from math import prod
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.normal import Bases, reduce_roots, reduce_squares, turn
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, lift
+from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
+from rbpsym.algebra.scalar import Scalar, lift
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 from rbpsym.equality.signs import Study
 from rbpsym.errors import Undecided
@@ -25,8 +26,17 @@ Factors = dict[Poly, int]
 Turn = tuple[Poly, Poly]
 
 
-class Impossible(Exception):
-    """In this case of signs a radicand is negative: there is nothing to prove."""
+@dataclass(frozen=True)
+class Constraint:
+    """sign × Π factorᵏ ≥ 0, from a root; or > 0, from a logarithm (`is_strict`)."""
+
+    sign: int
+    factors: Factors
+    is_strict: bool
+
+    def odd(self) -> list[Poly]:
+        """The factors that decide its sign."""
+        return [factor for factor, k in self.factors.items() if k % 2]
 
 
 @dataclass
@@ -42,6 +52,7 @@ class Reading:
     deep: bool
     case: dict[Poly, int]
     assumed: list[Poly] = field(default_factory=list)
+    constraints: list[Constraint] = field(default_factory=list)
     images: dict[tuple[int, int], Poly] = field(default_factory=dict)
 
     def scalar(self, value: Scalar) -> Poly:
@@ -94,6 +105,14 @@ class Reading:
             self.case[factor] = 1
             self.assumed.append(factor)
         return self.case[factor]
+
+    def constrain(self, coefficient: Fraction, factors: Factors, *, is_strict: bool) -> None:
+        """Note under which condition a root or logarithm exists."""
+        self.constraints.append(Constraint(1 if coefficient > 0 else -1, factors, is_strict))
+
+    def is_broken(self, constraint: Constraint) -> bool:
+        """Whether a constraint contradicts the signs of this case."""
+        return prod((self.sign(factor) for factor in constraint.odd()), start=constraint.sign) < 0
 
     def factored(self, value: Scalar) -> tuple[Fraction, Factors]:
         """A value as coefficient × product of integer powers of factors."""
@@ -192,12 +211,7 @@ def _of_root(reading: Reading, arg: Scalar) -> Poly:
     coefficient, found = reading.factored(arg)
     if not coefficient:
         return ZERO
-    odd = [factor for factor, k in found.items() if k % 2]
-    product = 1 if coefficient > 0 else -1
-    for factor in odd:
-        product *= reading.sign(factor)
-    if product < 0:
-        raise Impossible
+    reading.constrain(coefficient, found, is_strict=False)
     nested = denested(reading, coefficient, found)
     image = root(lift(abs(coefficient))).num if nested is None else nested.image
     for factor, k in (found if nested is None else nested.others).items():
@@ -208,11 +222,9 @@ def _of_root(reading: Reading, arg: Scalar) -> Poly:
 def _of_logarithm(reading: Reading, arg: Scalar) -> Poly:
     """ln(c Π fᵏ) = Σ over the primes of c, and Σ k ln |f|."""
     coefficient, found = reading.factored(arg)
-    product = 1 if coefficient > 0 else -1
-    for factor, k in found.items():
-        product *= reading.sign(factor) ** (k % 2)
-    if product < 0 or not coefficient:
-        raise Impossible
+    if not coefficient:
+        raise Undecided("the logarithm of zero")
+    reading.constrain(coefficient, found, is_strict=True)
     parts = [(k, _logarithm(constant(p))) for p, k in primes(abs(coefficient)).items()]
     parts += [(k, _logarithm(factor)) for factor, k in found.items()]
     return accumulate(parts)
@@ -249,16 +261,11 @@ def _turn_of(reading: Reading, angle: Poly) -> Turn:
     for m, c in angle.terms.items():
         if m == PI_TERM:
             constant_angle = Scalar(Poly({m: c}))
-            step = tuple(_constant_image(reading, of(constant_angle)) for of in (cosine, sine))
+            step = cosine(constant_angle).num, sine(constant_angle).num
         else:
             step = _multiple(_base(reading, m, parts[m]), int(c * parts[m]))
         point = turn(point, step)
     return point
-
-
-def _constant_image(reading: Reading, value: Scalar) -> Poly:
-    """Cosine or sine of a multiple of π: roots of numbers, or a generator of its own."""
-    return value.num
 
 
 def _multiple(point: Turn, times: int) -> Turn:

@@ -148,6 +148,7 @@ BOUNDS = {
     "symbol": lambda study, name: b.of_symbol(name, study.assumptions),
     "cos": lambda study, angle: b.of_wave("cos", angle, study.assumptions, study.is_nonnegative),
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),
+    "half": lambda study, angle: b.of_half_tangent(angle, study.assumptions, study.is_nonnegative),
 }
 
 

@@ -268,6 +268,8 @@ def _is_simple_argument(node: t.Node, style: Style) -> bool:
         return not style.notation.glyph(node.name).prefix
     if plain_fraction(node) and style.mode != "display":
         return False
+    if isinstance(node, t.Num):
+        return node.value >= 0
     if isinstance(node, t.Div):
         return _is_simple_product(node.num) and _is_simple_product(node.den)
     symbols = [part for part in t.walk(node) if isinstance(part, t.Sym)]

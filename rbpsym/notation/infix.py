@@ -85,7 +85,7 @@ def read_relation(
     return _checked(chain, reader)
 
 
-def _reader(text, symbols, functions, aliases, place) -> _Reader:  # noqa: ANN001
+def _reader(text, symbols, functions, aliases, place) -> _Reader:
     source = Source(text, place)
     known = frozenset(symbols) | {"pi"}
     return _Reader(source, tokenize(source), symbols=known, functions=functions, aliases=aliases)
@@ -261,7 +261,7 @@ def _atom(reader: _Reader) -> t.Node:
     raise _missing(reader)
 
 
-def _whole(token: Token):  # noqa: ANN202
+def _whole(token: Token):
     return int(token.value) if token.value.denominator == 1 else token.value
 
 

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
-from rbpsym.errors import LimitError, RbpsymError
-from rbpsym.notation.source import Source, refused
+from rbpsym.errors import LimitError
 from rbpsym.notation.letters import names_of_letter
+from rbpsym.notation.source import Source, refused
 
 MAX_LENGTH, MAX_DIGITS = 2000, 30
 
@@ -91,8 +91,8 @@ def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
     word, end = found[0], found.end()
     if word.startswith("_") or "__" in word:
         raise source.error(
-            f"“{word[:40]}” is not a name: names have letters, digits and single underscores", start, end,
-            "Use the symbols of the problem.",
+            f"“{word[:40]}” is not a name of a symbol", start, end,
+            "Names have letters, digits and single underscores, as in theta_0.",
         )  # fmt: skip
     return _with_tail(source, (word,), start, end, spaced)
 

@@ -1,4 +1,4 @@
-"""MathML Core of a formula, as Chromium and Firefox draw it without JavaScript. One function a box."""
+"""MathML Core of a formula, as browsers draw it without JavaScript. One function a box."""
 
 from __future__ import annotations
 

@@ -133,16 +133,16 @@ SKETCHES = {
     "ladder-with-spring": ladder(spring=True),
 }
 
-MOMENT = Add((
-    Div(times(s("m"), squared("ell")), Num(3)),
-    times(s("M"), squared("ell")),
-    Div(times(s("M"), squared("R")), Num(2)),
-))
+MOMENT = Add(
+    (
+        Div(times(s("m"), squared("ell")), Num(3)),
+        times(s("M"), squared("ell")),
+        Div(times(s("M"), squared("R")), Num(2)),
+    )
+)
 SIN, COS, COS0 = Fn("sin", s("theta")), Fn("cos", s("theta")), Fn("cos", s("theta_0"))
 MASSES = Add((Div(s("m"), Num(2)), s("M")))
-ACCELERATION = equation(
-    s("theta_ddot"), Neg(Div(times(s("g"), s("ell"), MASSES, SIN), MOMENT))
-)
+ACCELERATION = equation(s("theta_ddot"), Neg(Div(times(s("g"), s("ell"), MASSES, SIN), MOMENT)))
 ANGULAR_MOMENTUM = equation(
     Vec("L"),
     Add((Cross(Vec("R_cm"), Vec("P")), times(s("I_cm"), Vec("omega")))),
@@ -150,23 +150,31 @@ ANGULAR_MOMENTUM = equation(
 LONG_CHAIN = equation(
     s("W_N"),
     Integral(times(s("N_w"), SIN), "theta", s("theta_0"), s("theta")),
-    times(Num(Fraction(3, 4)), s("M"), s("g"), s("ell"),
-          Bracket(times(Add((times(Num(2), Fn("sin", s("theta_0"))), Neg(SIN))), Pow(SIN, Num(2))),
-                  "theta", s("theta_0"), s("theta"))),
+    times(
+        Num(Fraction(3, 4)),
+        s("M"),
+        s("g"),
+        s("ell"),
+        Bracket(
+            times(Add((times(Num(2), Fn("sin", s("theta_0"))), Neg(SIN))), Pow(SIN, Num(2))),
+            "theta",
+            s("theta_0"),
+            s("theta"),
+        ),
+    ),
     Neg(times(s("k"), squared("ell"), Pow(Add((COS, Neg(COS0))), Num(2)))),
 )
 LONG_SUM = equation(
     s("E"),
-    Add(tuple(
-        Div(times(Num(n), s("M"), squared("ell"), squared(f"theta_{n}_dot")), Num(2))
-        for n in range(1, 14)
-    )),
+    Add(tuple(Div(times(Num(n), s("M"), squared("ell"), squared(f"theta_{n}_dot")), Num(2)) for n in range(1, 14))),
 )
 TORQUE = equation(Vec("tau"), Deriv(Vec("L")), times(s("I_O"), Vec("alpha")))
-BALANCE = System((
-    equation(times(s("M"), s("x_ddot")), s("N_w")),
-    equation(times(s("M"), s("y_ddot")), Add((s("N_f"), Neg(times(s("M"), s("g")))))),
-))
+BALANCE = System(
+    (
+        equation(times(s("M"), s("x_ddot")), s("N_w")),
+        equation(times(s("M"), s("y_ddot")), Add((s("N_f"), Neg(times(s("M"), s("g")))))),
+    )
+)
 COMPARISON = relation(s("vartheta_1"), "<", s("vartheta_2"))
 
 NASTY = 'a & b < c > d, 50 % of #1 with _x_ and $5 {ok} ~ ^ \\ "q" * @me `tt` [b] = // 1. | $$'
@@ -175,65 +183,124 @@ NASTY = 'a & b < c > d, 50 % of #1 with _x_ and $5 {ok} ~ ^ \\ "q" * @me `tt` [b
 def sample(notation: Notation | None = None, language: str = "en") -> Document:
     """A document with every kind of block and inline."""
     pair = SKETCHES["pendulum"]
-    statement = Section(words("The problem"), (
-        Paragraph((
-            Text("A rod of mass "), Math(s("m")), Text(" and length "), Math(s("ell")),
-            Text(" swings about "), Math(s("O")), Text("; see Figure "), Ref("fig:system"),
-            Text(". Its disk "), Emph(words("turns with it")), Text(", so that "),
-            Math(ANGULAR_MOMENTUM), Text(" and "), Strong(words("nothing else")), Text(" counts."),
-        )),
-        FigureBlock((schematic(pair),), words("The system."), describe(pair), "fig:system"),
-        Table(
-            (words("Symbol"), words("Meaning"), words("Dimension")),
-            (
-                ((Math(s("m")),), words("mass of the rod"), words("mass")),
-                ((Math(s("theta_0")),), words("angle at which it is released, " * 3), words("angle")),
+    statement = Section(
+        words("The problem"),
+        (
+            Paragraph(
+                (
+                    Text("A rod of mass "),
+                    Math(s("m")),
+                    Text(" and length "),
+                    Math(s("ell")),
+                    Text(" swings about "),
+                    Math(s("O")),
+                    Text("; see Figure "),
+                    Ref("fig:system"),
+                    Text(". Its disk "),
+                    Emph(words("turns with it")),
+                    Text(", so that "),
+                    Math(ANGULAR_MOMENTUM),
+                    Text(" and "),
+                    Strong(words("nothing else")),
+                    Text(" counts."),
+                )
             ),
-            words("Symbols and their meaning."), "cll", "tab:symbols",
+            FigureBlock((schematic(pair),), words("The system."), describe(pair), "fig:system"),
+            Table(
+                (words("Symbol"), words("Meaning"), words("Dimension")),
+                (
+                    ((Math(s("m")),), words("mass of the rod"), words("mass")),
+                    ((Math(s("theta_0")),), words("angle at which it is released, " * 3), words("angle")),
+                ),
+                words("Symbols and their meaning."),
+                "cll",
+                "tab:symbols",
+            ),
         ),
-    ), "sec:problem")
-    motion = Section(words("Equation of motion"), (
-        Paragraph((Text("From "), Ref("eq:momentum"), Text(" we take the time derivative."),)),
-        Display(ANGULAR_MOMENTUM, "eq:momentum"),
-        Display(TORQUE, reason=words("the pivot is at rest")),
-        Display(LONG_CHAIN, "eq:work", reason=(
-            Text("we integrate over "), Math(s("theta")),
-            Text(" and use that the rod is released from rest, so that nothing is left at the start"),
-        )),
-        Display(LONG_SUM, "eq:sum"),
-        Display(BALANCE, "eq:balance"),
-        Display(COMPARISON, numbered=False),
-        Callout("result", (), (
-            Paragraph((Text("The angular acceleration is "),)),
-            Display(ACCELERATION, "eq:result", boxed=True),
-        )),
-        Callout("why", words("Why about the pivot?"), (
-            Paragraph((Text("The force "), Math(s("N_x")), Text(" has no torque about "),
-                       Math(s("O")), Text("."))),
-        )),
-        ItemList((
-            (Text("the torque of the weights, "), Math(Neg(times(MASSES, s("g"), s("ell"), SIN)))),
-            words("the spin of the disk"),
-        )),
-    ), "sec:motion")
-    forces = Section(words("Free-body diagrams"), (
-        FigureBlock(
-            (free_body(pair, "rod"), free_body(pair, "disk")), words("Forces on each body."),
-            describe_free_body(pair, "rod"), "fig:free",
+        "sec:problem",
+    )
+    motion = Section(
+        words("Equation of motion"),
+        (
+            Paragraph(
+                (
+                    Text("From "),
+                    Ref("eq:momentum"),
+                    Text(" we take the time derivative."),
+                )
+            ),
+            Display(ANGULAR_MOMENTUM, "eq:momentum"),
+            Display(TORQUE, reason=words("the pivot is at rest")),
+            Display(
+                LONG_CHAIN,
+                "eq:work",
+                reason=(
+                    Text("we integrate over "),
+                    Math(s("theta")),
+                    Text(" and use that the rod is released from rest, so that nothing is left at the start"),
+                ),
+            ),
+            Display(LONG_SUM, "eq:sum"),
+            Display(BALANCE, "eq:balance"),
+            Display(COMPARISON, numbered=False),
+            Callout(
+                "result",
+                (),
+                (
+                    Paragraph((Text("The angular acceleration is "),)),
+                    Display(ACCELERATION, "eq:result", boxed=True),
+                ),
+            ),
+            Callout(
+                "why",
+                words("Why about the pivot?"),
+                (
+                    Paragraph(
+                        (Text("The force "), Math(s("N_x")), Text(" has no torque about "), Math(s("O")), Text("."))
+                    ),
+                ),
+            ),
+            ItemList(
+                (
+                    (Text("the torque of the weights, "), Math(Neg(times(MASSES, s("g"), s("ell"), SIN)))),
+                    words("the spin of the disk"),
+                )
+            ),
         ),
-        Paragraph(words(NASTY)),
-        ItemList((words("first"), words("second")), ordered=True),
-        Callout("check", (), (Paragraph(words("All steps are proved.")),)),
-    ), level=2)
-    figures = Section(words("More systems"), tuple(
-        FigureBlock((schematic(sketch),), words(f"{name}."), describe(sketch))
-        for name, sketch in SKETCHES.items() if name != "pendulum"
-    ) + tuple(
-        FigureBlock((free_body(SKETCHES[name], "ladder"),), words("Forces."), "forces")
-        for name in ("ladder", "ladder-with-spring")
-    ))
+        "sec:motion",
+    )
+    forces = Section(
+        words("Free-body diagrams"),
+        (
+            FigureBlock(
+                (free_body(pair, "rod"), free_body(pair, "disk")),
+                words("Forces on each body."),
+                describe_free_body(pair, "rod"),
+                "fig:free",
+            ),
+            Paragraph(words(NASTY)),
+            ItemList((words("first"), words("second")), ordered=True),
+            Callout("check", (), (Paragraph(words("All steps are proved.")),)),
+        ),
+        level=2,
+    )
+    figures = Section(
+        words("More systems"),
+        tuple(
+            FigureBlock((schematic(sketch),), words(f"{name}."), describe(sketch))
+            for name, sketch in SKETCHES.items()
+            if name != "pendulum"
+        )
+        + tuple(
+            FigureBlock((free_body(SKETCHES[name], "ladder"),), words("Forces."), "forces")
+            for name in ("ladder", "ladder-with-spring")
+        ),
+    )
     return Document(
-        words("A pendulum and a ladder"), (statement, motion, forces, figures),
-        words("Sample of all blocks"), words("arXiv:2011.03355, section IV"), language,
+        words("A pendulum and a ladder"),
+        (statement, motion, forces, figures),
+        words("Sample of all blocks"),
+        words("arXiv:2011.03355, section IV"),
+        language,
         notation or Notation(aliases={"alpha": "alpha"}),
     )

@@ -26,9 +26,7 @@ def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT)
     return sentence("figure.picture", list(seen(sketch, language, notation)), language)
 
 
-def describe_free_body(
-    sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT
-) -> str:
+def describe_free_body(sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT) -> str:
     """The alt text of a free-body diagram."""
     parts = [force_words(f, language, notation) for f in sketch.forces if f.body == body_name]
     parts += [couple_words(c, language, notation) for c in sketch.couples if c.body == body_name]

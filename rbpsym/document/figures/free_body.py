@@ -79,5 +79,3 @@ def sense(scene: Scene) -> Scene:
     """The positive senses, at the lower right."""
     _, bottom, right, _ = scene.bounds
     return axes((right + 0.7, bottom + 0.1))
-
-

@@ -32,8 +32,7 @@ def spring(start: Point, end: Point) -> Items:
     turns = max(4, min(12, round(length / 0.22)))
     lead = min(0.25, 0.15 * length) / (length or 1.0)
     inner = [
-        between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n)
-        for n in range(2 * turns)
+        between(start, end, lead + (1 - 2 * lead) * (n + 0.5) / (2 * turns), 0.13 * (-1) ** n) for n in range(2 * turns)
     ]
     ends = between(start, end, lead), between(start, end, 1 - lead)
     return (Line((start, ends[0], *inner, ends[1], end), "spring"),)
@@ -73,8 +72,7 @@ def hatching(start: Point, end: Point, depth: float = 0.22, style: str = "line")
     length = math.dist(start, end)
     count = max(2, round(length / 0.2))
     strokes = tuple(
-        (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth))
-        for n in range(1, count + 1)
+        (between(start, end, n / count), between(start, end, (n - 0.8) / count, -depth)) for n in range(1, count + 1)
     )
     return Strokes(strokes), Line((start, end), style)
 
@@ -117,8 +115,7 @@ def dimension(start: Point, end: Point, aside: float) -> Items:
     a, b = between(start, end, 0, aside), between(start, end, 1, aside)
     reach = aside + math.copysign(0.1, aside)
     leads = tuple(
-        Line((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension")
-        for n in (0, 1)
+        Line((between(start, end, n, 0.3 * aside), between(start, end, n, reach)), "dimension") for n in (0, 1)
     )
     return (*leads, Line((a, b), "dimension", heads="both"))
 

@@ -9,7 +9,9 @@ from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
 from rbpsym.document.figures.scene import (
+    DOT,
     EM,
+    Circle,
     Item,
     Label,
     Point,
@@ -61,9 +63,12 @@ def strokes_of(scene: Scene) -> Iterator[Stroke]:
 
 
 def pieces_of(item: Item) -> tuple[tuple[Point, Point], ...]:
-    """The straight pieces of an item."""
-    points = points_of(item)
-    return item.pieces if isinstance(item, Strokes) else tuple(pairwise(points))
+    """The straight pieces of an item; a point counts with the size of its dot."""
+    if isinstance(item, Strokes):
+        return item.pieces
+    if isinstance(item, Circle):
+        item = replace(item, radius=max(item.radius, DOT))
+    return tuple(pairwise(points_of(item)))
 
 
 def best_place(label: Label, strokes: tuple[Stroke, ...], done: list[Label]) -> Point:

@@ -163,8 +163,7 @@ def points_of(item: Item) -> tuple[Point, ...]:
 
 def trace_circle(item: Circle) -> tuple[Point, ...]:
     """Sixteen points and the first again."""
-    radius = max(item.radius, DOT)
-    return tuple(polar(item.center, radius, n * math.pi / 8) for n in range(17))
+    return tuple(polar(item.center, item.radius, n * math.pi / 8) for n in range(17))
 
 
 DOT = 0.07  # the radius of a point that has no size

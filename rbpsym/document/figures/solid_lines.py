@@ -60,9 +60,7 @@ def box_edges(box: Box) -> list[tuple[float, float, float]]:
     return [(-1, 0, over - left), (0, -1, over - bottom), (1, 0, right + over), (0, 1, top + over)]
 
 
-def cut(
-    foot: Point, way: Point, edge: tuple[float, float, float], low: float, high: float
-) -> tuple[float, float]:
+def cut(foot: Point, way: Point, edge: tuple[float, float, float], low: float, high: float) -> tuple[float, float]:
     """The stretch of a line that lies in a half plane."""
     a, b, c = edge
     slope = a * way[0] + b * way[1]

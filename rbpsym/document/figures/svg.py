@@ -94,8 +94,7 @@ def heads_svg(item: Line | Arc) -> str:
     """Arrow heads as filled triangles."""
     style = STYLES[item.style]
     return "".join(
-        f'<polygon points="{" ".join(map(pair, head_shape(tip, angle, style.width)))}"'
-        f' class="fill-{style.stroke}"/>'
+        f'<polygon points="{" ".join(map(pair, head_shape(tip, angle, style.width)))}" class="fill-{style.stroke}"/>'
         for tip, angle in heads_of(item)
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import (
     COLORS,
@@ -82,7 +83,7 @@ PRINT: Mapping[type, Callable[..., str]] = {Line: line_tikz, Strokes: strokes_ti
 def label_tikz(label: Label, notation: Notation) -> str:
     """A node at the label's place."""
     plain = isinstance(label.content, str)
-    text = label.content if plain else f"${to_latex(label.content, notation)}$"
+    text = latex_text(label.content) if plain else f"${to_latex(label.content, notation)}$"
     return rf"\node[rb label, text=rb{label.color}] at {pair(label.place)} {{{text}}};"
 
 

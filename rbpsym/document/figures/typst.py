@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Mapping
 
+from rbpsym.document.escaping import typst_string
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import (
     COLORS,
@@ -69,8 +69,7 @@ def line_typst(item: Line, origin: Origin) -> str:
 def strokes_typst(item: Strokes, origin: Origin) -> str:
     """All strokes in one curve."""
     steps = ", ".join(
-        f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})"
-        for start, end in item.pieces
+        f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})" for start, end in item.pieces
     )
     return f"place(curve({look(item.style)}, {steps}))"
 
@@ -108,8 +107,7 @@ def heads_typst(item: Line | Arc, origin: Origin) -> str:
     style = STYLES[item.style]
     heads = (head_shape(tip, angle, style.width) for tip, angle in heads_of(item))
     return "".join(
-        f"; place(polygon(fill: {color(style.stroke)}, {', '.join(pair(p, origin) for p in head)}))"
-        for head in heads
+        f"; place(polygon(fill: {color(style.stroke)}, {', '.join(pair(p, origin) for p in head)}))" for head in heads
     )
 
 
@@ -125,6 +123,6 @@ def label_typst(label: Label, origin: Origin, notation: Notation) -> str:
     """A label, centred at its place."""
     x, y = label.place
     plain = isinstance(label.content, str)
-    text = json.dumps(label.content) if plain else f"${to_typst(label.content, notation)}$"
+    text = typst_string(label.content) if plain else f"${to_typst(label.content, notation)}$"
     at = f"{number(x - origin[0])}cm, {number(origin[1] - y)}cm"
     return f"label-at({at}, {color(label.color)}, {text})"

@@ -94,7 +94,7 @@ def reference(inline: Ref, page: Page) -> str:
 def display(block: Display, page: Page) -> str:
     """A displayed formula with its number at the right; boxes are CSS."""
     number = f'<span class="number">({block.number})</span>' if block.number else ""
-    math = display_math(block.node, page)
+    math = display_math(block, page)
     math = f'<div class="formula{" boxed" if block.boxed else ""}">{math}</div>'
     aside = reason(block, page)
     kind = "display with-aside" if 'class="reason beside"' in aside else "display"
@@ -138,7 +138,7 @@ def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
 
 
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
-    """"Figure 2. What is seen"."""
+    """ "Figure 2. What is seen"."""
     name = escape(page.word(f"block.{kind}", number=block.number))
     return f'<span class="caption-name">{name}.</span> {page.inlines(block.caption)}'
 
@@ -165,10 +165,7 @@ def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
     inner = page.blocks(block.blocks, "\n")
-    return (
-        f'<div class="callout {escape(block.kind)}"><p class="callout-title">{title}</p>\n'
-        f"{inner}</div>"
-    )
+    return f'<div class="callout {escape(block.kind)}"><p class="callout-title">{title}</p>\n{inner}</div>'
 
 
 HTML: Mapping[type, Print] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rbpsym.document import breaking
 from rbpsym.document.accents import accented
+from rbpsym.document.model import Display
 from rbpsym.document.writers.page import Page
 from rbpsym.notation import boxes as b
 from rbpsym.notation.mathml import render, to_mathml
@@ -17,9 +18,9 @@ def inline_math(node: Node, page: Page) -> str:
     return accented(to_mathml(node, page.notation))
 
 
-def display_math(node: Node, page: Page) -> str:
+def display_math(block: Display, page: Page) -> str:
     """A displayed formula as a table of lines; the style sheet folds it on a phone."""
-    lines = breaking.lines(node, page.notation, page.column)
+    lines = breaking.display_lines(block, page.notation, page.column)
     rows = "".join(map(table_row, lines))
     return accented(f'{OPEN}<mtable displaystyle="true" class="lines">{rows}</mtable></math>')
 

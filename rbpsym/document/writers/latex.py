@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
+from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.tikz import tikz_styles, to_tikz
 from rbpsym.document.model import (
     Callout,
@@ -28,19 +29,6 @@ from rbpsym.notation.latex import PREAMBLE, render, to_latex
 
 COLUMN = 37.0
 
-SPECIAL = str.maketrans({
-    "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
-    "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
-    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
-    "“": "``", "”": "''", "–": "--", "—": "---", "…": r"\dots{}", "−": "$-$",
-    "\u00a0": "~", '"': "''",
-})  # fmt: skip
-
-
-def escape(text: str) -> str:
-    """Text without any character that TeX takes as a command; unknown letters as they are."""
-    return text.translate(SPECIAL)
-
 
 def write_latex(document: Document) -> str:
     """The document as a LaTeX source file."""
@@ -49,7 +37,7 @@ def write_latex(document: Document) -> str:
     return shell(
         "article.tex",
         title=page.inlines(document.title),
-        plain_title=escape(plain_text(document.title, document.notation)),
+        plain_title=latex_text(plain_text(document.title, document.notation)),
         subtitle=page.inlines(document.subtitle),
         source=page.inlines(document.source),
         language=BABEL.get(document.language, document.language),
@@ -89,7 +77,7 @@ def display(block: Display, page: Page) -> str:
 
 def formula(block: Display, page: Page) -> str:
     """The formula in one row or an aligned block; shrunk only if nothing else helps."""
-    lines = breaking.lines(block.node, page.notation, page.column)
+    lines = breaking.display_lines(block, page.notation, page.column)
     content = formula_text(lines)
     return rf"\shrunk{{{content}}}" if breaking.widest(lines) > page.column else content
 
@@ -129,17 +117,23 @@ def with_reason(block: Display, content: str, page: Page) -> str:
 
 
 def table(block: Table, page: Page) -> str:
-    """A table with three rules; wide cells of words wrap."""
+    """A table with three rules; columns of words wrap, and what is still too wide is shrunk."""
     lines = [" & ".join(map(page.inlines, block.header)) + r" \\ \midrule"]
     lines += [" & ".join(map(page.inlines, row)) + r" \\" for row in block.rows]
-    inner = "\n".join(lines)
-    columns = column_spec(block, page)
+    rules = "\n".join([r"\toprule", *lines, r"\bottomrule"])
     caption = rf"\caption{{{page.inlines(block.caption)}}}" if block.caption else ""
-    return (
-        f"\\begin{{table}}[ht]\\centering\n{caption}{anchor(block.label)}\n"
-        f"\\begin{{tabularx}}{{\\linewidth}}{{{columns}}}\n\\toprule\n{inner}\n"
-        f"\\bottomrule\n\\end{{tabularx}}\n\\end{{table}}"
-    )
+    head = f"\\begin{{table}}[!ht]\\centering\n{caption}{anchor(block.label)}"
+    return f"{head}\n{tabular(block, rules, page)}\n\\end{{table}}"
+
+
+def tabular(block: Table, rules: str, page: Page) -> str:
+    """The rules and rows in the environment that gives the columns their widths."""
+    columns = column_spec(block, page)
+    if "X" in columns:
+        return f"\\begin{{tabularx}}{{\\linewidth}}{{{columns}}}\n{rules}\n\\end{{tabularx}}"
+    inner = f"\\begin{{tabular}}{{{columns}}}\n{rules}\n\\end{{tabular}}"
+    too_wide = breaking.table_width(block, page.notation) > page.column
+    return rf"\resizebox{{\linewidth}}{{!}}{{{inner}}}" if too_wide else inner
 
 
 def column_spec(block: Table, page: Page) -> str:
@@ -154,9 +148,7 @@ def figure(block: FigureBlock, page: Page) -> str:
     """Scenes side by side, with their caption."""
     scenes = "\\hfil\n".join(to_tikz(scene, page.notation) for scene in block.scenes)
     caption = rf"\caption{{{page.inlines(block.caption)}}}"
-    return (
-        f"\\begin{{figure}}[ht]\\centering\n{scenes}\n{caption}{anchor(block.label)}\n\\end{{figure}}"
-    )
+    return f"\\begin{{figure}}[!ht]\\centering\n{scenes}\n{caption}{anchor(block.label)}\n\\end{{figure}}"
 
 
 def item_list(block: ItemList, page: Page) -> str:
@@ -168,14 +160,12 @@ def item_list(block: ItemList, page: Page) -> str:
 
 def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
-    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
-    return (
-        f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{page.blocks(block.blocks)}\n\\end{{callout}}"
-    )
+    title = page.inlines(block.title) or latex_text(page.word(f"callout.{block.kind}"))
+    return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{page.blocks(block.blocks)}\n\\end{{callout}}"
 
 
 LATEX: Mapping[type, Print] = {
-    Text: lambda inline, page: escape(inline.text),
+    Text: lambda inline, page: latex_text(inline.text),
     Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
     Ref: reference,
     Emph: lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
+from rbpsym.document.escaping import markdown_text
 from rbpsym.document.model import (
     Callout,
     Display,
@@ -26,13 +26,6 @@ from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.page import Page, Print, body, page_for
 from rbpsym.notation.latex import to_latex
 
-SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$])")
-
-
-def escape(text: str) -> str:
-    """Text without any character that Markdown takes as markup."""
-    return SPECIAL.sub(r"\\\1", text).replace("&", "&amp;")
-
 
 def write_markdown(document: Document) -> str:
     """The document as Markdown."""
@@ -52,7 +45,7 @@ def section(part: Section, page: Page) -> str:
 
 def display(block: Display, page: Page) -> str:
     """A formula between double dollars, its reason below."""
-    lines = breaking.lines(block.node, page.notation, page.column)
+    lines = breaking.display_lines(block, page.notation, page.column)
     tag = rf" \tag{{{block.number}}}" if block.number else ""
     content = formula_text(lines)
     content = rf"\boxed{{{content}}}" if block.boxed else content
@@ -69,13 +62,13 @@ def table(block: Table, page: Page) -> str:
 
 
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
-    """"**Figure 2.** What is seen"."""
+    """ "**Figure 2.** What is seen"."""
     return f"**{page.word(f'block.{kind}', number=block.number)}.** {page.inlines(block.caption)}"
 
 
 def figure(block: FigureBlock, page: Page) -> str:
     """The caption and what would be seen."""
-    return f"> {captioned(block, 'figure', page)}\n>\n> {escape(block.alt)}"
+    return f"> {captioned(block, 'figure', page)}\n>\n> {markdown_text(block.alt)}"
 
 
 def item_list(block: ItemList, page: Page) -> str:
@@ -87,13 +80,13 @@ def item_list(block: ItemList, page: Page) -> str:
 
 def callout(block: Callout, page: Page) -> str:
     """A quoted block with its title."""
-    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
+    title = page.inlines(block.title) or markdown_text(page.word(f"callout.{block.kind}"))
     inner = f"**{title}**\n\n{page.blocks(block.blocks)}"
     return "\n".join(f"> {line}".rstrip() for line in inner.splitlines())
 
 
 MARKDOWN: Mapping[type, Print] = {
-    Text: lambda inline, page: escape(inline.text),
+    Text: lambda inline, page: markdown_text(inline.text),
     Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
     Ref: lambda inline, page: inline.mark,
     Emph: lambda inline, page: f"*{page.inlines(inline.inlines)}*",

@@ -35,9 +35,7 @@ def by_pdflatex(document: Document) -> bytes:
     from rbpsym.document.writers.latex import write_latex
 
     if shutil.which("pdflatex") is None:
-        raise RbpsymError(
-            "pdflatex is not installed", instead="leave out --engine: Typst needs no TeX."
-        )
+        raise RbpsymError("pdflatex is not installed", instead="leave out --engine: Typst needs no TeX.")
     return compiled(write_latex(document))
 
 
@@ -56,9 +54,7 @@ def compiled(source: str) -> bytes:
 def run_once(folder: Path) -> str:
     """One pass; its log."""
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape"]
-    done = subprocess.run(
-        [*command, "notes.tex"], cwd=folder, capture_output=True, timeout=120, check=False
-    )
+    done = subprocess.run([*command, "notes.tex"], cwd=folder, capture_output=True, timeout=120, check=False)
     log = done.stdout.decode("utf-8", "replace")
     if done.returncode:
         raise RbpsymError(f"pdflatex stopped: {complaint(log)}")

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
+from rbpsym.document.escaping import typst_string, typst_text
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.model import (
     Callout,
@@ -31,18 +30,6 @@ from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 
 COLUMN = 38.0
-SPECIAL = re.compile(r"([\\#*_`$@<>\[\]~=+/'\"-])")
-ENUMERATION = re.compile(r"^(\d+)\.")
-
-
-def escape(text: str) -> str:
-    """Text without any character that Typst takes as markup."""
-    return ENUMERATION.sub(r"\1\.", SPECIAL.sub(r"\\\1", text))
-
-
-def quoted(text: str) -> str:
-    """A Typst string."""
-    return json.dumps(text, ensure_ascii=False)
 
 
 def write_typst(document: Document) -> str:
@@ -52,7 +39,7 @@ def write_typst(document: Document) -> str:
     return shell(
         "notes.typ",
         title=page.inlines(document.title),
-        plain_title=quoted(plain_text(document.title, document.notation)),
+        plain_title=typst_string(plain_text(document.title, document.notation)),
         subtitle=page.inlines(document.subtitle),
         source=page.inlines(document.source),
         language=document.language,
@@ -62,19 +49,19 @@ def write_typst(document: Document) -> str:
 
 def section(part: Section, page: Page) -> str:
     """A heading with its number and what stands under it."""
-    number = quoted(part.number)
+    number = typst_string(part.number)
     heading = f"#section({part.level}, {number})[{page.inlines(part.title)}]{anchor(part.label)}"
     return f"{heading}\n\n{page.blocks(part.blocks)}".rstrip()
 
 
 def anchor(label: str) -> str:
     """The target of links; `label(...)` takes any characters."""
-    return f"#label({quoted(label)})" if label else ""
+    return f"#label({typst_string(label)})" if label else ""
 
 
 def reference(inline: Ref, page: Page) -> str:
     """A link that shows the number."""
-    return f"#link(label({quoted(inline.label)}))[{escape(inline.mark)}];"
+    return f"#link(label({typst_string(inline.label)}))[{typst_text(inline.mark)}];"
 
 
 def math(inline: Math, page: Page) -> str:
@@ -84,16 +71,16 @@ def math(inline: Math, page: Page) -> str:
 
 def spoken(node: Node, page: Page) -> str:
     """How a screen reader says the formula, as a Typst string."""
-    return quoted(to_speech(node, page.notation))
+    return typst_string(to_speech(node, page.notation))
 
 
 def display(block: Display, page: Page) -> str:
     """A displayed formula; the shell sets number, box and reason."""
-    lines = breaking.lines(block.node, page.notation, page.column)
+    lines = breaking.display_lines(block, page.notation, page.column)
     written = aligned_line if len(lines) > 1 else single_line
     content = " \\\n  ".join(map(written, lines))
     settings = [f"alt: {spoken(block.node, page)}"]
-    settings += [f"number: {quoted(f'({block.number})')}"] if block.number else []
+    settings += [f"number: {typst_string(f'({block.number})')}"] if block.number else []
     settings += ["boxed: true"] if block.boxed else []
     settings += ["shrunk: true"] if breaking.widest(lines) > page.column else []
     settings += reason(block, page)
@@ -129,10 +116,9 @@ def table(block: Table, page: Page) -> str:
     header = cells(block.header, page)
     rows = ",\n  ".join(cells(row, page) for row in block.rows)
     caption = f"[{page.inlines(block.caption)}]" if block.caption else "none"
-    name = quoted(page.word("block.table", number=block.number)) if block.number else "none"
+    name = typst_string(page.word("block.table", number=block.number)) if block.number else "none"
     return (
-        f"#notes-table(({columns},), ({align},), {name}, {caption},\n"
-        f"  ({header},),\n  {rows},\n){anchor(block.label)}"
+        f"#notes-table(({columns},), ({align},), {name}, {caption},\n  ({header},),\n  {rows},\n){anchor(block.label)}"
     )
 
 
@@ -147,9 +133,9 @@ def cells(row: tuple, page: Page) -> str:
 def figure(block: FigureBlock, page: Page) -> str:
     """Scenes side by side with their caption and alt text."""
     scenes = ",\n".join(to_typst_drawing(scene, page.notation) for scene in block.scenes)
-    name = quoted(page.word("block.figure", number=block.number))
+    name = typst_string(page.word("block.figure", number=block.number))
     return (
-        f"#notes-figure({name}, [{page.inlines(block.caption)}], {quoted(block.alt)},\n"
+        f"#notes-figure({name}, [{page.inlines(block.caption)}], {typst_string(block.alt)},\n"
         f"{scenes},\n){anchor(block.label)}"
     )
 
@@ -162,12 +148,12 @@ def item_list(block: ItemList, page: Page) -> str:
 
 def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
-    title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
-    return f"#callout({quoted(block.kind)}, [{title}])[\n{page.blocks(block.blocks)}\n]"
+    title = page.inlines(block.title) or typst_text(page.word(f"callout.{block.kind}"))
+    return f"#callout({typst_string(block.kind)}, [{title}])[\n{page.blocks(block.blocks)}\n]"
 
 
 TYPST: Mapping[type, Print] = {
-    Text: lambda inline, page: escape(inline.text),
+    Text: lambda inline, page: typst_text(inline.text),
     Math: math,
     Ref: reference,
     Emph: lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",

@@ -1,0 +1,68 @@
+# make notes   lecture notes of the paper's course: PDF, HTML and LaTeX in build/
+# make test    the whole test suite
+# make check   derive every problem that ships; every step must be proved
+# make lint    style, by ruff
+# make bench   how fast, as ratios
+# make docs    write the reference pages of docs/ anew
+# make clean   remove what was written, but for .venv
+#
+# Needs python3 (3.11 or newer, with venv) and make; the rest is put into .venv.
+
+PYTHON ?= python3
+VENV   ?= .venv
+OUT    ?= build
+COURSE ?= paper
+TESTS  ?= -n auto
+
+BIN      := $(VENV)/bin
+PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
+NOTES    := $(OUT)/$(COURSE)
+SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
+PROBLEMS := $(filter-out %.course.toml,$(wildcard derivations/*.toml))
+
+.PHONY: help notes test check lint bench docs clean
+.DELETE_ON_ERROR:
+
+help:
+	@sed -n 's/^# \(make .*\)/\1/p' Makefile
+
+notes: $(NOTES).pdf
+	@ls -1 $(NOTES).*
+
+$(NOTES).pdf: $(VENV)/run.stamp $(SOURCES)
+	$(BIN)/rbpsym notes $(COURSE) --format pdf,html,tex -o $(OUT)
+
+test: $(VENV)/dev.stamp
+	$(BIN)/python -m pytest $(TESTS)
+
+check: $(VENV)/run.stamp
+	@for problem in $(PROBLEMS); do \
+	    echo "$$problem"; \
+	    $(BIN)/rbpsym solve "$$problem" --json > /dev/null || exit 1; \
+	done
+
+lint: $(VENV)/dev.stamp
+	$(BIN)/ruff check .
+
+bench: $(VENV)/dev.stamp
+	@for file in benchmarks/*.py; do echo "$$file"; $(BIN)/python "$$file" || exit 1; done
+
+docs: $(VENV)/run.stamp
+	$(BIN)/python docs/build.py
+
+clean:
+	rm -rf $(OUT) dist .pytest_cache .ruff_cache .hypothesis
+	find rbpsym tests docs benchmarks -name __pycache__ -prune -exec rm -rf {} +
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else \
+	    "rbpsym needs Python 3.11 or newer, this is " + sys.version.split()[0] + "; try make PYTHON=python3.12 ...")'
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/run.stamp: pyproject.toml | $(BIN)/python
+	$(PIP) install --editable .
+	@touch $@
+
+$(VENV)/dev.stamp: pyproject.toml | $(BIN)/python
+	$(PIP) install --editable '.[dev]'
+	@touch $@ $(VENV)/run.stamp

@@ -1,0 +1,1 @@
+"""One file a command of the terminal; each holds a click command called `command`."""

@@ -1,0 +1,65 @@
+"""Arguments and options that several commands share, each with completion in the shell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+from click.shell_completion import CompletionItem
+
+DETAILS = ("brief", "standard", "full")
+
+
+class ShelfName(click.ParamType):
+    """The name of something that ships, or the path of a file."""
+
+    name = "name"
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        """The names that begin so; files if there are none."""
+        from rbpsym.commands.shelf import shelf
+
+        near = [entry for entry in shelf() if entry.name.startswith(incomplete)]
+        return [CompletionItem(entry.name, help=entry.title()) for entry in near] or [
+            CompletionItem(incomplete, type="file")
+        ]
+
+
+class Listed(click.ParamType):
+    """A list of choices, separated by commas."""
+
+    name = "list"
+
+    def __init__(self, choices: tuple[str, ...]) -> None:
+        self.choices = choices
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """The choices, each once, in the order given."""
+        if isinstance(value, tuple):
+            return value
+        words = [word.strip() for word in str(value).split(",") if word.strip()]
+        for word in words or [str(value)]:
+            if word not in self.choices:
+                self.fail(f"“{word}” is not one of {', '.join(self.choices)}.", param, ctx)
+        return tuple(dict.fromkeys(words))
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        """What may follow the last comma."""
+        before, comma, word = incomplete.rpartition(",")
+        return [CompletionItem(before + comma + choice) for choice in self.choices if choice.startswith(word)]
+
+
+name_argument = click.argument("name", metavar="NAME|FILE", type=ShelfName())
+
+detail_option = click.option(
+    "--detail", type=click.Choice(DETAILS), default="standard", show_default=True, help="How many steps are shown."
+)
+
+
+def output_option(default: str, meaning: str) -> Callable[[Callable], Callable]:
+    """The option -o, a folder that is made if it is not there."""
+    folder = click.Path(file_okay=False, path_type=Path)
+    return click.option(
+        "-o", "--output", metavar="FOLDER", type=folder, default=default, show_default=True, help=meaning
+    )

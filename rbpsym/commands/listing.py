@@ -1,0 +1,70 @@
+"""`rbpsym list`: what ships, grouped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+
+import click
+
+from rbpsym.commands.shelf import Entry, shelf
+
+
+@click.command("list")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
+@click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the titles.")
+def command(as_json: bool, lang: str) -> None:
+    """List the problems and courses that ship with rbpsym.
+
+    \b
+    Examples:
+      rbpsym list
+      rbpsym list --lang es
+      rbpsym list --json | jq -r '.problems[].name'
+
+    Any name in the list can stand where a command wants NAME|FILE.
+    """
+    entries = list(shelf())
+    click.echo(as_machine_text(entries, lang) if as_json else "\n".join(lines(entries, lang)))
+
+
+def lines(entries: Iterable[Entry], language: str) -> Iterator[str]:
+    """The list for people: courses, then problems by topic."""
+    entries = list(entries)
+    width = max((len(entry.name) for entry in entries), default=0)
+    for kind, group in groupby(entries, key=lambda entry: entry.kind):
+        yield from section(f"{kind}s".capitalize(), list(group), width, language)
+    yield "rbpsym derive NAME shows a derivation; rbpsym notes NAME writes lecture notes."
+
+
+def section(title: str, entries: list[Entry], width: int, language: str) -> Iterator[str]:
+    """The entries of one kind under their title."""
+    yield click.style(title, bold=True)
+    for topic, group in groupby(sorted(entries, key=lambda entry: entry.topic), key=lambda entry: entry.topic):
+        if topic:
+            yield click.style(f"  {topic}", dim=True)
+        for entry in group:
+            yield f"    {entry.name:<{width}}  {entry.title(language)}"
+    yield ""
+
+
+def as_machine_text(entries: Iterable[Entry], language: str) -> str:
+    """The list for programs."""
+    import json
+
+    found: dict[str, list[dict[str, str]]] = {"courses": [], "problems": []}
+    for entry in entries:
+        found[f"{entry.kind}s"].append(record(entry, language))
+    return json.dumps(found, indent=2, ensure_ascii=False)
+
+
+def record(entry: Entry, language: str) -> dict[str, str]:
+    """One entry as JSON has it."""
+    return {
+        "name": entry.name,
+        "title": entry.title(language),
+        "topic": entry.topic,
+        "level": entry.level,
+        "source": entry.source,
+        "file": str(entry.path),
+    }

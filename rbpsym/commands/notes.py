@@ -1,0 +1,4 @@
+import click
+@click.command("notes")
+def command():
+    """todo"""

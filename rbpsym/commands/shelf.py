@@ -1,0 +1,90 @@
+"""What ships with rbpsym, by the heads of its files alone: nothing is assembled or derived."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rbpsym.errors import ReadError
+from rbpsym.statement import library
+from rbpsym.statement.source import did_you_mean
+
+
+COURSE = ".course"  # a course is called NAME.course.toml and stands beside the problems
+
+
+def course_files() -> dict[str, Path]:
+    """The files of the courses that ship, by name."""
+    return {name.removesuffix(COURSE): path for name, path in library.problem_files().items() if name.endswith(COURSE)}
+
+
+def problem_files() -> dict[str, Path]:
+    """The files of the problems that ship, by name."""
+    return {name: path for name, path in library.problem_files().items() if not name.endswith(COURSE)}
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A problem or a course: how it is called and where its file is."""
+
+    kind: str
+    name: str
+    path: Path
+    titles: Mapping[str, str]
+    topic: str = ""
+    level: str = ""
+    source: str = ""
+
+    def title(self, language: str = "en") -> str:
+        """Its title in a language, or in English if it has none in that."""
+        return self.titles.get(language) or self.titles.get("en") or self.name
+
+
+def shelf() -> Iterator[Entry]:
+    """All that ships: courses first, then problems, each by name."""
+    for kind, files in (("course", course_files()), ("problem", problem_files())):
+        for name, path in files.items():
+            yield entry(kind, name, path)
+
+
+def entry(kind: str, name: str, path: Path) -> Entry:
+    """The entry of a file, from its head."""
+    head = tomllib.loads(path.read_text(encoding="utf-8"))
+    title = head.get("title", name)
+    titles = title if isinstance(title, Mapping) else {"en": str(title)}
+    return Entry(kind, name, path, titles, *(str(head.get(key, "")) for key in ("topic", "level", "source")))
+
+
+def names() -> list[str]:
+    """Names of all that ships, for completion."""
+    return [*course_files(), *problem_files()]
+
+
+def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> tuple[str, Path]:
+    """The kind and the file of a name on the shelf, or of a path to a file of one's own."""
+    shelves = {"course": course_files(), "problem": problem_files()}
+    for kind in kinds:
+        if name_or_file in shelves[kind]:
+            return kind, shelves[kind][name_or_file]
+    path = Path(name_or_file)
+    if path.is_file():
+        return kind_of_file(path, kinds), path
+    raise missing(name_or_file, shelves, kinds)
+
+
+def kind_of_file(path: Path, kinds: tuple[str, ...]) -> str:
+    """What a file of one's own holds: a course is called NAME.course.toml."""
+    return "course" if "course" in kinds and path.stem.endswith(COURSE) else kinds[-1]
+
+
+def missing(name: str, shelves: Mapping[str, Mapping[str, Path]], kinds: tuple[str, ...]) -> ReadError:
+    """The error for a name that nothing has."""
+    known = [other for kind in kinds for other in shelves[kind]]
+    other = next((kind for kind in shelves if kind not in kinds and name in shelves[kind]), None)
+    if other:
+        what, hint = f"“{name}” is a {other}, not a {kinds[0]}", f"rbpsym notes {name} writes its notes."
+    else:
+        what, hint = f"there is no {' or '.join(kinds)} and no file “{name}”", did_you_mean(name, known, "on the shelf")
+    return ReadError(what, instead=hint)

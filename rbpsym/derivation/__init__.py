@@ -1,0 +1,1 @@
+"""Derivations: graphs of steps, each with its rule, premises, statement and certificate."""

@@ -1,0 +1,238 @@
+"""How statements are checked. Every check returns a verdict; none of them makes a step.
+
+The checks of a rule share no code with what made the step: a derivative is integrated, an
+integral differentiated, a moment taken over the mass itself, a solution substituted back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.evaluate import Value
+from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Space
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Step
+from rbpsym.equality.decide import compare, scalars_equal, vectors_equal
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+
+Check = Callable[[Context, Step], Verdict]
+
+
+def relations(statement: t.Node) -> Iterable[tuple[t.Node, str, t.Node]]:
+    """All single relations that a statement asserts."""
+    if isinstance(statement, t.System):
+        for row in statement.rows:
+            yield from relations(row)
+    elif isinstance(statement, t.Chain):
+        yield from zip(statement.items, statement.ops, statement.items[1:], strict=False)
+
+
+def weakest(verdicts: Iterable[Verdict]) -> Verdict:
+    """The first verdict that is not PROVED, else the last of them."""
+    found = Verdict(UNDECIDED, reason="nothing was asserted")
+    for found in verdicts:
+        if found.kind is not PROVED:
+            return found
+    return found
+
+
+def guarded(check: Callable[[], Verdict]) -> Verdict:
+    """An error on the way is UNDECIDED with its reason, never PROVED."""
+    try:
+        return check()
+    except (RbpsymError, ZeroDivisionError) as error:
+        return Verdict(UNDECIDED, reason=str(error))
+
+
+def _equal(a: Value, b: Value, context: Context) -> Verdict:
+    if isinstance(a, Space) or isinstance(b, Space):
+        a, b = (v if isinstance(v, Space) else Space(z=NOTHING) if not v else v for v in (a, b))
+        return vectors_equal(a, b, context.assumptions)
+    return scalars_equal(a, b, context.assumptions)
+
+
+def _each(context: Context, step: Step, see: Callable[[Value], Value]) -> Verdict:
+    def one(left: t.Node, op: str, right: t.Node) -> Verdict:
+        a, b = see(context.value(left)), see(context.value(right))
+        if op == "=":
+            return _equal(a, b, context)
+        low, high = (a, b) if op in ("<", "<=") else (b, a)
+        return compare(low, high, context.assumptions, strict=op in ("<", ">"))
+
+    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
+
+
+def identity(context: Context, step: Step) -> Verdict:
+    """Each relation holds for all positions, speeds, accelerations and unknown forces."""
+    return _each(context, step, lambda found: found)
+
+
+def on_motion(context: Context, step: Step) -> Verdict:
+    """Each relation holds with the accelerations and forces that the free bodies give."""
+    return _each(context, step, context.on_motion)
+
+
+def along_motion(context: Context, step: Step) -> Verdict:
+    """Each relation holds with the speeds of the motion from the start as well."""
+    return _each(context, step, lambda v: context.along(v) if isinstance(v, Scalar) else v)
+
+
+def _by_rates(context: Context, step: Step, see: Callable[[Scalar], Scalar]) -> Verdict:
+    def one(left: t.Node, right: t.Node) -> Verdict:
+        rates = scalars_equal(see(context.rate(left)), see(context.rate(right)), context.assumptions)
+        if rates.kind is not PROVED:
+            return rates
+        return weakest([rates, scalars_equal(_begin(context, left), _begin(context, right), context.assumptions)])
+
+    return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
+
+
+def _begin(context: Context, node: t.Node) -> Scalar:
+    """The value at the start, where every integral along the motion is zero."""
+    if isinstance(node, (t.Integral, t.PathIntegral, t.Delta)):
+        return NOTHING
+    if isinstance(node, t.Add):
+        return sum((_begin(context, term) for term in node.terms), NOTHING)
+    if isinstance(node, (t.Neg, t.Group)):
+        inner = _begin(context, node.arg)
+        return -inner if isinstance(node, t.Neg) else inner
+    if isinstance(node, t.Sym) and node.name in context.works:
+        return NOTHING
+    if isinstance(node, t.Mul) and any(isinstance(f, (t.Integral, t.PathIntegral)) for f in node.factors):
+        return NOTHING
+    return context.start(context.value(node))
+
+
+def rates(context: Context, step: Step) -> Verdict:
+    """Both sides are zero at the start (or equal there) and grow at the same rate, identically."""
+    return _by_rates(context, step, lambda found: found)
+
+
+def rates_on_motion(context: Context, step: Step) -> Verdict:
+    """The same, with the accelerations and forces of the motion."""
+    return _by_rates(context, step, context.along)
+
+
+def integrals_by_differentiation(context: Context, step: Step) -> Verdict:
+    """Each integral: its antiderivative is differentiated and compared with the integrand."""
+    found = [node for node in t.walk(step.statement) if isinstance(node, t.Integral)]
+    return weakest([guarded(lambda n=n: _undone(context, n)) for n in found]) if found else _nothing()
+
+
+def _undone(context: Context, node: t.Integral) -> Verdict:
+    integrand = context.value(node.integrand)
+    primitive = antiderivative(integrand, node.var)
+    if primitive is None:
+        return Verdict(UNDECIDED, reason="the integral has no closed form")
+    back = scalars_equal(derivative(primitive, node.var), integrand, context.assumptions)
+    ends = [substitute(primitive, {node.var: context.value(end)}) for end in (node.upper, node.lower)]
+    return weakest([back, scalars_equal(ends[0] - ends[1], context.value(node), context.assumptions)])
+
+
+def _nothing() -> Verdict:
+    return Verdict(PROVED, how="nothing of this kind occurs")
+
+
+def derivatives_by_integration(context: Context, step: Step) -> Verdict:
+    """A rate of change of position is integrated back over each coordinate.
+
+    `data`: "of" (a Scalar or Vector of positions) and "rate" (what was found, linear in speeds).
+    """
+    pairs = step.data.get("pairs", ())
+    return weakest([guarded(lambda p=p: _integrated(context, *p)) for p in pairs]) if pairs else _nothing()
+
+
+def _integrated(context: Context, of: Scalar, found: Scalar) -> Verdict:
+    system = context.study.system
+    for name in system.independent:
+        slope = derivative(found, f"{name}_dot")
+        primitive = antiderivative(slope, name)
+        if primitive is None:
+            return Verdict(UNDECIDED, reason="the rate can't be integrated back in closed form")
+        gained = primitive - substitute(primitive, {name: NOTHING})
+        moved = of - substitute(of, {name: NOTHING})
+        if not is_zero(gained - moved):
+            return scalars_equal(gained, moved, context.assumptions)
+    rest = substitute(found, dict.fromkeys(system.speeds, NOTHING))
+    return scalars_equal(rest, NOTHING, context.assumptions)
+
+
+def momentum_over_mass(context: Context, step: Step) -> Verdict:
+    """L as ∫ r × v dm over the mass itself (`data`: "origin" Vector, "bodies", "value" Scalar)."""
+    from rbpsym.derivation.mass import angular_momentum
+
+    total = sum((angular_momentum(context.study.system, b, step.data["origin"]) for b in step.data["bodies"]), NOTHING)
+    return scalars_equal(total, step.data["value"], context.assumptions)
+
+
+def energy_over_mass(context: Context, step: Step) -> Verdict:
+    """T as ½∫ v² dm over the mass itself (`data`: "bodies", "value")."""
+    from rbpsym.derivation.mass import kinetic_energy
+
+    total = sum((kinetic_energy(context.study.system, b) for b in step.data["bodies"]), NOTHING)
+    return scalars_equal(total, step.data["value"], context.assumptions)
+
+
+def moment_over_mass(context: Context, step: Step) -> Verdict:
+    """I about a point as ∫ |r - p|² dm (`data`: "body", "point" local (x, y), "value")."""
+    from rbpsym.derivation.mass import moment_about
+
+    found = moment_about(context.study, step.data["body"], step.data["point"])
+    return scalars_equal(found, step.data["value"], context.assumptions)
+
+
+def torque_by_components(context: Context, step: Step) -> Verdict:
+    """Σ (x F_y - y F_x) + couples (`data`: "forces", "origin" Vector, "value")."""
+    from rbpsym.derivation.mass import torque
+
+    return scalars_equal(torque(step.data["forces"], step.data["origin"]), step.data["value"], context.assumptions)
+
+
+def combination(context: Context, step: Step) -> Verdict:
+    """left - right is the stated combination of the premises' (`data`: "terms": (factor, step) pairs)."""
+    def difference(node: t.Node) -> Value:
+        [(left, _, right)] = list(relations(node))
+        return context.value(left) - context.value(right)
+
+    total = difference(step.statement)
+    for factor, premise in step.data["terms"]:
+        total = total - difference(premise.statement) * factor
+    return scalars_equal(total, NOTHING, context.assumptions)
+
+
+def solution(context: Context, step: Step) -> Verdict:
+    """The values satisfy the equations (`data`: "rows" Scalars = 0, "values"), and only they do."""
+    from rbpsym.mechanics.elimination import solve_linear
+
+    rows, values = step.data["rows"], step.data["values"]
+    back = [scalars_equal(substitute(row, values), NOTHING, context.assumptions) for row in rows]
+    unique = solve_linear([substitute(row, {n: symbol(n) for n in values}) for row in rows], tuple(values))
+    if unique.free:
+        return Verdict(UNDECIDED, reason="the equations leave " + ", ".join(unique.free) + " free")
+    return weakest(back)
+
+
+def series(context: Context, step: Step) -> Verdict:
+    """f(q₀) = 0 and f'(q₀) as stated: what is left out is of second order (`data`: "value", "at", "slope")."""
+    data, name = step.data, step.data["name"]
+    here = substitute(data["value"], data["at"])
+    slope = substitute(derivative(data["value"], name), data["at"])
+    return weakest([scalars_equal(here, NOTHING, context.assumptions),
+                    scalars_equal(slope, data["slope"], context.assumptions)])
+
+
+def constant(context: Context, step: Step) -> Verdict:
+    """d/dt of the first item vanishes on the motion (`data`: "value")."""
+    found = context.on_motion(context.rate_of(step.data["value"]))
+    return scalars_equal(found, NOTHING, context.assumptions)
+
+
+def vanishing(context: Context, step: Step) -> Verdict:
+    """The force vanishes at the stated place (`data`: "value", "at")."""
+    return scalars_equal(substitute(step.data["value"], step.data["at"]), NOTHING, context.assumptions)

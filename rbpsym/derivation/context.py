@@ -1,0 +1,79 @@
+"""What the names in a derivation mean, and the values of statements at three depths.
+
+A statement may hold as an identity; on the motion (with the accelerations and unknown forces
+that Newton's and Euler's equations give); or along the motion from the start (with the squares
+of the speeds from the first integral as well).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Space, Vector
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.mechanics.motion import along_motion
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.tree import Node
+
+
+@dataclass
+class Context:
+    """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own."""
+
+    study: Study
+    scalars: dict[str, Scalar] = field(default_factory=dict)
+    vectors: dict[str, Space] = field(default_factory=dict)
+    moments: dict[str, Mapping[int, Scalar]] = field(default_factory=dict)
+    works: set[str] = field(default_factory=set)
+
+    @property
+    def scope(self) -> Scope:
+        """The scope in which trees are evaluated."""
+        base = self.study.system.scope
+        return Scope(self.scalars, self.vectors, base.rates, base.start, self.body_integral)
+
+    @property
+    def assumptions(self) -> Assumptions:
+        """The problem's declared signs and ranges."""
+        return self.study.assumptions
+
+    def body_integral(self, integrand: Scalar, body: str) -> Scalar:
+        """∫ f dm for f a polynomial in the distance r from the centre of mass of a body."""
+        from rbpsym.algebra import atoms
+        from rbpsym.algebra.scalar import NOTHING
+
+        parts = integrand.num.by_power(atoms.intern("symbol", "r"))
+        moments = self.moments[body]
+        return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
+
+    def value(self, node: Node) -> Value:
+        """The value of a tree in coordinates, speeds, accelerations and unknown forces."""
+        return value(node, self.scope)
+
+    def rate(self, node: Node) -> Scalar:
+        """d/dt of a tree that may hold integrals along the motion."""
+        return rate(node, self.scope)
+
+    def rate_of(self, found: Scalar) -> Scalar:
+        """d/dt of a value."""
+        return time_derivative(found, self.scope)
+
+    def start(self, found: Scalar) -> Scalar:
+        """The value in the start state."""
+        return at_start(found, self.scope)
+
+    def on_motion(self, found: Value) -> Value:
+        """Accelerations and unknown forces replaced."""
+        if isinstance(found, Space):
+            plane = {angle: self.study.on_motion(length) for angle, length in found.plane.parts.items()}
+            return Space(Vector(plane), self.study.on_motion(found.z))
+        return self.study.on_motion(found)
+
+    def along(self, found: Scalar) -> Scalar:
+        """Squares of speeds replaced too, as far as they are known."""
+        moved = self.study.on_motion(found)
+        whole = along_motion(moved, self.study.squares)
+        return moved if whole is None else whole

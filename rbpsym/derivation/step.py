@@ -1,0 +1,116 @@
+"""A step of a derivation, and the derivation: a graph of steps with their certificates."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from rbpsym.equality.verdict import PROVED, Verdict
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.tree import Node
+
+BRIEF, STANDARD, FULL = 1, 2, 3
+
+
+@dataclass(frozen=True, slots=True)
+class StepRef:
+    """A mention of another step ("from (7)") as an argument of a phrase."""
+
+    id: str
+
+
+@dataclass(frozen=True, slots=True)
+class BodyRef:
+    """A mention of a body as an argument of a phrase ("the rod")."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class PhraseRef:
+    """A phrase as an argument of another phrase."""
+
+    key: str
+    slots: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """What was checked for a step, by which checkers, with what outcome."""
+
+    checks: tuple[str, ...]
+    verdict: Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step.
+
+    rule: name in `rules.RULES`. premises: ids of the steps it uses. statement: a relation, a
+    chain or a system, all asserted. phrase and slots: the sentence that says why. chapter:
+    where it belongs. level: from which detail on it is shown (1 brief .. 3 full). is_result:
+    shown in a box. obligations: conditions under which it holds (trees).
+    """
+
+    id: str
+    rule: str
+    statement: Node
+    chapter: str
+    phrase: str
+    slots: Mapping[str, Any] = field(default_factory=dict)
+    premises: tuple[str, ...] = ()
+    level: int = STANDARD
+    is_result: bool = False
+    obligations: tuple[Node, ...] = ()
+    data: Mapping[str, Any] = field(default_factory=dict)
+    certificate: Certificate | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """A method that does not apply, with the reason as a phrase."""
+
+    method: str
+    phrase: str
+    slots: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The steps of a problem in reading order; ids are unique, premises come before.
+
+    `agreement`: verdicts on the independent roads by name; `simulation`: the oracle's report
+    or None.
+    """
+
+    study: Study
+    steps: tuple[Step, ...]
+    skipped: tuple[Skipped, ...] = ()
+    agreement: Mapping[str, Verdict] = field(default_factory=dict)
+    simulation: Any = None
+    lagrange: Verdict | None = None
+
+    def step(self, id: str) -> Step:
+        """The step of an id (KeyError if there is none)."""
+        return {step.id: step for step in self.steps}[id]
+
+    def chapter(self, name: str) -> tuple[Step, ...]:
+        """The steps of a chapter."""
+        return tuple(step for step in self.steps if step.chapter == name)
+
+    def summary(self) -> dict[str, Any]:
+        """Counts of verdicts and the outcome of the independent roads."""
+        kinds = Counter(str(step.certificate.verdict.kind) for step in self.steps)
+        error = None if self.simulation is None else self.simulation.max_relative_error
+        return {
+            "steps": len(self.steps),
+            "proved": kinds["PROVED"],
+            "refuted": kinds["REFUTED"],
+            "undecided": kinds["UNDECIDED"],
+            "methods": {name: str(verdict.kind) for name, verdict in self.agreement.items()},
+            "methods_agree": all(verdict.kind is PROVED for verdict in self.agreement.values()),
+            "lagrange": None if self.lagrange is None else str(self.lagrange.kind),
+            "simulation": None if error is None else {"max_relative_error": error},
+        }

@@ -1,0 +1,37 @@
+"""Plain text as each format writes it, so that no character of it is taken as a command."""
+
+from __future__ import annotations
+
+import json
+import re
+
+LATEX = str.maketrans({
+    "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
+    "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
+    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}", "`": r"\textasciigrave{}",
+    "“": "``", "”": "''", "–": "--", "—": "---", "…": r"\dots{}", "−": "$-$",
+    "\u00a0": "~", '"': r"\textquotedbl{}",
+})  # fmt: skip
+TYPST = re.compile(r"([\\#*_`$@<>\[\]~=+/'\"-])")
+TYPST_ENUMERATION = re.compile(r"^(\d+)\.")
+MARKDOWN = re.compile(r"([\\`*_{}\[\]<>#|~$])")
+
+
+def latex_text(text: str) -> str:
+    """For LaTeX (T1 encoding); letters stay as they are."""
+    return text.translate(LATEX)
+
+
+def typst_text(text: str) -> str:
+    """For Typst markup; a number with a point at the start would begin a list."""
+    return TYPST_ENUMERATION.sub(r"\1\.", TYPST.sub(r"\\\1", text))
+
+
+def typst_string(text: str) -> str:
+    """A Typst string with its quotes."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def markdown_text(text: str) -> str:
+    """For Markdown as GitHub reads it."""
+    return MARKDOWN.sub(r"\\\1", text).replace("&", "&amp;")

@@ -1,0 +1,280 @@
+"""LaTeX tokens -> fractions, derivatives, integrals, sums, brackets, limits."""
+
+from __future__ import annotations
+
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex_grammar import (
+    argument,
+    between,
+    expression,
+    factor,
+    multiplied,
+)
+from rbpsym.notation.latex_names import begins_name, read_name, read_symbol
+from rbpsym.notation.latex_relations import relation
+from rbpsym.notation.latex_table import Reader, begins
+from rbpsym.notation.latex_tokens import Token
+
+Limits = tuple[t.Node | str | None, t.Node | None]
+
+
+@begins(r"\frac")
+def _fraction(reader: Reader) -> t.Node:
+    """A fraction, or a derivative if d stands above and below."""
+    start = reader.take().start
+    derivative = _derivative(reader, start)
+    if derivative:
+        return derivative
+    num = argument(reader)
+    return reader.spanned(t.Div(num, argument(reader)), start)
+
+
+def _derivative(reader: Reader, start: int) -> t.Node | None:
+    """A derivative, if the fraction is one; else nothing is passed."""
+    if not (reader.sees_sign("{") and reader.sees_differential(1)):
+        return None
+    opening = reader.take()
+    partial = reader.take().text == "∂"
+    order = _order(reader)
+    of = None if reader.sees_sign("}") else _whole_name(reader)
+    reader.expect("}", opening)
+    wrt = _below(reader, order)
+    if of is None:
+        of = factor(reader)
+    return reader.spanned(t.Deriv(of, wrt, order, partial), start)
+
+
+def _order(reader: Reader) -> int:
+    """The order after the d: 1, or what ^ says."""
+    if not reader.pass_sign("^"):
+        return 1
+    token = reader.token
+    order = argument(reader)
+    if isinstance(order, t.Num) and isinstance(order.value, int) and 1 <= order.value <= 9:
+        return order.value
+    raise reader.error("the order of a derivative is a number from 1 to 9", "", token)
+
+
+def _whole_name(reader: Reader) -> t.Node:
+    if begins_name(reader.token):
+        return read_name(reader)
+    raise reader.error(r"a symbol is expected after d", r"Write \frac{d}{dt}(...) instead.")
+
+
+def _below(reader: Reader, order: int) -> str:
+    """The denominator d t^n. Raises ReadError if it doesn't fit the numerator."""
+    opening = reader.token
+    reader.expect("{")
+    if not reader.sees_differential():
+        raise reader.error("a d is expected here, as in the numerator")
+    reader.take()
+    token = reader.token
+    wrt = "t" if _is_time(reader) else read_symbol(reader)
+    if _order(reader) != order:
+        raise reader.error("the orders above and below are different", "", token)
+    reader.expect("}", opening)
+    return wrt
+
+
+def _is_time(reader: Reader) -> bool:
+    """Pass a plain t; was it there?"""
+    found = reader.token.kind == "letter" and reader.token.text == "t"
+    found = found and reader.ahead().text in ("}", "^")
+    reader.position += found
+    return found
+
+
+@begins(r"\int")
+def _integral(reader: Reader) -> t.Node:
+    """An integral with its differential first or last."""
+    start = reader.take()
+    limits = _limits(reader)
+    if reader.sees_differential():
+        path, sign = _differential(reader), ""
+        if reader.sees_sign(r"\cdot", r"\times"):
+            sign = reader.take().text
+        whole = multiplied(reader) if _has_integrand(reader) else t.ONE
+        return reader.spanned(_integrated(reader, start, whole, sign, path, limits), start.start)
+    reader.integrals += 1
+    integrand = expression(reader) if reader.sees_sign("-") else multiplied(reader)
+    reader.integrals -= 1
+    sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
+    if not reader.sees_differential():
+        raise reader.error("the integral has no differential", "Write dθ at its end.", start)
+    path = _differential(reader)
+    return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
+
+
+def _has_integrand(reader: Reader) -> bool:
+    """Does anything follow dθ?"""
+    ends = ("sign", "row", "end", "begin")
+    return reader.token.kind not in ends or reader.sees_sign("(", "[", "{", "|")
+
+
+def _limits(reader: Reader) -> Limits:
+    """(lower limit or the name of a region, upper limit); None for what is absent."""
+    found: dict[str, object] = {}
+    while reader.sees_sign("_", "^") and reader.token.text not in found:
+        sign = reader.take().text
+        found[sign] = (_region(reader) if sign == "_" else None) or argument(reader)
+    return found.get("_"), found.get("^")
+
+
+def _region(reader: Reader) -> str | None:
+    """The name of a path 𝒞 or of a region; None (and nothing passed) if it is a limit."""
+    begin = reader.position
+    braces = reader.pass_sign("{")
+    text = _path_label(reader) or _region_label(reader)
+    if text and (not braces or reader.pass_sign("}")):
+        return text
+    reader.position = begin
+    return None
+
+
+def _path_label(reader: Reader) -> str | None:
+    """𝒞 or 𝒞_i: the path itself, which a path integral does not name otherwise."""
+    texts = [reader.ahead(count).text for count in range(4)]
+    if texts[0] != r"\mathcal" or "C" not in texts[1:3]:
+        return None
+    reader.position += 4 if texts[1] == "{" else 2
+    if reader.pass_sign("_"):
+        argument_label(reader)
+    return "path"
+
+
+def argument_label(reader: Reader) -> None:
+    """Pass the index of a path. Raises ReadError if it is no letter or digit."""
+    braces = reader.pass_sign("{")
+    if reader.token.kind not in ("letter", "digit"):
+        raise reader.error("an index is expected here")
+    reader.take()
+    if braces:
+        reader.expect("}")
+
+
+def _region_label(reader: Reader) -> str | None:
+    """Ω, or the upright name of a body, if it is not a symbol that could be a limit."""
+    token = reader.token
+    if token.kind == "letter" and token.text == "Ω":
+        reader.take()
+        return "Omega"
+    if token.kind == "text":
+        reader.take()
+        return token.text
+    return None
+
+
+def _differential(reader: Reader) -> t.Node:
+    """What stands after the d: a symbol, a vector, or a parenthesis; `m` for a mass element."""
+    reader.take()
+    token = reader.token
+    if reader.sees_sign("("):
+        return between(reader, ")")
+    if begins_name(token):
+        mass = token.text == "m" and reader.ahead().text not in ("_", "'")
+        return _mass(reader) if mass else read_name(reader)
+    raise reader.error("a symbol is expected after d", "", token)
+
+
+def _mass(reader: Reader) -> t.Node:
+    token = reader.take()
+    return t.Sym("m", span=(token.start, token.end))
+
+
+def _integrated(
+    reader: Reader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits
+) -> t.Node:
+    """The integral that a sign, a differential and limits make."""
+    lower, upper = limits
+    product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]
+    if isinstance(lower, str) and lower != "path":
+        return _over_body(integrand, product, path, lower)
+    if lower is None or lower == "path":
+        if upper is not None:
+            raise reader.error("the lower limit is missing", "", start)
+        return t.PathIntegral(integrand, path, product)
+    if upper is None or not isinstance(path, (t.Sym, t.Vec)):
+        raise reader.error("the limits do not fit the differential", "", start)
+    if isinstance(path, t.Vec):
+        integrand = t.Dot(integrand, t.Unit("z"))
+    return t.Integral(integrand, path.name, lower, upper)
+
+
+def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.Node:
+    """∫ f dm, or ∫ a × db = ∫ a × (db/dm) dm."""
+    if path == t.Sym("m"):
+        return t.BodyIntegral(integrand, body)
+    density = t.Deriv(path, "m")
+    if product == "cross":
+        return t.BodyIntegral(t.Cross(integrand, density), body)
+    joined = t.Dot(integrand, density) if product == "dot" else t.mul(integrand, density)
+    return t.BodyIntegral(joined, body)
+
+
+@begins(r"\sum")
+def _sum(reader: Reader) -> t.Node:
+    start = reader.take().start
+    reader.expect("_")
+    braces = reader.pass_sign("{")
+    index = reader.take()
+    if index.kind != "letter":
+        raise reader.error("the index of the sum is expected here", "", index)
+    if braces:
+        reader.expect("}")
+    return reader.spanned(t.Sum(multiplied(reader), index.text), start)
+
+
+@begins(r"\lim")
+def _limit(reader: Reader) -> t.Node:
+    start = reader.take().start
+    reader.expect("_")
+    opening = reader.token
+    reader.expect("{")
+    var = read_symbol(reader)
+    if not reader.pass_sign(r"\to"):
+        raise reader.error(r"“\to” is expected here")
+    to = expression(reader)
+    reader.expect("}", opening)
+    return reader.spanned(t.Limit(multiplied(reader), var, to), start)
+
+
+@begins("[")
+def _bracket(reader: Reader) -> t.Node:
+    """[f] with limits is taken between them; without, it is a parenthesis."""
+    start = reader.token.start
+    node = between(reader, "]")
+    if not reader.sees_sign("_"):
+        return node
+    reader.take()
+    lower_var, lower = _end(reader)
+    reader.expect("^")
+    upper_var, upper = _end(reader)
+    var = upper_var or lower_var or (upper.name if isinstance(upper, t.Sym) else None)
+    if var is None or (lower_var or var) != var:
+        raise reader.error("which variable has these limits?", r"Write ]_{\theta = 0}^{...}.")
+    return reader.spanned(t.Bracket(node, var, lower, upper), start)
+
+
+def _end(reader: Reader) -> tuple[str | None, t.Node]:
+    """(variable or None, value) of a limit `θ = 0` or `0`."""
+    opening = reader.token
+    if not reader.pass_sign("{"):
+        return None, argument(reader)
+    value, var = expression(reader), None
+    if isinstance(value, t.Sym) and reader.pass_sign("="):
+        var, value = value.name, expression(reader)
+    reader.expect("}", opening)
+    return var, value
+
+
+@begins(r"\left.")
+def _at(reader: Reader) -> t.Node:
+    """\\left. f \\right|_{condition}"""
+    start = reader.token.start
+    node = between(reader, r"\rvert")
+    reader.expect("_")
+    opening = reader.token
+    reader.expect("{")
+    condition = relation(reader)
+    reader.expect("}", opening)
+    return reader.spanned(t.At(node, condition), start)

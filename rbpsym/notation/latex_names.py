@@ -1,0 +1,227 @@
+"""LaTeX tokens -> names: letters with accents, primes, subscripts, looked up in the table."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from difflib import get_close_matches
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex_table import Reader
+from rbpsym.notation.latex_tokens import Token
+from rbpsym.notation.symbol_table import Drawn, spelling
+
+_DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
+_ACCENTS = {r"\hat": "hat", r"\bar": "bar", r"\tilde": "tilde", r"\check": "check"}
+_VECTORS = frozenset({r"\vec", r"\boldsymbol"})
+_SCRIPTS = frozenset({r"\mathcal", r"\mathpzc"})
+_PLAIN = frozenset({r"\mathit", r"\mathnormal"})
+_UNITS = {"ı": "x", "i": "x", "ȷ": "y", "j": "y", "k": "z"}
+_DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
+_HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
+_LONGEST = 24
+
+
+def begins_name(token: Token) -> bool:
+    """Can a name (or a word) begin with this token?"""
+    return token.kind in ("letter", "text") or (token.kind == "command" and token.text in _HEADS)
+
+
+def read_name(reader: Reader) -> t.Node:
+    """A symbol, vector, unit vector or word. Raises ReadError for an unknown name."""
+    start = reader.token.start
+    spelled = _spelled(reader)
+    if spelled:
+        return reader.spanned(spelled, start)
+    word = reader.token if reader.token.kind == "text" else None
+    first = reader.position
+    drawn, vector = _scripted(reader)
+    if drawn.prefix or drawn.base != "Δ":
+        return reader.spanned(_known(reader, drawn, vector, word, first), start)
+    return _change(reader, drawn, start, first)
+
+
+def read_symbol(reader: Reader) -> str:
+    """The name of a symbol. Raises ReadError if something else stands there."""
+    token = reader.token
+    braces = reader.pass_sign("{")
+    node = read_name(reader) if begins_name(reader.token) else None
+    if braces:
+        reader.expect("}", token)
+    if isinstance(node, (t.Sym, t.Vec)):
+        return node.name
+    raise reader.error("a symbol is expected here", "", token)
+
+
+def _spelled(reader: Reader) -> t.Node | None:
+    """A name by its spelling: the longest that matches the tokens here."""
+    tokens = reader.tokens[reader.position :]
+    for count in range(min(_LONGEST, len(tokens)), 0, -1):
+        name = reader.table.spellings.get(spelling(tokens[:count]))
+        if name and reader.ahead(count).text not in ("_", "'"):
+            reader.position += count
+            kind = t.Vec if tokens[0].text in _VECTORS else t.Sym
+            return kind(name)
+    return None
+
+
+def _scripted(reader: Reader) -> tuple[Drawn, bool]:
+    """(a letter with its accents, primes and subscripts; has it a vector arrow?)"""
+    drawn, vector = _accented(reader)
+    while True:
+        if reader.sees_sign("'"):
+            reader.take()
+            drawn = replace(drawn, primes=drawn.primes + 1)
+        elif reader.sees_sign("_"):
+            drawn = replace(drawn, label=drawn.label + _label_after(reader))
+        elif reader.sees_sign("^") and (count := _primes_ahead(reader)):
+            drawn = replace(drawn, primes=drawn.primes + count)
+        elif reader.sees_sign("^") and (end := _power_before_subscript(reader)):
+            drawn = replace(drawn, label=drawn.label + _label_behind(reader, end))
+        else:
+            return drawn, vector
+
+
+def _accented(reader: Reader) -> tuple[Drawn, bool]:
+    token = reader.take()
+    if token.kind in ("letter", "text"):
+        return Drawn(token.text), False
+    if token.text in _DOTLESS:
+        return Drawn(_DOTLESS[token.text]), False
+    opening = reader.token
+    inside = reader.pass_sign("{")
+    if not begins_name(reader.token):
+        raise reader.error(f"“{token.text}” stands before something that is no letter")
+    drawn, vector = _scripted(reader) if inside else _accented(reader)
+    if inside:
+        reader.expect("}", opening)
+    return _with_accent(drawn, token.text), vector or token.text in _VECTORS
+
+
+def _with_accent(drawn: Drawn, command: str) -> Drawn:
+    return replace(
+        drawn,
+        dots=drawn.dots + _DOTS.get(command, 0),
+        accent=_ACCENTS.get(command, drawn.accent),
+        script=drawn.script or command in _SCRIPTS,
+    )
+
+
+def _label_after(reader: Reader) -> str:
+    """The subscript that follows, as one label."""
+    reader.take()
+    if not reader.sees_sign("{"):
+        return _label_part(reader)
+    opening, label, depth = reader.take(), "", 1
+    while depth:
+        if reader.token.kind == "end":
+            raise reader.error("this “{” is never closed", "", opening)
+        if reader.sees_sign("{", "}"):
+            depth += 1 if reader.take().text == "{" else -1
+        else:
+            label += _label_part(reader)
+    return label
+
+
+def _label_part(reader: Reader) -> str:
+    """One token of a label. Raises ReadError if it can't be part of one."""
+    token = reader.take()
+    if token.kind in ("letter", "text", "digit"):
+        return token.text
+    if token.kind == "differential":
+        return token.text
+    if token.text in ("'", r"\prime"):
+        return "'"
+    if token.text in (",", "_", "{,}", *_PLAIN):
+        return ""
+    raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
+
+
+def _primes_ahead(reader: Reader) -> int:
+    """Pass ^', ^{'} or ^\\prime; the number of primes, 0 if the superscript is something else."""
+    tokens = reader.tokens[reader.position + 1 :]
+    braces = tokens[0].text == "{"
+    count = 0
+    while tokens[count + braces].text in ("'", r"\prime"):
+        count += 1
+    if not count or (braces and tokens[count + braces].text != "}"):
+        return 0
+    reader.position += 1 + count + 2 * braces
+    return count
+
+
+def _power_before_subscript(reader: Reader) -> int:
+    """In x^2_1, the position of `_`; 0 if no subscript follows the superscript."""
+    position, depth = reader.position + 1, 0
+    while position < len(reader.tokens) - 1:
+        text = reader.tokens[position].text
+        depth += (text == "{") - (text == "}")
+        position += 1
+        if depth <= 0:
+            break
+    return position if reader.tokens[position].text == "_" else 0
+
+
+def _label_behind(reader: Reader, end: int) -> str:
+    """Read the subscript at `end` and take it out, so that the power comes next."""
+    begin = reader.position
+    reader.position = end
+    label = _label_after(reader)
+    rest = reader.tokens[reader.position :]
+    reader.tokens = (*reader.tokens[:begin], *reader.tokens[begin:end], *rest)
+    reader.position = begin
+    return label
+
+
+def _change(reader: Reader, drawn: Drawn, start: int, first: int) -> t.Node:
+    """A Δ: alone a name, or part of one (Delta_x), or the change of what follows."""
+    if drawn in reader.table.names:
+        return reader.spanned(_known(reader, drawn, False, None, first), start)
+    if drawn != Drawn("Δ"):
+        raise _unknown(reader, drawn, first)
+    before = reader.position
+    if begins_name(reader.token):
+        inner, vector = _scripted(reader)
+        if reader.table.draws_prefix(inner):
+            whole = replace(inner, prefix="Δ")
+            return reader.spanned(_known(reader, whole, vector, None, first), start)
+        reader.position = before
+    from rbpsym.notation.latex_grammar import argument
+
+    inner_node = argument(reader)
+    return reader.spanned(t.Delta(inner_node), start)
+
+
+def _known(
+    reader: Reader, drawn: Drawn, vector: bool, word: Token | None, first: int
+) -> t.Node:
+    names = reader.table.names.get(drawn, ())
+    if len(names) == 1:
+        return (t.Vec if vector else t.Sym)(names[0])
+    if names:
+        what = f"the symbols {' and '.join(names)} are printed alike"
+        raise reader.error(what, "Give one of them another notation.", reader.tokens[first])
+    if drawn.accent == "hat" and replace(drawn, accent="") in _UNIT_DRAWN:
+        return t.Unit(_UNITS[drawn.base])
+    if word and drawn == Drawn(word.text):
+        return t.Word(word.text)
+    raise _unknown(reader, drawn, first)
+
+
+_UNIT_DRAWN = frozenset(Drawn(base) for base in _UNITS)
+
+
+def _unknown(reader: Reader, drawn: Drawn, first: int) -> RbpsymError:
+    begin = reader.tokens[first]
+    text = reader.source.text[begin.start : reader.previous_end]
+    known = {_shown(key): names[0] for key, names in reader.table.names.items()}
+    near = get_close_matches(_shown(drawn), known, n=1)
+    hint = f"Did you mean “{known[near[0]]}”?" if near else (
+        "The symbols are: " + ", ".join(sorted(set(known.values()))) + "."
+    )  # fmt: skip
+    return reader.source.error(f"unknown symbol “{text[:60]}”", begin.start, reader.previous_end,
+                               hint)  # fmt: skip
+
+
+def _shown(drawn: Drawn) -> str:
+    return drawn.prefix + drawn.base + "˙" * drawn.dots + "'" * drawn.primes + "_" + drawn.label

@@ -1,0 +1,94 @@
+"""LaTeX -> display tree, driven by the symbols of a problem.
+
+It reads what our own printer and physics papers write, and stops with an error, with a caret, at
+the first thing that it doesn't know: no character is ever passed over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+from rbpsym.errors import LimitError, Place
+from rbpsym.notation import latex_calculus
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.latex_relations import SIGNS, chained, relation
+from rbpsym.notation.latex_table import Reader
+from rbpsym.notation.latex_tokens import Token, tokenize
+from rbpsym.notation.limits import check_degree, check_size
+from rbpsym.notation.source import Source
+from rbpsym.notation.symbol_table import SymbolTable, symbol_table
+
+GRAMMAR = (latex_calculus,)  # enters its commands into the table when it is imported
+
+
+def read_latex(
+    text: str,
+    symbols: SymbolTable | Iterable[str] | Mapping[str, str],
+    *,
+    notation: Notation = DEFAULT,
+    spellings: Mapping[str, str] = MappingProxyType({}),
+    place: Place | None = None,
+) -> t.Node:
+    """The tree of a LaTeX formula: an expression, a Chain, or a System of several relations.
+
+    `symbols` are the names of the problem, drawn as `notation` says, or {LaTeX: name}, or a
+    `SymbolTable`; `spellings` adds other LaTeX for a name. A full stop or comma at the end of
+    the formula is punctuation. Raises ReadError with line, column and caret, LimitError.
+    """
+    if not isinstance(symbols, SymbolTable):
+        symbols = symbol_table(symbols, notation, spellings)
+    source = Source(text, place)
+    reader = Reader(source, _formula_tokens(tokenize(source)), table=symbols)
+    node = _rows(reader)
+    return _checked(node, source)
+
+
+def _checked(node: t.Node, source: Source) -> t.Node:
+    """The node, if it keeps the bounds. Raises LimitError."""
+    try:
+        check_size(node)
+        check_degree(node)
+    except LimitError as error:
+        raise error.at(source.at(0, 1)) from None
+    return node
+
+
+def _formula_tokens(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """The tokens without alignment marks, environments and the final punctuation."""
+    kept = [token for token in tokens[:-1] if token.text != "&" and token.kind != "begin"]
+    while kept and (kept[-1].text in (".", ",") or kept[-1].kind == "row"):
+        kept.pop()
+    return (*kept, tokens[-1])
+
+
+def _rows(reader: Reader) -> t.Node:
+    """Relations under each other; a row that begins with a relation sign goes on with a chain."""
+    rows: list[t.Node] = []
+    while True:
+        if rows and reader.sees_sign(*SIGNS):
+            rows[-1] = _continued(reader, rows[-1])
+        else:
+            rows.append(relation(reader))
+        if not _next_row(reader):
+            break
+    if reader.token.kind != "end":
+        raise reader.error(f"“{reader.token.text}” is not expected here")
+    return rows[0] if len(rows) == 1 else t.System(tuple(rows), span=(0, reader.previous_end))
+
+
+def _next_row(reader: Reader) -> bool:
+    """Pass the end of a row, with a comma before it; was it there?"""
+    if reader.sees_sign(",", ".") and reader.ahead().kind == "row":
+        reader.take()
+    found = reader.token.kind == "row"
+    reader.position += found
+    return found
+
+
+def _continued(reader: Reader, row: t.Node) -> t.Node:
+    whole = isinstance(row, t.Chain)
+    items, ops = (list(row.items), list(row.ops)) if whole else ([row], [])
+    start = row.span[0] if row.span else 0
+    return reader.spanned(chained(reader, items, ops), start)

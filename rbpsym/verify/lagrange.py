@@ -1,0 +1,217 @@
+"""The Lagrange oracle: equations of motion from kinetic and potential energy, without forces.
+
+From the poses alone T(q, q̇) = Σ ½ M V² + ½ I_cm φ̇² and U(q) are built, and
+d/dt ∂T/∂q̇ - ∂T/∂q + ∂U/∂q - Q = 0 must hold identically with the derived accelerations. Q is
+the virtual work of what has no potential, from the definition of each interaction. Where
+conditions tie the speeds, Lagrange's expressions are taken along the variations that they
+allow (Goldstein, Classical Mechanics, 1.4 and 2.4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Vector
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
+from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.energy import potentials
+from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.system import System, rotated
+from rbpsym.statement.model import Element, PointRef
+
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Positions and angles of a system, and their rates with every speed q̇ as a free symbol."""
+
+    system: System
+    where: Callable[[PointRef], Vector]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The coordinates, also those whose speeds the conditions tie to others."""
+        return self.system.coordinates
+
+    def angle(self, body: str | None) -> Scalar:
+        """Angle of a body, 0 for the ground; counter-clockwise positive."""
+        return self.system.bodies[body].pose.angle if body in self.system.bodies else NOTHING
+
+    def own(self, value: Scalar) -> Scalar:
+        """An expression of the statement in the coordinates that are left, and their speeds."""
+        images = dict(self.system.dependent)
+        images |= {f"{n}_dot": self.rate(v) for n, v in self.system.dependent.items()}
+        return substitute(value, images)
+
+    def rate(self, value: Scalar) -> Scalar:
+        """d/dt of a function of the coordinates (and t)."""
+        parts = (derivative(value, name) * symbol(f"{name}_dot") for name in self.names)
+        return sum(parts, derivative(value, "t"))
+
+    def velocity(self, place: Vector) -> Vector:
+        """d/dt of a position."""
+        parts = (place.derivative(name) * symbol(f"{name}_dot") for name in self.names)
+        return sum(parts, place.derivative("t"))
+
+
+def motion_of(system: System) -> Motion:
+    """The kinematics that the poses of a system contain."""
+    inertias = {name: state.inertia for name, state in system.bodies.items()}
+    return Motion(system, locator(system.problem, inertias, {n: s.pose for n, s in system.bodies.items()}))
+
+
+def kinetic_energy(motion: Motion) -> Scalar:
+    """T = Σ ½ M V² + ½ I_cm φ̇² with the speeds as free symbols."""
+    total = NOTHING
+    for state in motion.system.bodies.values():
+        speed, spin = motion.velocity(state.center), motion.rate(state.pose.angle)
+        total = total + (state.mass * speed.dot(speed) + state.moment * spin * spin) * HALF
+    return total
+
+
+# --- what has no potential: Q(q), the virtual work for a variation of q
+
+
+def _damper_work(element: Element, motion: Motion, name: str) -> Scalar:
+    """-c ḋ ∂d/∂q with the distance d = √(Δ·Δ)."""
+    first, second = element["between"]
+    apart = motion.where(second) - motion.where(first)
+    rates = apart.dot(motion.velocity(apart)) * apart.dot(apart.derivative(name))
+    return -(scalar(element["coefficient"]) * rates / apart.dot(apart))
+
+
+def _rotary_damper_work(element: Element, motion: Motion, name: str) -> Scalar:
+    first, second = element["between"]
+    twist = motion.angle(second) - motion.angle(first)
+    return -(scalar(element["coefficient"]) * motion.rate(twist) * derivative(twist, name))
+
+
+def _force_work(element: Element, motion: Motion, name: str) -> Scalar:
+    """F·∂r/∂q."""
+    ref, vector = element["on"], pair(element["force"])
+    x, y = motion.own(vector.x), motion.own(vector.y)
+    turned = rotated(x, y, motion.angle(ref.body) if element["frame"] == "body" else NOTHING)
+    return turned.dot(motion.where(ref).derivative(name))
+
+
+def _couple_work(element: Element, motion: Motion, name: str) -> Scalar:
+    turn = motion.angle(element["on"]) - motion.angle(element["reaction_on"])
+    return motion.own(scalar(element["couple"])) * derivative(turn, name)
+
+
+VIRTUAL_WORKS: Mapping[str, Callable[[Element, Motion, str], Scalar]] = {
+    "damper": _damper_work,
+    "rotary-damper": _rotary_damper_work,
+    "force": _force_work,
+    "couple": _couple_work,
+}
+
+
+def generalized_force(motion: Motion, name: str) -> Scalar:
+    """-∂U/∂q + Q. Raises NotApplicable for an interaction with neither a potential nor a virtual work."""
+    energies, total = potentials(motion.system), NOTHING
+    for element in motion.system.problem.interactions:
+        energy = energies[element.name]
+        total = total + (_virtual(element, motion, name) if energy is None else -derivative(energy, name))
+    return total
+
+
+def _virtual(element: Element, motion: Motion, name: str) -> Scalar:
+    if element.kind not in VIRTUAL_WORKS:
+        raise NotApplicable(f"Lagrange's equations know neither a potential nor a virtual work of a {element.kind}")
+    return VIRTUAL_WORKS[element.kind](element, motion, name)
+
+
+# --- Lagrange's equations
+
+
+def lagrange_expressions(system: System) -> dict[str, Scalar]:
+    """For each coordinate d/dt ∂T/∂q̇ - ∂T/∂q + ∂U/∂q - Q in q, q̇, q̈, every q̈ a free symbol."""
+    motion = motion_of(system)
+    energy = kinetic_energy(motion)
+    rates = {name: symbol(f"{name}_dot") for name in motion.names}
+    rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in motion.names}
+    scope = Scope(rates=rates | {"t": symbol("t") ** 0})
+    return {
+        name: time_derivative(derivative(energy, f"{name}_dot"), scope)
+        - derivative(energy, name) - generalized_force(motion, name)
+        for name in motion.names
+    }
+
+
+def _along_variations(system: System, expressions: Mapping[str, Scalar]) -> list[Scalar]:
+    """Σ_q (∂q̇/∂u) E_q for each independent speed u; in independent speeds and accelerations."""
+    rates = system.scope.rates
+    tied = [name for name in system.coordinates if name not in system.independent]
+    images = {f"{name}_ddot": time_derivative(rates[name], system.scope) for name in tied}
+    speeds = {f"{name}_dot": rates[name] for name in tied}
+    found = []
+    for speed in system.speeds:
+        parts = (derivative(rates[name], speed) * value for name, value in expressions.items())
+        found.append(substitute(substitute(sum(parts, NOTHING), images), speeds))
+    return found
+
+
+def _tied_speeds(system: System) -> list[Scalar]:
+    """Time derivatives of the implicit conditions at the allowed speeds: each must vanish."""
+    return [
+        sum((derivative(c.value, name) * system.scope.rates[name] for name in system.coordinates), NOTHING)
+        for c in system.implicit
+    ]
+
+
+def lagrange_verdict(system: System, dynamics: Dynamics, assumptions: Assumptions | None = None) -> Verdict:
+    """Whether Lagrange's equations hold identically with the derived accelerations.
+
+    PROVED or REFUTED by exact algebra; UNDECIDED with the reason if the oracle does not know an
+    interaction or a formula grows beyond the limits.
+    """
+    assumptions = assumptions or Assumptions({q.name: q.sign for q in system.problem.parameters})
+    try:
+        return all_of(_verdicts(system, dynamics, assumptions))
+    except (NotApplicable, LimitError) as error:
+        return undecided(error.what)
+    except ZeroDivisionError:
+        return undecided("an expression of Lagrange's equations divides by zero")
+
+
+def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> list[Verdict]:
+    values = _along_variations(system, lagrange_expressions(system))
+    found = [_vanishes(value, assumptions) for value in _tied_speeds(system)]
+    found += [_vanishes(_defect(system, dynamics, value, k), assumptions) for k, value in enumerate(values)]
+    return found + _solution_verdicts(system, dynamics, assumptions) or [proved("nothing moves")]
+
+
+def _vanishes(value: Scalar, assumptions: Assumptions) -> Verdict:
+    return scalars_equal(value, NOTHING, assumptions)
+
+
+def _defect(system: System, dynamics: Dynamics, value: Scalar, row: int) -> Scalar:
+    """Lagrange's expression with the accelerations in it; minus M q̈ - f where these are not explicit."""
+    if dynamics.accelerations is not None:
+        return substitute(value, dynamics.accelerations)
+    return value - _newton_row(system.accelerations, dynamics, row)
+
+
+def _newton_row(names: Sequence[str], dynamics: Dynamics, row: int) -> Scalar:
+    entries = zip(dynamics.mass_matrix[row], names, strict=True)
+    return sum((entry * symbol(name) for entry, name in entries), -dynamics.forcing[row])
+
+
+def _solution_verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> list[Verdict]:
+    """Where M q̈ = f stays unsolved, it has one solution only if det M is not 0: shown at one point."""
+    if dynamics.accelerations is not None:
+        return []
+    from rbpsym.verify.regular import regular_verdict
+
+    return [regular_verdict(dynamics.mass_matrix)]

@@ -1,0 +1,104 @@
+"""The rules of the house: short files, told names, no guessing, nothing for one problem alone."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.architecture.source import MODULES, ROOT, Module
+
+LONGEST = 400  # lines
+GUESSES = {"simplify", "trigsimp", "radsimp", "sympify", "parse_expr", "nsimplify", "equals", "eval", "exec"}
+# What is not a value but walks over something and remembers where it is.
+WALKERS = {"Context", "Reading", "Study", "Cursor", "_Reader", "Reader", "PositionIndex"}
+VAGUE = {"utils", "util", "helper", "helpers", "manager", "managers", "base", "misc", "common"}
+SHIPPED = sorted(path.stem for path in (ROOT / "derivations").rglob("*.toml") if not path.stem.endswith(".course"))
+TEMPLATES = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
+
+by_name = pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
+
+
+@by_name
+def test_files_are_short(module: Module) -> None:
+    assert module.text.count("\n") <= LONGEST
+
+
+@by_name
+def test_modules_say_what_they_are_for(module: Module) -> None:
+    assert ast.get_docstring(module.tree), f"{module.path} has no docstring"
+
+
+@by_name
+def test_names_are_telling(module: Module) -> None:
+    assert not VAGUE & set(module.parts), module.name
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.ClassDef):
+            words = {word.lower() for word in re.findall(r"[A-Z][a-z]+", node.name)}
+            assert not words & VAGUE, f"{module.path}:{node.lineno}: {node.name}"
+
+
+@by_name
+def test_nothing_is_guessed(module: Module) -> None:
+    """No verdict stands on a heuristic and no input is run: none of these is imported or called."""
+    for node in ast.walk(module.tree):
+        called = getattr(node.func, "attr", getattr(node.func, "id", "")) if isinstance(node, ast.Call) else ""
+        name = node.name if isinstance(node, ast.alias) else called
+        assert name not in GUESSES, f"{module.path}:{node.lineno}: {name}"
+
+
+def public(module: Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
+    """Its public functions and classes, and the public methods of those."""
+    kinds = (ast.FunctionDef, ast.ClassDef)
+    for node in module.tree.body:
+        if isinstance(node, kinds) and not node.name.startswith("_"):
+            yield node
+            if isinstance(node, ast.ClassDef):
+                yield from (part for part in node.body if isinstance(part, kinds) and not part.name.startswith("_"))
+
+
+@by_name
+def test_public_names_have_docstrings(module: Module) -> None:
+    missing = [f"{node.lineno}: {node.name}" for node in public(module) if not ast.get_docstring(node)]
+    assert not missing, f"{module.path}: {missing}"
+
+
+@by_name
+def test_questions_are_answered_by_yes_or_no(module: Module) -> None:
+    for node in public(module):
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("is_"):
+            assert node.returns is not None and "bool" in ast.unparse(node.returns), f"{module.path}:{node.lineno}"
+
+
+@by_name
+def test_dataclasses_are_frozen(module: Module) -> None:
+    for node in ast.walk(module.tree):
+        for mark in getattr(node, "decorator_list", ()) if isinstance(node, ast.ClassDef) else ():
+            text = ast.unparse(mark)
+            if text.split("(")[0] in ("dataclass", "dataclasses.dataclass") and node.name not in WALKERS:
+                assert "frozen=True" in text, f"{module.path}:{node.lineno}: {node.name}"
+
+
+def test_something_ships() -> None:
+    assert len(SHIPPED) >= 4
+
+
+def mentions(text: str) -> list[str]:
+    """The shipped problems that a text names."""
+    words = set(re.findall(r"[\w-]+", text))
+    return [name for name in SHIPPED if name in words or name.replace("-", "_") in words & {text}]
+
+
+@by_name
+def test_no_code_for_one_problem(module: Module) -> None:
+    """Docstrings may give examples; no other text of the code names a problem that ships."""
+    found = [(line, names) for line, text in module.strings() if (names := mentions(text))]
+    assert not found, f"{module.path}: {found}"
+
+
+@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.name)
+def test_no_template_for_one_problem(path: Path) -> None:
+    assert not mentions(path.read_text(encoding="utf-8", errors="replace"))

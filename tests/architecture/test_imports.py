@@ -1,0 +1,72 @@
+"""Imports go down only, without cycles; heavy packages are imported where they are used."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.architecture.source import MODULES, NAMES, Module
+
+# The floor of each room: a module may import what stands on its floor's room or on a lower floor.
+FLOORS = {
+    "errors": 0, "quantities": 0,
+    "notation": 1, "algebra": 1.2, "equality": 1.5,
+    "statement": 2, "mechanics": 3, "derivation": 4, "methods": 5, "verify": 6, "teaching": 7, "document": 8,
+    "derive": 9, "solve": 9.2, "commands": 9.5, "cli": 9.8,
+}  # fmt: skip
+HEAVY = {"sympy", "matplotlib", "scipy", "typst", "jinja2", "rich", "docx", "nbformat", "flint"}
+SYMPY_LIVES_IN = "rbpsym.algebra.sympy_bridge"
+
+by_name = pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
+
+
+def room(dotted: str) -> str:
+    return [*dotted.split("."), ""][1]
+
+
+@by_name
+def test_every_module_has_a_floor(module: Module) -> None:
+    assert room(module.name) in {*FLOORS, ""}, f"{module.name}: say in FLOORS on which floor it stands"
+
+
+@by_name
+def test_imports_go_down_only(module: Module) -> None:
+    own = room(module.name)
+    if not own:
+        return  # the public names, which are lazy
+    for line, name in module.imports():
+        if name.split(".")[0] != "rbpsym" or not room(name):
+            continue
+        other = room(name)
+        assert other == own or FLOORS[other] < FLOORS[own] or FLOORS[other] == FLOORS[own] == 0, (
+            f"{module.path}:{line}: {own} (floor {FLOORS[own]}) imports {other} (floor {FLOORS[other]})"
+        )
+
+
+@by_name
+def test_heavy_packages_are_imported_late(module: Module) -> None:
+    found = [(line, name) for line, name in module.imports(inner=False) if name.split(".")[0] in HEAVY]
+    assert not found, f"{module.path}: import {found} in the function that needs it"
+
+
+@by_name
+def test_sympy_is_met_at_one_bridge(module: Module) -> None:
+    found = [(line, name) for line, name in module.imports() if name.split(".")[0] == "sympy"]
+    assert not found or module.name == SYMPY_LIVES_IN, f"{module.path}: {found}"
+
+
+def test_there_are_no_cycles() -> None:
+    graph = {
+        module.name: {name for _, name in module.imports(inner=False) if name in NAMES and name != module.name}
+        for module in MODULES
+    }
+    finished: set[str] = set()
+
+    def visit(name: str, way: tuple[str, ...]) -> None:
+        assert name not in way, " → ".join([*way[way.index(name) :], name])
+        if name not in finished:
+            for other in sorted(graph[name]):
+                visit(other, (*way, name))
+            finished.add(name)
+
+    for name in graph:
+        visit(name, ())

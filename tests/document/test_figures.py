@@ -1,0 +1,122 @@
+"""Figures: labels keep clear of each other and of lines; every printer draws every item."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rbpsym.document.figures import placing
+from rbpsym.document.figures.describe import describe, describe_free_body
+from rbpsym.document.figures.free_body import free_body
+from rbpsym.document.figures.outlines import OUTLINES
+from rbpsym.document.figures.scene import STYLES, Label, Line, Scene
+from rbpsym.document.figures.schematic import schematic
+from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
+from rbpsym.document.figures.solid_lines import solid_line
+from rbpsym.document.figures.svg import to_svg
+from rbpsym.document.figures.tikz import to_tikz
+from rbpsym.document.figures.typst import to_typst_drawing
+from rbpsym.statement.shapes import SHAPES
+from tests.document.samples import SKETCHES, ladder, pendulum
+
+SCENES = {name: schematic(sketch) for name, sketch in SKETCHES.items()} | {
+    f"{name}: {body.name}": free_body(sketch, body.name) for name, sketch in SKETCHES.items() for body in sketch.bodies
+}
+POSES = [pendulum(n / 5) for n in range(-12, 13)] + [
+    ladder(n / 20, spring=spring) for n in range(5, 29) for spring in (False, True)
+]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_no_label_collides(name: str) -> None:
+    assert placing.collisions(placing.placed(SCENES[name])) == []
+
+
+def test_no_label_lies_on_another_in_any_pose() -> None:
+    for sketch in POSES:
+        found = placing.collisions(placing.placed(schematic(sketch)))
+        assert not [pair for pair in found if isinstance(pair[1], Label)]
+
+
+def test_a_collision_is_found() -> None:
+    line = Line(((-1, 0), (1, 0)))
+    here = Label("x", (0, 0), place=(0.0, 0.0), size=(0.2, 0.2))
+    aside = Label("x", (0, 0), place=(0.0, 0.3), size=(0.2, 0.2))
+    assert placing.collisions(Scene((line,), (here,)))
+    assert not placing.collisions(Scene((line,), (aside,)))
+    assert placing.collisions(Scene((), (here, here)))
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "hit"),
+    [
+        ((-1, 0), (1, 0), True),
+        ((-1, 0.2), (1, 0.2), False),
+        ((-1, -1), (1, 1), True),
+        ((-1, 0.9), (0.9, -1), True),
+        ((-1, 0), (-0.2, 0), False),
+        ((0, -1), (0, 1), True),
+        ((-0.2, 0.05), (0.05, 0.3), False),
+    ],
+)
+def test_a_stroke_crosses_a_box_or_not(start: tuple, end: tuple, hit: bool) -> None:
+    stroke = next(placing.strokes_of(Scene((Line((start, end)),))))
+    assert placing.crosses(stroke, (-0.1, -0.1, 0.1, 0.1)) is hit
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_printer_draws_every_item_and_label(name: str) -> None:
+    scene = SCENES[name]
+    svg, tikz, drawing = (print_(scene) for print_ in (to_svg, to_tikz, to_typst_drawing))
+    assert svg.count("<foreignObject") == len(scene.labels)
+    assert tikz.count(r"\node") == drawing.count("label-at(") == len(scene.labels)
+    assert tikz.count(r"\draw") == len(scene.items)
+    assert "nan" not in (svg + tikz + drawing).lower().replace("nand", "")
+
+
+def test_every_shape_of_a_statement_has_an_outline() -> None:
+    assert set(SHAPES) - {"composite"} <= set(OUTLINES)
+
+
+@pytest.mark.parametrize("kind", OUTLINES)
+def test_outlines_use_known_styles(kind: str) -> None:
+    sizes = dict.fromkeys(("length", "radius", "inner", "outer", "width", "height", "base", "offset"), 0.5)
+    body = SketchBody("b", kind, sizes, (1, 1), 0.3)
+    scene = schematic(Sketch((body,)))
+    assert all(item.style in STYLES for item in scene.items)
+
+
+def test_a_composite_shows_its_holes_last() -> None:
+    hole = SketchPart("disk", {"radius": 0.2}, (0.1, 0), removed=True)
+    plate = SketchPart("disk", {"radius": 0.5})
+    body = SketchBody("b", "composite", {}, (0, 0), parts=(hole, plate))
+    styles = [item.style for item in schematic(Sketch((body,))).items]
+    assert styles.index("body") < styles.index("hole")
+
+
+def test_a_line_is_solid_where_no_body_is() -> None:
+    sketch = ladder()
+    for line, solid in zip(sketch.lines, ("left", "below"), strict=True):
+        (x, y), (u, v) = solid_line(line, sketch, (0, 0, 2, 2))
+        right = (v - y, -(u - x))
+        assert (right[0] < 0) if solid == "left" else (right[1] < 0)
+
+
+def test_walls_end_in_their_corner() -> None:
+    start, end = solid_line(SketchLine(1, 0, 0), ladder(), (0, 0, 2, 2))
+    assert min(start[1], end[1]) == pytest.approx(0)
+
+
+def test_the_alt_text_names_all_that_is_seen() -> None:
+    text = describe(SKETCHES["ladder-with-spring"])
+    assert all(word in text for word in ("ladder", "wall", "floor", "spring k", "θ", "counter-clockwise"))
+    forces = describe_free_body(SKETCHES["pendulum"], "rod")
+    assert "mg pointing down" in forces.replace(" g", "g")
+
+
+def test_scaling_does_not_change_the_drawing() -> None:
+    small, large = (schematic(Sketch((SketchBody("b", "disk", {"radius": r}, (0, 0)),))) for r in (1e-3, 1e3))
+    for one, two in zip(small.items, large.items, strict=True):
+        assert one.style == two.style
+    assert math.isclose(small.items[0].radius, large.items[0].radius)

@@ -1,0 +1,98 @@
+"""Phrases: every key is found or told, places are filled, no formula hides in a language file."""
+
+from __future__ import annotations
+
+import re
+from string import Formatter
+
+import pytest
+
+from rbpsym.document.model import DocumentError, Emph, Math, Ref, Text
+from rbpsym.document.phrases import has_phrase, languages, phrase, phrases, plain
+from rbpsym.notation.tree import Sym
+
+THETA, OMEGA, ELL = Sym("theta"), Sym("omega"), Sym("ell")
+
+
+@pytest.fixture
+def table(monkeypatch: pytest.MonkeyPatch) -> None:
+    own = {
+        "list.separator": ", ",
+        "list.last": " and ",
+        "we": "We use {what}.",
+        "stress": "It is *not {what}*, but {other}.",
+        "body.one": "one body",
+        "body.many": "{count} bodies",
+        "disk.feminine": "la {name}",
+        "disk.masculine": "el {name}",
+    }
+    monkeypatch.setattr("rbpsym.document.phrases.phrases", lambda language: own)
+
+
+@pytest.mark.usefixtures("table")
+def test_a_node_becomes_a_formula_and_a_reference_stays() -> None:
+    assert phrase("we", what=THETA) == (Text("We use "), Math(THETA), Text("."))
+    assert phrase("we", what=Ref("eq:a")) == (Text("We use "), Ref("eq:a"), Text("."))
+
+
+@pytest.mark.usefixtures("table")
+def test_a_list_is_joined_by_the_rule_of_the_language() -> None:
+    assert phrase("we", what=[THETA, OMEGA, ELL]) == (
+        Text("We use "),
+        Math(THETA),
+        Text(", "),
+        Math(OMEGA),
+        Text(" and "),
+        Math(ELL),
+        Text("."),
+    )
+    assert plain("we", what=["a", "b"]) == "We use a and b."
+
+
+@pytest.mark.usefixtures("table")
+def test_a_phrase_may_fill_a_place_of_another() -> None:
+    assert phrase("we", what=phrase("we", what=THETA))[1] == Math(THETA)
+
+
+@pytest.mark.usefixtures("table")
+def test_emphasis() -> None:
+    assert phrase("stress", what=THETA, other="x")[1] == Emph((Text("not "), Math(THETA)))
+
+
+@pytest.mark.usefixtures("table")
+def test_variants_by_count_and_by_name() -> None:
+    assert plain("body", count=1) == "one body"
+    assert plain("body", count=3) == "3 bodies"
+    assert plain("disk", variant="feminine", name="x") == "la x"
+    assert has_phrase("body")
+    assert not has_phrase("bod")
+
+
+@pytest.mark.usefixtures("table")
+@pytest.mark.parametrize(
+    ("key", "slots", "told"),
+    [
+        ("wee", {}, "we"),
+        ("we", {}, "what"),
+        ("body", {}, "body"),
+        ("disk", {"variant": "neuter", "name": "x"}, "disk.neuter"),
+    ],
+)
+def test_a_missing_key_variant_or_place_is_an_error(key: str, slots: dict, told: str) -> None:
+    with pytest.raises(DocumentError, match=told):
+        phrase(key, **slots)
+
+
+def test_an_unknown_language_is_told_with_the_known_ones() -> None:
+    with pytest.raises(DocumentError, match="xx") as error:
+        phrase("list.last", "xx")
+    assert "en" in str(error.value)
+
+
+@pytest.mark.parametrize("language", languages())
+def test_no_formula_and_no_markup_stands_in_a_phrase(language: str) -> None:
+    for key, text in phrases(language).items():
+        bare = re.sub(r"\{\w+\}", "", text)
+        assert not re.search(r"[\\$=^<>{}]|\d[a-z]|[α-ω]", bare), key
+        assert text.count("*") % 2 == 0, key
+        assert all(name != "" for _, name, _, _ in Formatter().parse(text)), key
