@@ -29,7 +29,7 @@ class Scope:
 
     scalars, vectors: values of defined quantities. rates: time derivative of each generator
     that varies (θ: θ̇, θ̇: θ̈). start: what each generator is at the start. body: value of ∫ f dm
-    for an integrand f.
+    for an integrand f. powers: rate of each quantity that is known by its rate (a work).
     """
 
     scalars: Mapping[str, Scalar] = field(default_factory=dict)
@@ -37,6 +37,7 @@ class Scope:
     rates: Mapping[str, Scalar] = field(default_factory=dict)
     start: Mapping[str, Scalar] = field(default_factory=dict)
     body: Callable[[Scalar, str], Scalar] | None = None
+    powers: Mapping[str, Scalar] = field(default_factory=dict)
 
     def with_scalars(self, more: Mapping[str, Scalar]) -> Scope:
         """The same scope with further (or other) scalar meanings."""
@@ -277,7 +278,13 @@ def _path_rate(node: t.PathIntegral, scope: Scope) -> Scalar:
     return integrand.dot(along) if isinstance(integrand, Space) else integrand * along
 
 
+def _symbol_rate(node: t.Sym, scope: Scope) -> Scalar:
+    found = scope.powers.get(node.name)
+    return _plain_rate(node, scope) if found is None else found
+
+
 RATES: dict[type, Callable[[Any, Scope], Scalar]] = {
+    t.Sym: _symbol_rate,
     t.Add: lambda node, scope: sum((rate(term, scope) for term in node.terms), NOTHING),
     t.Neg: lambda node, scope: -rate(node.arg, scope),
     t.Group: lambda node, scope: rate(node.arg, scope),

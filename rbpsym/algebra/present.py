@@ -12,19 +12,24 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.notation import tree as t
+from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 
 DERIVED = ("_dot", "_ddot")
 
 
 @dataclass(frozen=True)
 class Style:
-    """Order of factors: `rank` sorts parameters, `moving` are names that vary with time."""
+    """Order of factors: `rank` sorts parameters, `moving` are names that vary with time.
+
+    With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²).
+    """
 
     rank: Mapping[str, tuple] = field(default_factory=dict)
     moving: frozenset[str] = frozenset()
+    dimensions: Mapping[str, Dimension] = field(default_factory=dict)
 
 
 PLAIN = Style()
@@ -34,13 +39,15 @@ def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.N
     """The value as a display tree; `factor` looks for irreducible factors of sums."""
     if value.den is ONE:
         return present_poly(value.num, style, factor)
-    return _ratio(value, style, factor)
+    return present_ratio(value.num, value.den, style, factor=factor)
 
 
-def _ratio(value: Scalar, style: Style, factor: bool) -> t.Node:
-    """num/den with the functions that divide out kept behind the fraction."""
-    den = present_poly(value.den, style, factor)
-    coefficient, common, rest = _taken_out(value.num, style)
+def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
+    """num/den as they are, with the functions that divide out kept behind the fraction."""
+    if den.is_monomial():
+        return present(Scalar(num) / Scalar(den), style, factor=factor)
+    den = present_poly(den, style, factor)
+    coefficient, common, rest = _taken_out(num, style)
     sign = coefficient < 0
     before, behind = _split(common, style)
     pieces = [] if rest == ONE else _groups(rest, style, factor)
@@ -82,12 +89,27 @@ def _taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
     if poly.is_monomial():
         [(m, c)] = poly.terms.items()
         return c, m, ONE
+    if _is_inertia(poly, style):
+        return 1, UNIT, poly
     common = _common_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
     coefficient = _common_coefficient(rest, style)
     if coefficient != 1:
         rest = rest.scaled(Fraction(1) / coefficient)
     return coefficient, common, rest
+
+
+def _is_inertia(poly: Poly, style: Style) -> bool:
+    """Whether the terms are moments of inertia, which a reader wants to see one by one."""
+    if not style.dimensions:
+        return False
+    total = NUMBER
+    for index, exponent in next(iter(poly.terms)):
+        name = atoms.symbol_name(index)
+        if name is None or _moves(index, style):
+            return False
+        total = total * style.dimensions.get(name, NUMBER) ** exponent
+    return total == MASS * LENGTH**2 and not any(_moves(i, style) for i in poly.atoms())
 
 
 def _common_powers(poly: Poly) -> Monomial:
@@ -114,7 +136,7 @@ def _common_coefficient(poly: Poly, style: Style) -> Coefficient:
         return sign * content.numerator
     same = len({c.denominator for c in values}) == 1
     broken = all(c.denominator != 1 for c in values)
-    varies = any(_moves(i, style) for i in poly.atoms())
+    varies = any(_moves(i, style) for i in poly.atoms()) and not any(_is_quadratic(m) for m in poly.terms)
     return sign * content if same or (broken and varies) else sign
 
 
@@ -154,9 +176,27 @@ def _sum(poly: Poly, style: Style) -> t.Node:
         parts.setdefault(moving, {})[fixed] = c
     if len(parts) == 1:
         return _plain_sum(poly, style)
+    shared = _shared_coefficient(list(parts.values()))
+    if shared is not None:
+        rest = Poly({m: _ratio_to(fixed, shared) for m, fixed in parts.items()})
+        return t.mul(_plain_sum(shared, style), _plain_sum(rest, style))
     collected = sorted(parts.items(), key=lambda item: _term_key(item[0], style))
     nodes = [_collected(moving, Poly(fixed), style) for moving, fixed in collected]
     return t.add(*_positive_first(nodes))
+
+
+def _shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None:
+    """The coefficient sum that all groups have up to a number, None if they differ."""
+    first = groups[0]
+    if len(first) < 2 or any(g.keys() != first.keys() for g in groups[1:]):
+        return None
+    shared = Poly(first)
+    return shared if all(_ratio_to(g, shared) is not None for g in groups) else None
+
+
+def _ratio_to(group: dict[Monomial, Coefficient], shared: Poly) -> Coefficient | None:
+    ratios = {Fraction(c) / shared.terms[m] for m, c in group.items()}
+    return tidy(ratios.pop()) if len(ratios) == 1 else None
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:

@@ -236,3 +236,44 @@ def constant(context: Context, step: Step) -> Verdict:
 def vanishing(context: Context, step: Step) -> Verdict:
     """The force vanishes at the stated place (`data`: "value", "at")."""
     return scalars_equal(substitute(step.data["value"], step.data["at"]), NOTHING, context.assumptions)
+
+
+def conservative(context: Context, step: Step) -> Verdict:
+    """The forces do the work -dU: Σ F·V + τ ω + dU/dt = 0 (`data`: "forces", "value")."""
+    from rbpsym.derivation.mass import power
+
+    total = power(context.study.system, step.data["forces"]) + context.rate_of(step.data["value"])
+    return scalars_equal(total, NOTHING, context.assumptions)
+
+
+def start_state(context: Context, step: Step) -> Verdict:
+    """At the start q̇² has its start value, and 2 q̈ = d(q̇²)/dq (`data`: "name", "value")."""
+    name, square = step.data["name"], step.data["value"]
+    start, speed = context.scope.start, f"{name}_dot"
+    begin = substitute(square, {name: start[name]}) - start.get(speed, NOTHING) ** 2
+    acceleration = context.along(symbol(f"{name}_ddot"))
+    growth = derivative(square, name) - acceleration * 2
+    return weakest([scalars_equal(begin, NOTHING, context.assumptions),
+                    scalars_equal(growth, NOTHING, context.assumptions)])
+
+
+def at_rest(context: Context, step: Step) -> Verdict:
+    """With all speeds zero at the stated place, all accelerations vanish (`data`: "at")."""
+    still = dict.fromkeys(context.study.system.speeds, NOTHING)
+    found = []
+    for value in context.study.dynamics.forcing:
+        found.append(scalars_equal(substitute(substitute(value, still), step.data["at"]), NOTHING, context.assumptions))
+    return weakest(found)
+
+
+def characteristic(context: Context, step: Step) -> Verdict:
+    """Each stated λ makes K - λ M singular, and K, M are the derivatives of the forces at the place (`data`: "item")."""
+    from rbpsym.mechanics.elimination import determinant
+
+    item = step.data["item"]
+    found = []
+    for square in item.frequencies_squared:
+        matrix = tuple(tuple(k - square * m for k, m in zip(a, b, strict=True))
+                       for a, b in zip(item.stiffness, item.inertia, strict=True))
+        found.append(scalars_equal(determinant(matrix), NOTHING, context.assumptions))
+    return weakest(found)

@@ -21,19 +21,22 @@ from rbpsym.notation.tree import Node
 
 @dataclass
 class Context:
-    """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own."""
+    """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
+
+    `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name.
+    """
 
     study: Study
     scalars: dict[str, Scalar] = field(default_factory=dict)
     vectors: dict[str, Space] = field(default_factory=dict)
     moments: dict[str, Mapping[int, Scalar]] = field(default_factory=dict)
-    works: set[str] = field(default_factory=set)
+    works: dict[str, Scalar] = field(default_factory=dict)
 
     @property
     def scope(self) -> Scope:
         """The scope in which trees are evaluated."""
         base = self.study.system.scope
-        return Scope(self.scalars, self.vectors, base.rates, base.start, self.body_integral)
+        return Scope(self.scalars, self.vectors, base.rates, base.start, self.body_integral, self.works)
 
     @property
     def assumptions(self) -> Assumptions:

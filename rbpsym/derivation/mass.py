@@ -86,3 +86,15 @@ def torque(forces: Iterable[Force], origin: Vector) -> Scalar:
         x, y = force.point.x - origin.x, force.point.y - origin.y
         total = total + x * force.vector.y - y * force.vector.x + force.couple
     return total
+
+
+def power(system: System, forces: Iterable[Force]) -> Scalar:
+    """Σ F·v + couple ω, v being the velocity of the body's point where the force acts."""
+    total = NOTHING
+    for force in forces:
+        state = system.bodies[force.on]
+        lever = force.point - state.pose.origin
+        speed = vector_rate(state.pose.origin, system.scope)
+        vx, vy = speed.x - state.omega * lever.y, speed.y + state.omega * lever.x
+        total = total + force.vector.x * vx + force.vector.y * vy + force.couple * state.omega
+    return total

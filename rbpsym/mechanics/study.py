@@ -56,7 +56,8 @@ class Study:
         rank = {q.name: (*_rank(q), place) for place, q in enumerate(self.problem.parameters)}
         rank |= {name: (0.5, place) for place, name in enumerate(self.system.unknowns)}
         moving = [c.name for c in self.problem.coordinates] + list(self.system.unknowns)
-        return Style(rank, frozenset([*moving, *(f"{name}_dot" for name in moving), "t"]))
+        dimensions = {q.name: q.dimension for q in self.problem.parameters}
+        return Style(rank, frozenset([*moving, *(f"{name}_dot" for name in moving), "t"]), dimensions)
 
     @cached_property
     def kinetic(self) -> tuple[Scalar, Scalar]:

@@ -15,6 +15,7 @@ from rbpsym.notation.levels import (
     POWER,
     PRODUCT,
     SUM,
+    is_decimal,
     is_open,
     level,
     plain_fraction,
@@ -57,19 +58,15 @@ def _num(node: t.Num, style: Style) -> b.Box:
         return b.Row((MINUS, _num(t.Num(-value), style)))
     if value.denominator == 1:
         return b.Letter(str(value.numerator), "number")
-    decimal = _decimal(value, style.notation.decimal)
-    if decimal:
-        return b.Letter(decimal, "number")
+    if is_decimal(value):
+        return b.Letter(_decimal(value, style.notation.decimal), "number")
     return _fraction_of_numbers(value, style)
 
 
-def _decimal(value: Rational, mark: str) -> str | None:
-    """9.81 for 981/100: fractions that only a measurement has; None for others."""
-    digits = len(str(value.denominator)) + 1
-    scaled = value * 10**digits
-    if value.denominator <= 20 or scaled.denominator != 1:
-        return None
-    whole, rest = divmod(int(scaled), 10**digits)
+def _decimal(value: Rational, mark: str) -> str:
+    """9.81 for 981/100"""
+    digits = len(str(value.denominator)) * 4
+    whole, rest = divmod(int(value * 10**digits), 10**digits)
     return f"{whole}{mark}{str(rest).zfill(digits).rstrip('0')}"
 
 
@@ -132,9 +129,16 @@ def _mul(node: t.Mul, style: Style) -> b.Box:
 
 def _flat(node: t.Mul) -> list[t.Node]:
     """The factors, those of products inside and without ones."""
-    flat = [part for f in node.factors for part in (_flat(f) if isinstance(f, t.Mul) else [f])]
+    bare = [_unsigned(factor) for factor in node.factors]
+    flat = [part for f in bare for part in (_flat(f) if isinstance(f, t.Mul) else [f])]
     kept = [factor for factor in flat if factor != t.ONE]
     return kept or [t.ONE]
+
+
+def _unsigned(node: t.Node) -> t.Node:
+    """The node without a double minus."""
+    negative, body = signed(node)
+    return t.Neg(body) if negative else body
 
 
 def _factor(factor: t.Node, after: t.Node | None, style: Style) -> b.Box:

@@ -242,11 +242,11 @@ def between(reader: Reader, closing: str) -> t.Node:
 @begins(r"\lvert", "|", r"\Vert")
 def _absolute(reader: Reader) -> t.Node:
     start = reader.token
-    double = start.text == reader.ahead().text
+    double = start.text == reader.ahead().text == "|"
     reader.position += double
     node = between(reader, r"\rvert" if start.text == r"\lvert" else start.text)
     if double:
-        reader.expect(reader.tokens[reader.position - 1].text, start)
+        reader.expect("|", start)
     return reader.spanned(t.Abs(node), start.start)
 
 
@@ -274,7 +274,7 @@ def _function(reader: Reader) -> t.Node:
 def _function_argument(reader: Reader, head: Token) -> t.Node:
     """(expression), {expression}, a fraction, or a number and a symbol."""
     start = reader.token.start
-    if reader.sees_sign("(", "{", r"\frac"):
+    if reader.sees_sign("(", "[", "{", r"\frac"):
         return COMMANDS[reader.token.text](reader)
     if reader.sees_differential() or not (
         reader.token.kind == "digit" or begins_name(reader.token) or reader.token.text == r"\Delta"

@@ -19,7 +19,7 @@ _OPEN = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Limit, t.Sum)
 
 def level(node: t.Node, mode: str = "display") -> int:
     """The binding level of a node as it is printed (fractions bind less in one line)."""
-    if isinstance(node, (t.Neg, t.Mul)):
+    if isinstance(node, (t.Neg, t.Mul)) or _is_single(node):
         return _signed_level(node, mode)
     if isinstance(node, t.Num):
         return SUM if node.value < 0 else PRODUCT if _slashed(node, mode) else ATOM
@@ -37,7 +37,7 @@ def _signed_level(node: t.Node, mode: str) -> int:
 
 
 def _slashed(node: t.Num, mode: str) -> bool:
-    return mode != "display" and Rational(node.value).denominator != 1
+    return mode != "display" and plain_fraction(node)
 
 
 def is_open(node: t.Node) -> bool:
@@ -49,20 +49,35 @@ def is_open(node: t.Node) -> bool:
 
 def plain_fraction(node: t.Node) -> bool:
     """Is it printed as a fraction: a Div or a positive number that is not whole?"""
-    whole = not isinstance(node, t.Num) or Rational(node.value).denominator == 1
-    return isinstance(node, (t.Div, t.Deriv)) or not whole
+    if isinstance(node, t.Num):
+        return Rational(node.value).denominator != 1 and not is_decimal(node.value)
+    return isinstance(node, (t.Div, t.Deriv))
+
+
+def is_decimal(value: Rational | int) -> bool:
+    """Is it a number that only a measurement has (9.81), which is printed as a decimal?"""
+    rest = Rational(value).denominator
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    return rest == 1 and Rational(value).denominator > 20
 
 
 def signed(node: t.Node) -> tuple[bool, t.Node]:
     """(is it negative, the rest): gathers the signs of Neg, negative numbers, first factors."""
     if isinstance(node, t.Neg):
         negative, body = signed(node.arg)
-        return not negative, body
+        return not negative and body != t.ZERO, body
     if isinstance(node, t.Num):
         return node.value < 0, t.Num(abs(node.value))
     if isinstance(node, t.Mul):
         return _signed_product(node)
-    return False, node
+    return signed(node.terms[0]) if _is_single(node) else (False, node)
+
+
+def _is_single(node: t.Node) -> bool:
+    """Is it a sum of one term, which is printed as that term?"""
+    return isinstance(node, t.Add) and len(node.terms) == 1
 
 
 def _signed_product(node: t.Mul) -> tuple[bool, t.Node]:

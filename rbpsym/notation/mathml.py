@@ -72,7 +72,7 @@ def _operator(box: b.Operator) -> str:
 
 _OPERATORS = {
     "binary": "<mo>{}</mo>",
-    "relation": "<mo>{}</mo>",
+    "relation": '<mo form="infix" lspace="0.2778em" rspace="0.2778em">{}</mo>',
     "prefix": '<mo form="prefix">{}</mo>',
     "mark": '<mo lspace="0" rspace="0" stretchy="false">{}</mo>',
 }
@@ -93,20 +93,29 @@ def _times(box: b.Times) -> str:
 def _accent(box: b.Accent) -> str:
     if box.kind == "bold" and isinstance(box.body, b.Letter):
         return f'<mi mathvariant="normal">{bold(box.body.text)}</mi>'
-    sign = f'<mo stretchy="false">{_ACCENTS.get(box.kind, "")}</mo>'
+    size = ' mathsize="70%"' if box.kind == "vec" else ""
+    sign = f'<mo stretchy="false" lspace="0" rspace="0"{size}>{_ACCENTS.get(box.kind, "")}</mo>'
     return f'<mover accent="true">{render(box.body)}{sign}</mover>'
 
 
 def _prime(box: b.Prime) -> str:
-    return f"<mo>{'′' * box.count}</mo>"
+    return f'<mo lspace="0" rspace="0">{"′" * box.count}</mo>'
 
 
 def _script(box: b.Script) -> str:
-    given = [part for part in (box.sub, box.sup) if part]
-    name = {(True, True): "msubsup", (True, False): "msub"}.get(
-        (box.sub is not None, box.sup is not None), "msup"
-    )
-    return f"<{name}>{render(box.base)}{''.join(render(part) for part in given)}</{name}>"
+    if box.base == b.Big("∑"):
+        return f"<munder>{render(box.base)}{render(box.sub)}</munder>"
+    primes, sup = b.split_primes(box.sup)
+    base = render(box.base)
+    base = f"<mrow>{base}{_prime(b.Prime(primes))}</mrow>" if primes else base
+    name = _SCRIPTS[box.sub is not None, sup is not None]
+    inner = base + "".join(render(part) for part in (box.sub, sup) if part)
+    return f"<{name}>{inner}</{name}>"
+
+
+_SCRIPTS = {
+    (False, False): "mrow", (True, False): "msub", (False, True): "msup", (True, True): "msubsup",
+}  # fmt: skip
 
 
 def _under(box: b.Under) -> str:
@@ -157,7 +166,7 @@ def _in_row(before: b.Box | None, box: b.Box, after: b.Box | None) -> str:
 def _rows(box: b.Rows) -> str:
     rows = "".join(
         f'<mtr><mtd style="text-align:right;padding-right:0">{render(left)}</mtd>'
-        f'<mtd style="text-align:left;padding-left:0.28em">{render(right)}</mtd></mtr>'
+        f'<mtd style="text-align:left;padding-left:0">{render(right)}</mtd></mtr>'
         for left, right in box.rows
     )
     return f'<mtable displaystyle="true">{rows}</mtable>'

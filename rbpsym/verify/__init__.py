@@ -1,1 +1,1 @@
-"""Roads that are independent of the derivation: oracles for the equations of motion."""
+"""Independent roads to the same results, and what they say of each other."""

@@ -62,8 +62,10 @@ def beam_on_spring() -> Sketch:
     return Sketch(
         bodies=(SketchBody("beam", "rod", {"length": 2.0}, (1.0, 0.0), 0.0, label=s("M")),),
         points=(SketchPoint("pivot", (0, 0), s("O"), ("beam",)), SketchPoint("fixed", (2.0, -0.9))),
-        links=(SketchLink("spring", (2.0, -0.9), (2.0, 0.0), s("k")),
-               SketchLink("damper", (1.4, -0.9), (1.4, 0.0), s("c"))),
+        links=(
+            SketchLink("spring", (2.0, -0.9), (2.0, 0.0), s("k")),
+            SketchLink("damper", (1.4, -0.9), (1.4, 0.0), s("c")),
+        ),
         lines=(SketchLine(0, 1, -0.9),),
         lengths=(LengthMark((0, 0), (2, 0), Mul((Num(2), s("ell")))),),
         coils=(SketchCoil((0, 0), s("kappa")),),
@@ -109,28 +111,54 @@ def plate_with_hole() -> Sketch:
         bodies=(SketchBody("plate", "composite", {}, (0, 0), -0.4, (-0.2, 0.05), s("M"), parts),),
         points=(SketchPoint("pivot", (-0.6, 0.7), s("O"), ("plate",)),),
         radii=(RadiusMark((0.45, -0.08), 0.35, s("a")),),
-        forces=(SketchForce("plate", weight("M"), (-0.2, 0.05), DOWN),
-                SketchForce("plate", s("N_x"), (-0.6, 0.7), (1, 0)),
-                SketchForce("plate", s("N_y"), (-0.6, 0.7), (0, 1))),
+        forces=(
+            SketchForce("plate", weight("M"), (-0.2, 0.05), DOWN),
+            SketchForce("plate", s("N_x"), (-0.6, 0.7), (1, 0)),
+            SketchForce("plate", s("N_y"), (-0.6, 0.7), (0, 1)),
+        ),
         gravity_label=s("g"),
     )
 
 
 def shapes() -> Sketch:
-    sizes = {"length": 0.8, "radius": 0.4, "inner": 0.2, "outer": 0.4, "width": 0.8, "height": 0.5,
-             "base": 0.8, "offset": 0.1}
-    kinds = ("particle", "rod", "ring", "disk", "annulus", "ball", "shell", "rectangle", "triangle",
-             "half-disk", "half-ring", "given")
-    return Sketch(tuple(
-        SketchBody(kind, kind, sizes, (1.1 * (n % 4), -1.1 * (n // 4)), 0.3, label=s(f"m_{n}"))
-        for n, kind in enumerate(kinds)
-    ))
+    sizes = {
+        "length": 0.8,
+        "radius": 0.4,
+        "inner": 0.2,
+        "outer": 0.4,
+        "width": 0.8,
+        "height": 0.5,
+        "base": 0.8,
+        "offset": 0.1,
+    }
+    kinds = (
+        "particle",
+        "rod",
+        "ring",
+        "disk",
+        "annulus",
+        "ball",
+        "shell",
+        "rectangle",
+        "triangle",
+        "half-disk",
+        "half-ring",
+        "given",
+    )
+    return Sketch(
+        tuple(
+            SketchBody(kind, kind, sizes, (1.1 * (n % 4), -1.1 * (n // 4)), 0.3, label=s(f"m_{n}"))
+            for n, kind in enumerate(kinds)
+        )
+    )
 
 
 def welded_flag() -> Sketch:
     return Sketch(
-        bodies=(SketchBody("flag", "triangle", {"base": 0.9, "height": 0.6, "offset": 0.2}, (1.2, 0.1)),
-                SketchBody("mast", "rod", {"length": 1.6}, (0.8, 0.0), label=s("m"))),
+        bodies=(
+            SketchBody("flag", "triangle", {"base": 0.9, "height": 0.6, "offset": 0.2}, (1.2, 0.1)),
+            SketchBody("mast", "rod", {"length": 1.6}, (0.8, 0.0), label=s("m")),
+        ),
         points=(SketchPoint("weld", (0, 0), s("W"), ("mast",)), SketchPoint("pin", (1.2, 0.1))),
         lengths=(LengthMark((0, 0), (1.6, 0), s("ell")),),
         forces=(SketchForce("mast", weight("m"), (0.8, 0), DOWN),),

@@ -18,9 +18,11 @@ from rbpsym.document.figures.svg import to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.statement.shapes import SHAPES
+from tests.document.gallery import GALLERY
 from tests.document.samples import SKETCHES, ladder, pendulum
 
-SCENES = {name: schematic(sketch) for name, sketch in SKETCHES.items()} | {
+ALL = SKETCHES | GALLERY
+SCENES = {name: schematic(sketch) for name, sketch in ALL.items()} | {
     f"{name}: {body.name}": free_body(sketch, body.name) for name, sketch in SKETCHES.items() for body in sketch.bodies
 }
 POSES = [pendulum(n / 5) for n in range(-12, 13)] + [

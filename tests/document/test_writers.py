@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+import shutil
 from dataclasses import replace
 from html.parser import HTMLParser
 
@@ -27,7 +28,9 @@ from rbpsym.document.writers import WRITERS, writer
 from rbpsym.document.writers.pdf import write_pdf
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import latex, mathml, typst
+from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.layout import layout
+from rbpsym.notation.tree import names
 from tests.document.samples import NASTY, SKETCHES, sample
 
 SOURCES = [name for name in WRITERS if name != "pdf"]
@@ -230,3 +233,30 @@ def test_breaking_loses_no_term() -> None:
 def test_the_sample_has_every_sketch() -> None:
     figures = [part for part in parts(sample().sections) if isinstance(part, FigureBlock)]
     assert len(figures) >= len(SKETCHES)
+
+
+def test_what_latex_shows_reads_back_as_the_same_formula() -> None:
+    document = sample()
+    text = written("tex", document)
+    bodies = re.findall(r"\\begin\{equation\*?\}(?:\\label\{[^}]*\})?\n(.*?)\\end\{equation", text, re.S)
+    shown = [part for part in parts(document.sections) if isinstance(part, Display)]
+    assert len(bodies) == len(shown)
+    for found, part in zip(bodies, shown, strict=True):
+        formula = re.sub(r"\\reason\w+\{.*|\\(?:begin|end)\{gathered\}|\\qquad (?=\\reason)", "", found)
+        formula = re.sub(r"\\boxed\{(.*)\}\s*$", r"\1", formula.strip(), flags=re.S)
+        formula = formula.removesuffix("\\\\").replace("\\\\\n  &\\qquad {}", " ")
+        node = read_latex(formula, names(part.node), notation=document.notation)
+        again = letters(latex.to_latex(node, document.notation), "tex")
+        assert again == letters(latex.to_latex(part.node, document.notation), "tex")
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="TeX is not installed")
+def test_pdflatex_compiles_the_latex() -> None:
+    assert write_pdf(sample(), "pdflatex").startswith(b"%PDF")
+    assert write_pdf(HOSTILE, "pdflatex").startswith(b"%PDF")
+
+
+def test_a_missing_pdflatex_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    with pytest.raises(RbpsymError, match="pdflatex is not installed"):
+        write_pdf(sample(), "pdflatex")

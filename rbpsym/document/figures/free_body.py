@@ -8,11 +8,13 @@ from dataclasses import replace
 
 from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
+from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import Label, Point, Scene, box_of, points_of, polar
-from rbpsym.document.figures.schematic import DOWN, axes, labelled, scaled
+from rbpsym.document.figures.schematic import DOWN, axes, labelled
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce
 
 SIZE = 3.2  # the greatest extent of the body, in cm
+SHARES = {"rod": 1.0, "composite": 0.75, "rectangle": 0.6, "triangle": 0.6}  # of SIZE; others are round
 LENGTH = 1.15  # of each force arrow
 
 
@@ -31,7 +33,7 @@ def factor(body: SketchBody) -> float:
     found = tuple(point for item in body_outline(body) for point in points_of(item))
     left, bottom, right, top = box_of(found)
     extent = max(right - left, top - bottom)
-    return SIZE * (0.42 if body.kind != "rod" else 1.0) / extent if extent > 1e-9 else 1.0
+    return SIZE * SHARES.get(body.kind, 0.42) / extent if extent > 1e-9 else 1.0
 
 
 def forces_on(sketch: Sketch, body: str) -> list[SketchForce]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import fields, replace
+from collections.abc import Iterator
+from dataclasses import replace
 
 from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
+from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import (
     Item,
     Label,
@@ -28,13 +29,13 @@ from rbpsym.document.figures.sketch import (
     SketchCoil,
     SketchLine,
     SketchLink,
-    SketchPart,
     SketchPoint,
 )
 from rbpsym.document.figures.solid_lines import solid_line
 from rbpsym.notation.tree import Sym
 
-WIDTH, HEIGHT = 5.6, 4.6  # the room for the system itself, in cm
+WIDTH, HEIGHT = 5.6, 4.4  # the room for the system itself, in cm
+ROUND = 1.15  # the greatest radius of a round body
 UP, DOWN = math.pi / 2, -math.pi / 2
 QUARTER = math.pi / 4
 
@@ -57,51 +58,21 @@ def fitted(sketch: Sketch) -> Sketch:
     """The sketch scaled to the room of a figure."""
     left, bottom, right, top = extent(sketch)
     factor = min(WIDTH / max(right - left, 1e-9), HEIGHT / max(top - bottom, 1e-9))
-    return scaled(sketch, min(factor, 1e6))
+    return scaled(sketch, min(factor, roundest(sketch)))
+
+
+def roundest(sketch: Sketch) -> float:
+    """The factor that draws the largest round body with the greatest radius allowed."""
+    radii = [body.sizes.get(key, 0.0) for body in sketch.bodies for key in ("radius", "outer")]
+    return ROUND / max([*radii, 1e-9])
 
 
 def extent(sketch: Sketch) -> tuple[float, float, float, float]:
-    """The box of bodies, points and links."""
+    """The box of bodies, points, links and marks."""
     found = [p for body in sketch.bodies for item in body_outline(body) for p in points_of(item)]
-    found += [point.at for point in sketch.points]
-    found += [end for link in sketch.links for end in (link.start, link.end)]
+    found += [mark.at for mark in (*sketch.points, *sketch.coils, *sketch.angles)]
+    found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
     return box_of(tuple(found))
-
-
-def scaled(sketch: Sketch, factor: float) -> Sketch:
-    """All lengths times a factor."""
-
-    def times(point: Point) -> Point:
-        return point[0] * factor, point[1] * factor
-
-    def shape(sizes: Mapping[str, float]) -> Mapping[str, float]:
-        return {name: size * factor for name, size in sizes.items()}
-
-    def part(value: SketchPart) -> SketchPart:
-        return replace(value, sizes=shape(value.sizes), at=times(value.at))
-
-    def body(value: SketchBody) -> SketchBody:
-        return replace(
-            value,
-            sizes=shape(value.sizes),
-            at=times(value.at),
-            center_of_mass=times(value.center),
-            parts=tuple(map(part, value.parts)),
-        )
-
-    def placed(value: object) -> object:
-        ends = {f.name for f in fields(value)} & {"at", "start", "end"}
-        points = {name: getattr(value, name) for name in ends}
-        changed = {name: times(p) for name, p in points.items() if isinstance(p, tuple)}
-        radius = {"radius": value.radius * factor} if isinstance(value, RadiusMark) else {}
-        return replace(value, **changed, **radius)
-
-    moved = {
-        name: tuple(map(placed, getattr(sketch, name)))
-        for name in ("points", "links", "coils", "angles", "lengths", "radii", "forces", "couples")
-    }
-    lines = tuple(replace(line, c=line.c * factor) for line in sketch.lines)
-    return replace(sketch, bodies=tuple(map(body, sketch.bodies)), lines=lines, **moved)
 
 
 def drawn_part(part: object, sketch: Sketch) -> Scene:

@@ -119,7 +119,7 @@ def color_rules() -> str:
     """The style sheet of the scene's colours, for light and dark."""
     light = "".join(color_rule(name, pair[0]) for name, pair in COLORS.items())
     dark = "".join(color_rule(name, pair[1]) for name, pair in COLORS.items())
-    return f"{light}@media (prefers-color-scheme:dark) and (not print){{{dark}}}"
+    return f"{light}@media screen and (prefers-color-scheme:dark){{{dark}}}"
 
 
 def color_rule(name: str, color: str) -> str:

@@ -1,0 +1,70 @@
+"""The ledger: every force on every body, with its torque about the centre of mass and the origins."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Space
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.system import Force
+from rbpsym.notation import tree as t
+
+
+def write(draft: Draft) -> None:
+    """The chapter."""
+    draft.chapter = "forces"
+    for force in draft.study.system.forces:
+        _entry(draft, force)
+
+
+def is_reaction(draft: Draft, force: Force) -> bool:
+    """Whether it is the opposite of a force of the same name that comes first."""
+    first = next(f for f in draft.study.system.forces if f.name == force.name)
+    return first is not force and first.on == force.by and first.by == force.on
+
+
+def force_node(draft: Draft, force: Force) -> t.Node:
+    """The vector as it is named: N on the second body, -N on the first, W_rod for one of several weights."""
+    same = [f for f in draft.study.system.forces if f.name == force.name]
+    if is_reaction(draft, force):
+        return t.neg(t.Vec(force.name))
+    if len(same) > 1 and not any(is_reaction(draft, f) for f in same):
+        return t.Vec(draft.free(f"{force.name}_{force.on}"))
+    return t.Vec(force.name)
+
+
+def tag(draft: Draft, force: Force) -> str:
+    """Name by which works and torques of the force on its body are told apart."""
+    same = {f.on for f in draft.study.system.forces if f.name == force.name}
+    return force.name if len(same) == 1 else f"{force.name}_{force.on}"
+
+
+def torque(force: Force, origin) -> Scalar:
+    """Torque about a fixed point, the couple included."""
+    return short((force.point - origin).cross(force.vector) + force.couple)
+
+
+def _entry(draft: Draft, force: Force) -> None:
+    state, rows = draft.study.system.bodies[force.on], []
+    node = force_node(draft, force)
+    if force.vector:
+        _define_vector(draft, node, force)
+        rows.append(t.equation(node, draft.show_vector(force.vector)))
+    center = short(torque_about_center(force, state))
+    name = draft.free(f"tau_cm_{tag(draft, force)}")
+    rows.append(t.equation(draft.define(name, center), draft.show(center)))
+    for label, origin in draft.study.origins.items():
+        value = torque(force, origin)
+        letter = draft.define(draft.free(f"tau_{label}_{tag(draft, force)}"), value)
+        rows.append(t.equation(letter, draft.show(value)))
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    draft.add(f"force.{force.name}.{force.on}", "torque", statement, f"forces.{force.law}",
+              body=BodyRef(force.on), by=force.by, where=force.where, force=node,
+              data={"forces": (force,), "origin": state.center, "value": center})
+
+
+def _define_vector(draft: Draft, node: t.Node, force: Force) -> None:
+    if isinstance(node, t.Vec):
+        draft.context.vectors[node.name] = Space(force.vector)

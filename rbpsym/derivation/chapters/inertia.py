@@ -1,0 +1,165 @@
+"""Moments of inertia by integration over the mass, and Steiner's theorem where a body turns about a fixed point."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.mass import Moments, mass_moments
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.system import BodyState
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import MassElement
+
+
+def write(draft: Draft) -> None:
+    """The chapter."""
+    draft.chapter = "inertia"
+    for name, state in draft.study.system.bodies.items():
+        moment = draft.define(draft.of_body("I", name), state.moment)
+        draft.context.moments[name] = _by_power(state)
+        if not state.moment:
+            continue
+        if draft.study.problem.body(name).shape.elements:
+            _integrated(draft, name, state, moment)
+        elif draft.study.problem.body(name).shape.given_moment is not None:
+            draft.add(f"moment.{name}", "statement", t.equation(moment, draft.show(state.moment)),
+                      "inertia.given", body=BodyRef(name))
+        else:
+            draft.add(f"moment.{name}", "parallel_axis", t.equation(moment, draft.show(state.moment)),
+                      "inertia.assembled", body=BodyRef(name), data=_about(name, state, state.moment))
+        _steiner(draft, name, state, moment)
+
+
+def _by_power(state: BodyState) -> Mapping[int, Scalar]:
+    return {0: state.mass, 2: state.moment}
+
+
+def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
+    moments, elements = mass_moments(draft.study.system, name), draft.study.problem.body(name).shape.elements
+    centred = is_zero(moments.x) and is_zero(moments.y)
+    shifted = _shifted_rod(elements, state)
+    if not centred:
+        _center(draft, name, state, moments, elements)
+    if centred or shifted is not None:
+        integral = _sum(draft, [_integral(draft, e, _square(e, shifted)) for e in elements])
+        radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
+        draft.add(f"moment.{name}", "mass_integral", t.equation(moment, radius, integral, draft.show(state.moment)),
+                  "inertia.integral", body=BodyRef(name))
+        return
+    _by_parallel_axis(draft, name, state, moment, elements)
+
+
+def _shifted_rod(elements: tuple[MassElement, ...], state: BodyState) -> tuple[Scalar, Scalar] | None:
+    """For a line of mass the distance is taken from the centre of mass at once."""
+    return (state.inertia.x, state.inertia.y) if len(elements) == 1 and elements[0].kind == "line" else None
+
+
+def _square(element: MassElement, center: tuple[Scalar, Scalar] | None) -> Scalar:
+    x, y = scalar(element.x), scalar(element.y)
+    if center is not None:
+        x, y = x - center[0], y - center[1]
+    return tidy(x * x + y * y)
+
+
+def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node | None = None) -> t.Node:
+    """density × ∫∫ weight × measure, the sign of a removed part in front."""
+    found = draft.show(weight, factor=True) if node is None else node
+    found = t.mul(found, element.measure) if element.measure != t.ONE else found
+    if not element.ranges:
+        found = t.mul(element.density, found)
+        return t.neg(found) if element.sign < 0 else found
+    varying = {item.variable for item in element.ranges}
+    inside = bool(t.names(element.density) & varying)
+    found = t.mul(element.density, found) if inside else found
+    for item in reversed(element.ranges):
+        found = t.Integral(found, item.variable, item.lower, item.upper)
+    found = found if inside else t.mul(element.density, found)
+    return t.neg(found) if element.sign < 0 else found
+
+
+def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
+    return t.add(*parts)
+
+
+def _center(draft: Draft, name: str, state: BodyState, moments: Moments, elements) -> None:
+    """Where the centre of mass is in the body, from the first moments of the mass."""
+    rows = []
+    for axis, place, first in (("x", state.inertia.x, moments.x), ("y", state.inertia.y, moments.y)):
+        if is_zero(first):
+            continue
+        letter = draft.define(draft.free(f"{axis}_cm"), place)
+        weights = [scalar(element.x if axis == "x" else element.y) for element in elements]
+        integral = t.add(*(_integral(draft, e, w) for e, w in zip(elements, weights, strict=True)))
+        rows.append(t.equation(letter, t.div(integral, draft.show(state.mass)), draft.show(place)))
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    draft.add(f"center.{name}", "mass_integral", statement, "inertia.center", body=BodyRef(name))
+
+
+def _by_parallel_axis(draft: Draft, name: str, state: BodyState, moment: t.Sym, elements) -> None:
+    """I about the origin of the frame by integration, then Steiner's theorem back to the centre of mass."""
+    about = state.inertia.about_origin
+    symbol_ = draft.define(draft.free(f"I_{name}_0"), about)
+    integral = t.add(*(_integral(draft, e, _square(e, None)) for e in elements))
+    draft.add(f"moment.{name}.origin", "mass_integral", t.equation(symbol_, integral, draft.show(about)),
+              "inertia.about_origin", body=BodyRef(name))
+    square = tidy(state.inertia.x**2 + state.inertia.y**2)
+    shift = t.mul(draft.show(state.mass), draft.show(square))
+    draft.add(f"moment.{name}", "parallel_axis",
+              t.equation(moment, t.add(symbol_, t.neg(shift)), draft.show(state.moment)), "inertia.steiner_back",
+              premises=[f"moment.{name}.origin", f"center.{name}"], body=BodyRef(name),
+              data=_about(name, state, state.moment))
+
+
+def _about(name: str, state: BodyState, value: Scalar) -> dict:
+    return {"body": name, "point": (state.inertia.x, state.inertia.y), "value": value}
+
+
+def turns_about(draft: Draft, name: str, state: BodyState) -> dict[str, Scalar]:
+    """Origins about which the body turns rigidly → square of the distance of its centre of mass."""
+    found = {}
+    for label, origin in draft.study.origins.items():
+        arm = state.center - origin
+        square = tidy(arm.dot(arm))
+        moving = [*draft.study.system.coordinates, "t"]
+        if any(depends_on(square, q) for q in moving) or not state.omega:
+            continue
+        if is_zero(energy.orbital_momentum(state, origin) - state.mass * square * state.omega):
+            found[label] = square
+    return found
+
+
+def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
+    for label, square in turns_about(draft, name, state).items():
+        if not square:
+            continue
+        about = state.moment + state.mass * square
+        letter = draft.define(draft.free(f"I_{name}_{label}" if not draft.is_single else f"I_{label}"), about)
+        sum_ = t.add(moment, t.mul(draft.show(state.mass), draft.show(square)))
+        spelled = t.add(draft.show(state.moment), draft.show(state.mass * square))
+        draft.add(f"moment.{name}.{label}", "parallel_axis", _closed(draft, letter, sum_, spelled, about),
+                  "inertia.steiner", premises=[f"moment.{name}"], body=BodyRef(name), point=t.Sym(label),
+                  data={"body": name, "point": _fixed_point(draft, state, label), "value": about})
+
+
+def _closed(draft: Draft, letter: t.Node, sum_: t.Node, spelled: t.Node, value: Scalar) -> t.Node:
+    """letter = sum (= one term, if the sum is one)."""
+    shown = draft.show(value)
+    return t.equation(letter, sum_, spelled) if len(value.num) > 1 else t.equation(letter, sum_, spelled, shown)
+
+
+def _fixed_point(draft: Draft, state: BodyState, label: str) -> tuple[Scalar, Scalar]:
+    """The fixed point in the frame of the body."""
+    from rbpsym.algebra.trig import cosine, sine
+
+    arm = draft.study.origins[label] - state.pose.origin
+    c, s = cosine(state.pose.angle), sine(state.pose.angle)
+    return tidy(arm.x * c + arm.y * s), tidy(arm.y * c - arm.x * s)
+
+

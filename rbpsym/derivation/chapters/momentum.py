@@ -1,0 +1,87 @@
+"""Angular momentum of each body about the fixed origins: L = R × P + I_cm ω, orbital and spin part."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Space
+from rbpsym.derivation.chapters.inertia import turns_about
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics import energy
+from rbpsym.notation import tree as t
+
+
+def write(draft: Draft) -> None:
+    """The chapter."""
+    draft.chapter = "momentum"
+    for label in draft.study.origins:
+        made = [body for body in draft.study.system.bodies if _of_body(draft, body, label)]
+        if len(made) > 1:
+            _total(draft, made, label)
+
+
+def momentum_name(draft: Draft, body: str, label: str) -> str:
+    """L_rod (about O), L_rod_Q about another origin."""
+    name = "L" if draft.is_single else f"L_{body}"
+    return draft.free(name if label == "O" else f"{name}_{label}")
+
+
+def _of_body(draft: Draft, body: str, label: str) -> bool:
+    """Adds the step for one body; False if its momentum vanishes."""
+    state, origin = draft.study.system.bodies[body], draft.study.origins[label]
+    orbital, spin = energy.orbital_momentum(state, origin), energy.spin_momentum(state)
+    name = momentum_name(draft, body, label)
+    draft.context.vectors[name] = Space(z=orbital + spin)
+    if not orbital and not spin:
+        return False
+    formula = t.add(t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body))),
+                    t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
+    statement = t.equation(t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin))
+    draft.add(f"momentum.{body}.{label}", "angular_momentum", statement, _phrase(orbital, spin),
+              premises=[f"position.{body}", f"velocity.{body}", f"moment.{body}"], body=BodyRef(body), point=t.Sym(label),
+              data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin})
+    return True
+
+
+def _arm(draft: Draft, body: str, label: str) -> t.Node:
+    position = t.Vec(draft.of_body("R", body))
+    if label == "O":
+        return position
+    origin = draft.define_vector(draft.free(f"r_{label}"), draft.study.origins[label])
+    return t.Group(t.add(position, t.neg(origin)))
+
+
+def along_z(draft: Draft, *parts: Scalar) -> t.Node:
+    """(a + b) k."""
+    shown = [draft.show(part) for part in parts if part]
+    return t.mul(t.add(*shown), t.Unit("z"))
+
+
+def _as_one(draft: Draft, body: str, label: str, orbital: Scalar, spin: Scalar) -> tuple[t.Node, ...]:
+    """I_O ω where the body turns about the origin; else the two parts taken together if they are alike."""
+    state = draft.study.system.bodies[body]
+    square = turns_about(draft, body, state).get(label)
+    if square:
+        about = t.Sym(draft.free(f"I_{label}" if draft.is_single else f"I_{body}_{label}"))
+        if about.name in draft.context.scalars:
+            return (t.mul(about, t.Vec(draft.of_body("omega", body))),)
+    total = orbital + spin
+    return (along_z(draft, total),) if orbital and spin and len(total.num) == 1 else ()
+
+
+def _phrase(orbital: Scalar, spin: Scalar) -> str:
+    if orbital and spin:
+        return "momentum.both"
+    return "momentum.orbital" if orbital else "momentum.spin"
+
+
+def _total(draft: Draft, bodies: list[str], label: str) -> None:
+    """The sum over the bodies."""
+    origin = draft.study.origins[label]
+    value = sum((draft.context.vectors[momentum_name(draft, b, label)].z for b in bodies), NOTHING)
+    name = draft.free("L" if label == "O" else f"L_{label}")
+    draft.context.vectors[name] = Space(z=value)
+    sum_ = t.add(*(t.Vec(momentum_name(draft, body, label)) for body in bodies))
+    draft.add(f"momentum.total.{label}", "angular_momentum", t.equation(t.Vec(name), sum_, along_z(draft, value)),
+              "momentum.total", premises=[f"momentum.{b}.{label}" for b in bodies], point=t.Sym(label),
+              data={"origin": origin, "bodies": tuple(bodies), "value": value})

@@ -1,0 +1,113 @@
+"""A derivation being written: steps are added, checked and given their certificates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.vector import Space, Vector
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.rules import certify
+from rbpsym.derivation.step import STANDARD, Skipped, Step
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+
+
+@dataclass
+class Draft:
+    """Steps so far, with the meanings of the quantities that they define."""
+
+    study: Study
+    context: Context
+    steps: list[Step] = field(default_factory=list)
+    skipped: list[Skipped] = field(default_factory=list)
+    chapter: str = "statement"
+
+    @classmethod
+    def of(cls, study: Study) -> Draft:
+        """An empty draft for a problem."""
+        return cls(study, Context(study))
+
+    def add(
+        self, id: str, rule: str, statement: t.Node, phrase: str, *, premises: Iterable[str] = (),
+        level: int = STANDARD, is_result: bool = False, obligations: tuple[t.Node, ...] = (),
+        data: dict[str, Any] | None = None, **slots: Any,
+    ) -> Step:
+        """Adds a step, checked; its id is made unique."""
+        known = {step.id for step in self.steps}
+        kept = tuple(p for p in premises if p in known)
+        step = Step(self._unique(id, known), rule, statement, self.chapter, phrase, slots, kept, level,
+                    is_result, obligations, data or {})
+        step = replace(step, certificate=certify(self.context, step))
+        self.steps.append(step)
+        return step
+
+    def _unique(self, id: str, known: set[str]) -> str:
+        found, k = id, 2
+        while found in known:
+            found, k = f"{id}_{k}", k + 1
+        return found
+
+    def skip(self, method: str, phrase: str, **slots: Any) -> None:
+        """Notes that a method does not apply, and why."""
+        self.skipped.append(Skipped(method, phrase, slots))
+
+    def has(self, id: str) -> bool:
+        """Whether a step of that id was made."""
+        return any(step.id == id for step in self.steps)
+
+    def show(self, value: Scalar, *, factor: bool = False) -> t.Node:
+        """A value as a display tree in the problem's style."""
+        return present(value, self.study.style, factor=factor)
+
+    def show_vector(self, vector: Vector, *, factor: bool = False) -> t.Node:
+        """x i + y j, components that vanish left out."""
+        from rbpsym.mechanics.inertia import tidy
+
+        parts = [(tidy(vector.x), "x"), (tidy(vector.y), "y")]
+        return t.add(*(t.mul(self.show(value, factor=factor), t.Unit(axis)) for value, axis in parts if value))
+
+    def define(self, name: str, value: Scalar) -> t.Sym:
+        """Gives a scalar quantity its meaning and returns its symbol."""
+        self.context.scalars[name] = value
+        return t.Sym(name)
+
+    def define_vector(self, name: str, value: Vector, z: Scalar | None = None) -> t.Vec:
+        """Gives a vector quantity its meaning and returns its symbol."""
+        from rbpsym.algebra.scalar import NOTHING
+
+        self.context.vectors[name] = Space(value, NOTHING if z is None else z)
+        return t.Vec(name)
+
+    @property
+    def is_single(self) -> bool:
+        """Whether the system is one body."""
+        return len(self.study.system.bodies) == 1
+
+    def of_body(self, letter: str, body: str) -> str:
+        """Name of a body's quantity: R_rod; for the only body R_cm."""
+        return self.free(f"{letter}_cm" if self.is_single and letter in ("R", "V", "A", "I", "P") else f"{letter}_{body}")
+
+    def free(self, name: str) -> str:
+        """A name that no quantity of the problem has."""
+        taken = {q.name for q in self.study.problem.parameters} | set(self.study.system.unknowns)
+        taken |= {c.name for c in self.study.problem.coordinates}
+        return f"{name}_b" if name in taken else name
+
+
+def velocity_symbol(name: str) -> t.Sym:
+    """The speed of a coordinate as a tree."""
+    return t.Sym(f"{name}_dot")
+
+
+def acceleration_symbol(name: str) -> t.Sym:
+    """The acceleration of a coordinate as a tree."""
+    return t.Sym(f"{name}_ddot")
+
+
+def unknown_symbol(name: str) -> Scalar:
+    """An unknown force component as a value."""
+    return symbol(name)

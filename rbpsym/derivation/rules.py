@@ -1,0 +1,49 @@
+"""The rules by which steps are made, and for each the checks that a step must pass.
+
+A check shares no code with the maker of the step. A new rule is a new entry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.derivation import checks as c
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Certificate, Step
+
+RULES: Mapping[str, tuple[c.Check, ...]] = {
+    "statement": (c.identity,),
+    "constraint": (c.identity,),
+    "mass_integral": (c.identity, c.integrals_by_differentiation),
+    "parallel_axis": (c.identity, c.moment_over_mass),
+    "differentiation": (c.identity, c.derivatives_by_integration),
+    "angular_momentum": (c.identity, c.momentum_over_mass),
+    "kinetic_energy": (c.identity, c.energy_over_mass),
+    "torque": (c.identity, c.torque_by_components),
+    "force": (c.identity,),
+    "potential": (c.identity, c.conservative),
+    "balance": (c.on_motion,),
+    "identity": (c.identity,),
+    "combination": (c.combination, c.on_motion),
+    "solution": (c.solution, c.on_motion),
+    "work": (c.rates,),
+    "workless": (c.rates,),
+    "work_energy": (c.rates_on_motion,),
+    "work_done": (c.rates_on_motion,),
+    "conservation": (c.constant,),
+    "energy_rate": (c.identity, c.on_motion),
+    "first_integral": (c.along_motion, c.start_state),
+    "substitution": (c.along_motion,),
+    "linearization": (c.series,),
+    "equilibrium": (c.identity, c.at_rest),
+    "normal_modes": (c.identity, c.characteristic),
+    "vanishing": (c.vanishing,),
+    "inequality": (c.identity,),
+}
+
+
+def certify(context: Context, step: Step) -> Certificate:
+    """All checks of the step's rule, and the weakest of their verdicts."""
+    found = RULES[step.rule]
+    verdict = c.weakest(c.guarded(lambda check=check: check(context, step)) for check in found)
+    return Certificate(tuple(check.__name__ for check in found), verdict)

@@ -1,0 +1,46 @@
+"""The whole derivation of a problem: shared chapters, every method, and the independent roads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import Derivation
+from rbpsym.equality.verdict import Verdict
+from rbpsym.mechanics.study import Study
+from rbpsym.methods.registry import METHODS
+from rbpsym.statement.model import Problem
+from rbpsym.verify.agreement import agreement
+
+BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
+AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, oscillations.write)
+
+
+def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
+    """The derivation of a problem, each step with its certificate.
+
+    With `simulation`, the numerical oracle is run as well. Raises StatementError if the
+    statement does not determine the motion.
+    """
+    draft = Draft.of(Study(problem))
+    for write in BEFORE:
+        write(draft)
+    found = {name: method(draft) for name, method in METHODS.items()}
+    for write in AFTER:
+        write(draft)
+    return _with_oracles(draft, found, simulation)
+
+
+def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:
+    from rbpsym.verify.lagrange import lagrange_verdict
+
+    study = draft.study
+    report = None
+    if simulation:
+        from rbpsym.verify.simulation import simulate
+
+        report = simulate(study.system, study.dynamics)
+    lagrange: Verdict = lagrange_verdict(study.system, study.dynamics)
+    return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreement(study, found), report, lagrange)

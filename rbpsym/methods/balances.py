@@ -1,0 +1,170 @@
+"""The balances that one can take: torque about a point of a set of bodies, force along a direction.
+
+A balance is an equation, linear in the accelerations and the unknown forces: rate of change of
+(angular) momentum = torque (force). Kleppner & Kolenkow 7.2; for a moving point P the rate
+of change is Σ (R - P) × M A + I_cm α.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import EX, EY, Vector
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Force, System
+
+MOST_SUBSETS = 4
+
+
+@dataclass(frozen=True)
+class Balance:
+    """left = right; `kind` "fixed", "center", "moving", "crossing" (torques) or "force".
+
+    `label` names the point or the direction; `unknowns` are the accelerations and force
+    components that occur; `cost` is how much it asks of a reader.
+    """
+
+    kind: str
+    bodies: tuple[str, ...]
+    label: str
+    where: Vector
+    left: Scalar
+    right: Scalar
+    unknowns: frozenset[str]
+    cost: float
+
+    @property
+    def row(self) -> Scalar:
+        """left - right, which vanishes."""
+        return self.left - self.right
+
+
+COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.6, "crossing": 1.7}
+
+
+def all_balances(study: Study) -> list[Balance]:
+    """Every balance of the kinds above, cheapest first."""
+    found: list[Balance] = []
+    for bodies in _sets(study.system):
+        found += _torques(study, bodies)
+        found += _pushes(study, bodies)
+    return sorted(found, key=lambda b: b.cost)
+
+
+def _sets(system: System) -> Iterator[tuple[str, ...]]:
+    names = tuple(system.bodies)
+    if len(names) > MOST_SUBSETS:
+        yield from ((name,) for name in names)
+        yield names
+        return
+    for size in range(1, len(names) + 1):
+        for subset in combinations(names, size):
+            if _is_connected(system, subset):
+                yield subset
+
+
+def _is_connected(system: System, subset: tuple[str, ...]) -> bool:
+    links = {(f.on, f.by) for f in system.forces if f.on in subset and f.by in subset}
+    reached, border = set(), {subset[0]}
+    while border:
+        reached |= border
+        border = {b for a, b in links if a in reached} - reached
+    return len(reached) == len(subset)
+
+
+def outer_forces(system: System, bodies: tuple[str, ...]) -> list[Force]:
+    """The forces on the set that come from outside of it."""
+    return [f for f in system.forces if f.on in bodies and f.by not in bodies]
+
+
+def _torques(study: Study, bodies: tuple[str, ...]) -> Iterator[Balance]:
+    for label, origin in study.origins.items():
+        yield _torque(study, "fixed", bodies, label, origin)
+    if len(bodies) == 1:
+        center = study.system.bodies[bodies[0]].center
+        yield _torque(study, "center", bodies, f"{bodies[0]}.cm", center)
+    for label, place in _joint_points(study, bodies):
+        yield _torque(study, "moving", bodies, label, place)
+    for label, place in _crossings(study, bodies):
+        yield _torque(study, "crossing", bodies, label, place)
+
+
+def _torque(study: Study, kind: str, bodies: tuple[str, ...], label: str, point: Vector) -> Balance:
+    left, right = NOTHING, NOTHING
+    for name in bodies:
+        state = study.system.bodies[name]
+        left = left + state.mass * (state.center - point).cross(state.acceleration) + state.moment * state.alpha
+    for force in outer_forces(study.system, bodies):
+        right = right + (force.point - point).cross(force.vector) + force.couple
+    return _balance(study, kind, bodies, label, point, left, right)
+
+
+def _balance(study: Study, kind: str, bodies, label: str, where: Vector, left: Scalar, right: Scalar) -> Balance:
+    left, right = short(left), short(right)
+    names = (*study.system.accelerations, *study.system.unknowns)
+    unknowns = frozenset(n for n in names if not is_zero(derivative(left - right, n)))
+    forces = len(unknowns & set(study.system.unknowns))
+    cost = COST[kind] + 0.25 * (len(bodies) - 1) + 0.2 * forces + 0.01 * (len(left.num) + len(right.num))
+    return Balance(kind, bodies, label, where, left, right, unknowns, cost)
+
+
+def _joint_points(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
+    """Points that move, where an unknown force acts on the set from outside."""
+    for force in outer_forces(study.system, bodies):
+        if force.unknowns and not any(_same(force.point, place) for place in study.origins.values()):
+            yield force.where, force.point
+
+
+def _crossings(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
+    """Where the lines of action of two contact forces meet: neither has a torque about it."""
+    forces = [f for f in outer_forces(study.system, bodies) if len(f.unknowns) == 1 and not f.couple]
+    for a, b in combinations(forces, 2):
+        point = _crossing(a, b)
+        if point is not None:
+            yield f"{a.name}, {b.name}", point
+
+
+def _crossing(a: Force, b: Force) -> Vector | None:
+    """a.point + s a.vector with (a.point + s a.vector - b.point) × b.vector = 0."""
+    slope = a.vector.cross(b.vector)
+    if is_zero(slope):
+        return None
+    step = (b.point - a.point).cross(b.vector) / slope
+    return (a.point + a.vector * step).settled()
+
+
+def _same(a: Vector, b: Vector) -> bool:
+    difference = a - b
+    return is_zero(difference.x) and is_zero(difference.y)
+
+
+def _pushes(study: Study, bodies: tuple[str, ...]) -> Iterator[Balance]:
+    for label, direction in _directions(study, bodies):
+        left, right = NOTHING, NOTHING
+        for name in bodies:
+            state = study.system.bodies[name]
+            left = left + state.mass * direction.dot(state.acceleration)
+        for force in outer_forces(study.system, bodies):
+            right = right + direction.dot(force.vector)
+        if left or right:
+            yield _balance(study, "force", bodies, label, direction, left, right)
+
+
+def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
+    """The axes, and along and across lines that are touched and are not parallel to them."""
+    yield "x", EX
+    yield "y", EY
+    for element in study.problem.constraints:
+        if element.kind == "contact" and element["point"].body in bodies:
+            from rbpsym.mechanics.constraints import normal
+
+            across = normal(element["line"])
+            if across.x and across.y:
+                yield f"across {element.name}", across
+                yield f"along {element.name}", -across.turned()

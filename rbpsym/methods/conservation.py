@@ -1,0 +1,128 @@
+"""Conservation of energy: the first integral, the squares of the speeds, and the equation of motion again."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import StepRef
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.elimination import short
+from rbpsym.methods.solving import isolated
+from rbpsym.notation import tree as t
+
+NAME = "energy"
+
+
+def write(draft: Draft) -> Mapping[str, Scalar] | None:
+    """The steps; returns the acceleration that energy gives, None if the method does not apply."""
+    draft.chapter = "energy"
+    _kinetic(draft)
+    if draft.study.first_integral is None:
+        draft.skip(NAME, "skipped.not_conserved", forces=_dissipative(draft))
+        return None
+    _potentials(draft)
+    _conserved(draft)
+    _speeds(draft)
+    return _acceleration(draft)
+
+
+def _dissipative(draft: Draft) -> list[t.Node]:
+    """The interactions without a potential energy."""
+    return [t.Vec(name) for name, value in energy.potentials(draft.study.system).items() if value is None]
+
+
+def _kinetic(draft: Draft) -> None:
+    """T as the sum of translational and rotational parts of all bodies."""
+    bodies = draft.study.system.bodies
+    terms, shown = [], []
+    for name, state in bodies.items():
+        velocity, omega = t.Vec(draft.of_body("V", name)), t.Sym(draft.of_body("omega", name))
+        half = t.Div(t.ONE, t.TWO)
+        if state.velocity:
+            terms.append(t.mul(half, draft.show(state.mass), t.Pow(velocity, t.TWO)))
+            shown.append(draft.show(energy.translational_energy(state)))
+        if state.omega and state.moment:
+            terms.append(t.mul(half, t.Sym(draft.of_body("I", name)), t.Pow(omega, t.TWO)))
+            shown.append(draft.show(energy.rotational_energy(state)))
+    total = sum(draft.study.kinetic, NOTHING)
+    letter = draft.define(draft.free("K"), total)
+    together = draft.show(total)
+    items = [letter, t.add(*terms), t.add(*shown)] + ([together] if together != t.add(*shown) else [])
+    draft.add("kinetic", "kinetic_energy", t.equation(*items), "energy.kinetic", count=len(terms),
+              premises=[f"speed.{n}" for n in bodies] + [f"moment.{n}" for n in bodies],
+              data={"bodies": tuple(bodies), "value": total})
+
+
+def _potentials(draft: Draft) -> None:
+    """The potential energy of each conservative interaction."""
+    for name, value in energy.potentials(draft.study.system).items():
+        if value is None:
+            continue
+        letter = draft.define(draft.free(f"U_{name}"), value)
+        element = draft.study.system.element(name)
+        forces = [f for f in draft.study.system.forces if f.name == name]
+        draft.add(f"potential.{name}", "potential", t.equation(letter, draft.show(value, factor=True)),
+                  f"energy.potential.{element.kind}", premises=[f"force.{f.name}.{f.on}" for f in forces],
+                  data={"forces": forces, "value": value}, force=t.Vec(name))
+
+
+def _conserved(draft: Draft) -> None:
+    """E = T + U is constant."""
+    letters = [t.Sym(draft.free("K"))]
+    letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v is not None]
+    value = draft.study.first_integral
+    shown = _as_sum(draft)
+    letter = draft.define(draft.free("E"), value)
+    items = [letter, t.add(*letters), shown] if draft.study.potential is not None else [letter, draft.show(value)]
+    draft.add("energy", "conservation", t.equation(*items), "energy.conserved", is_result=True,
+              premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
+              data={"value": value}, ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
+              count=len(draft.study.problem.constraints))
+
+
+def _as_sum(draft: Draft) -> t.Node:
+    """T + U with each part in its own form."""
+    total = [draft.show(sum(draft.study.kinetic, NOTHING))]
+    if draft.study.potential is not None and draft.study.potential:
+        total.append(draft.show(draft.study.potential))
+    return t.add(*total)
+
+
+def _speeds(draft: Draft) -> None:
+    """Squares of speeds as functions of position."""
+    for name, value in draft.study.squares.items():
+        draft.context.scalars.pop(f"{name}_dot", None)
+        statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(value, factor=True))
+        draft.add(f"square.{name}", "first_integral", statement, "energy.square", premises=["energy"], is_result=True,
+                  data={"name": name, "value": value}, source=StepRef("energy"), coordinate=t.Sym(name))
+
+
+def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
+    """dE/dt = 0 divided by the speed, where one coordinate is left to be found."""
+    system = draft.study.system
+    accelerations = draft.study.dynamics.accelerations or {}
+    open_ = [n for n in system.independent if not is_zero(accelerations.get(f"{n}_ddot", symbol("open")))]
+    if len(open_) != 1:
+        draft.skip(NAME, "skipped.one_equation", method=NAME, count=len(system.independent))
+        return None
+    [name] = open_
+    resting = {f"{n}_ddot": NOTHING for n in system.independent if n != name}
+    rate = substitute(draft.context.rate_of(draft.study.first_integral), resting)
+    inner = short(rate / symbol(f"{name}_dot"))
+    if inner.num.atoms() and any(derivative(inner, f"{n}_dot") for n in system.independent if n != name):
+        return None
+    speed, acceleration = t.Sym(f"{name}_dot"), t.Sym(f"{name}_ddot")
+    slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
+    inside = t.add(draft.show(slope * symbol(f"{name}_ddot")), *([draft.show(rest)] if rest else []))
+    statement = t.equation(t.Deriv(t.Sym(draft.free("E"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
+    draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"),
+              speed=speed, obligations=(t.relation(speed, "!=", t.ZERO),))
+    value = short(-(rest / slope))
+    draft.add("motion.from_energy", "solution", t.equation(acceleration, isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")),
+              "energy.motion", premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"),
+              data={"rows": [inner], "values": {f"{name}_ddot": value}})
+    return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

@@ -1,0 +1,86 @@
+"""Newton's and Euler's equations of each body, solved for all accelerations and unknown forces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.chapters.forces import force_node
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import FULL, BodyRef, StepRef
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.inertia import tidy
+from rbpsym.notation import tree as t
+
+NAME = "newton-euler"
+LARGEST = 3
+
+
+def write(draft: Draft) -> Mapping[str, Scalar] | None:
+    """The steps; returns the accelerations found by eliminating all forces from all bodies' equations."""
+    draft.chapter = "reactions"
+    steps = [_equations(draft, name) for name in draft.study.system.bodies]
+    _reactions(draft, [step for step in steps if step is not None])
+    return _accelerations(draft)
+
+
+def _equations(draft: Draft, name: str):
+    """F_x = M a_x, F_y = M a_y, τ_cm = I α of one body."""
+    state, rows = draft.study.system.bodies[name], []
+    forces = draft.study.system.on(name)
+    for axis in ("x", "y"):
+        pushes = [draft.show(tidy(getattr(f.vector, axis))) for f in forces if getattr(f.vector, axis)]
+        left = draft.show(tidy(state.mass * getattr(state.acceleration, axis)))
+        if pushes or left != t.ZERO:
+            rows.append(t.equation(left, t.add(*pushes)))
+    turns = [short(torque_about_center(f, state)) for f in forces]
+    if any(turns) or state.moment * state.alpha:
+        rows.append(t.equation(draft.show(state.moment * state.alpha), t.add(*(draft.show(v) for v in turns if v))))
+    if not rows:
+        return None
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    return draft.add(f"free_body.{name}", "balance", statement, "newton_euler.body", body=BodyRef(name),
+                     forces=[force_node(draft, f) for f in forces], premises=[f"force.{f.name}.{f.on}" for f in forces])
+
+
+def _reactions(draft: Draft, steps: list) -> None:
+    """Each unknown force as a function of position and speed."""
+    values = draft.study.dynamics.reactions
+    if not values:
+        return
+    premises = [step.id for step in steps] + [f"motion.{name}" for name in draft.study.system.independent]
+    for name, value in values.items():
+        draft.add(f"reaction.{name}", "solution", t.equation(t.Sym(name), draft.show(value, factor=True)),
+                  "newton_euler.reaction", premises=premises, force=t.Sym(name), level=FULL if draft.study.squares else 2,
+                  data={"rows": _rows(draft), "values": _values(draft)}, sources=[StepRef(s.id) for s in steps])
+
+
+def _rows(draft: Draft) -> list[Scalar]:
+    """All Newton-Euler rows (worked out once for the draft)."""
+    from rbpsym.mechanics.dynamics import newton_euler_rows
+
+    cached = draft.context.__dict__.setdefault("newton_euler_rows", None)
+    if cached is None:
+        cached = [value for _, _, value in newton_euler_rows(draft.study.system)]
+        draft.context.__dict__["newton_euler_rows"] = cached
+    return cached
+
+
+def _values(draft: Draft) -> dict[str, Scalar]:
+    dynamics = draft.study.dynamics
+    return {**dynamics.reactions, **(dynamics.accelerations or {})}
+
+
+def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
+    """Forces and accelerations eliminated together, without the projection."""
+    system = draft.study.system
+    if len(system.bodies) > LARGEST:
+        draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
+        return None
+    unknowns = (*system.unknowns, *system.accelerations)
+    solution = solve_linear(_rows(draft), unknowns)
+    if any(name not in solution.values for name in system.accelerations):
+        draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
+        return None
+    return {name: solution.values[name] for name in system.accelerations}

@@ -1,0 +1,19 @@
+"""Solving a small system of balances for the accelerations, shown as a textbook shows it."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.present import present_ratio
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.draft import Draft
+from rbpsym.notation import tree as t
+
+
+def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
+    """The unknown of one linear equation as a quotient that keeps the form of both sides."""
+    coefficient = derivative(left - right, name)
+    rest = substitute(right - left, {name: NOTHING})
+    if coefficient.den is not ONE or rest.den is not ONE:
+        return draft.show(rest / coefficient)
+    return present_ratio(rest.num, coefficient.num, draft.study.style)

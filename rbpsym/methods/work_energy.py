@@ -1,0 +1,192 @@
+"""The work-energy theorem in its two halves, with the ledger of the works of every force.
+
+W_T = ∫F·dR_cm changes ½MV², W_θ = ∫τ_cm dφ changes ½I_cm ω²; the forces of ideal constraints do
+W_T + W_θ = 0. Works are first written with the unknown forces as symbols, then worked out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.chapters.forces import force_node, tag
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import FULL, BodyRef, StepRef
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.notation import tree as t
+
+NAME = "work-energy"
+HALVES = (("T", "translational"), ("theta", "rotational"))
+
+
+def write(draft: Draft) -> Mapping[str, Scalar] | None:
+    """The steps; returns the acceleration that the theorem gives for one degree of freedom."""
+    draft.chapter = "work"
+    works = draft.study.works
+    if not works:
+        draft.skip(NAME, "skipped.no_forces")
+        return None
+    for item in works:
+        _symbols(draft, item)
+    for item in works:
+        _integrals(draft, item)
+    _cancelling(draft, works)
+    _theorem(draft, works)
+    for item in works:
+        _done(draft, item)
+    return _acceleration(draft)
+
+
+def name_of(draft: Draft, item: ForceWork, half: str) -> str:
+    """𝒲_T or 𝒲_θ of a force on a body."""
+    force = next(f for f in draft.study.system.forces if (f.name, f.on) == (item.force, item.on))
+    return draft.free(f"cal_W_{half}_{tag(draft, force)}")
+
+
+def _forces(draft: Draft, item: ForceWork):
+    return [f for f in draft.study.system.forces if (f.name, f.on) == (item.force, item.on)]
+
+
+def _symbols(draft: Draft, item: ForceWork) -> None:
+    """The rates F·V and τ_cm ω, by components, are what the symbols of the works mean."""
+    state = draft.study.system.bodies[item.on]
+    forces = _forces(draft, item)
+    push = sum((f.vector.x * state.velocity.x + f.vector.y * state.velocity.y for f in forces), NOTHING)
+    turn = sum((torque_about_center(f, state) for f in forces), NOTHING) * state.omega
+    draft.context.works[name_of(draft, item, "T")] = push
+    draft.context.works[name_of(draft, item, "theta")] = turn
+    draft.define(draft.free(f"varphi_{item.on}"), state.pose.angle)
+
+
+def _integrals(draft: Draft, item: ForceWork) -> None:
+    """Both works as integrals along the motion, with unknown forces as symbols."""
+    rows = [_row(draft, item, half, getattr(item, word)) for half, word in HALVES]
+    rows = [row for row in rows if row is not None]
+    if not rows:
+        return
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    silent = not item.translational.parts and not item.rotational.parts
+    draft.add(f"work.{item.force}.{item.on}", "work", statement, "work.none" if silent else "work.integrals",
+              premises=[f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"],
+              body=BodyRef(item.on), force=force_node(draft, _forces(draft, item)[0]))
+
+
+def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
+    letter, force = t.Sym(name_of(draft, item, half)), _forces(draft, item)[0]
+    if half == "T":
+        if not force.vector:
+            return None
+        path = t.PathIntegral(force_node(draft, force), t.Vec(draft.of_body("R", item.on)))
+    else:
+        torque = draft.free(f"tau_cm_{tag(draft, force)}")
+        if not draft.study.system.bodies[item.on].moment:
+            return None
+        path = t.PathIntegral(t.Sym(torque), t.Sym(draft.free(f"varphi_{item.on}")), "times")
+    return t.equation(letter, path, over_coordinates(draft, work.parts))
+
+
+def over_coordinates(draft: Draft, parts: Mapping[str, Scalar]) -> t.Node:
+    """Σ ∫ f dq from the start to now."""
+    return t.add(*(integral(draft, name, part) for name, part in parts.items()))
+
+
+def integral(draft: Draft, name: str, part: Scalar) -> t.Node:
+    """∫_{q₀}^{q} part dq, a common sign in front."""
+    shown = draft.show(part, factor=True)
+    start = start_of(draft, name)
+    if isinstance(shown, t.Neg):
+        return t.neg(t.Integral(shown.arg, name, start, t.Sym(name)))
+    return t.Integral(shown, name, start, t.Sym(name))
+
+
+def start_of(draft: Draft, name: str) -> t.Node:
+    """The start of a coordinate as the author wrote it, else a constant with index 0."""
+    coordinate = next(c for c in draft.study.problem.coordinates if c.name == name)
+    return coordinate.start if coordinate.start is not None else t.Sym(f"{name}_0")
+
+
+def _cancelling(draft: Draft, works: tuple[ForceWork, ...]) -> None:
+    """Constraint by constraint: the sum of all works vanishes although the single ones don't."""
+    for element in draft.study.problem.constraints:
+        items = [item for item in works if item.force == element.name]
+        terms = [t.Sym(name_of(draft, item, half)) for item in items for half, word in HALVES
+                 if getattr(item, word).parts]
+        if not draft.study.dynamics.workless.get(element.name):
+            continue
+        if terms:
+            draft.add(f"workless.{element.name}", "workless", t.equation(t.add(*terms), t.ZERO), "work.cancels",
+                      premises=[f"work.{i.force}.{i.on}" for i in items], force=t.Vec(element.name),
+                      works=terms, count=len(terms))
+
+
+def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
+    """The halves for each body, and the whole."""
+    for name, state in draft.study.system.bodies.items():
+        own = [item for item in works if item.on == name]
+        for (half, word), kinetic in zip(HALVES, _kinetic_nodes(draft, name), strict=True):
+            terms = [t.Sym(name_of(draft, i, half)) for i in own if getattr(i, word).parts]
+            value = energy.translational_energy(state) if half == "T" else energy.rotational_energy(state)
+            if not terms and not value:
+                continue
+            change = t.Delta(t.Group(kinetic))
+            statement = t.equation(t.add(*terms), change)
+            draft.add(f"theorem.{half}.{name}", "work_energy", statement, f"work.theorem.{word}", body=BodyRef(name),
+                      premises=[f"work.{i.force}.{i.on}" for i in own], count=len(terms))
+    _whole(draft, works)
+
+
+def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:
+    """½ M V² and ½ I ω² of a body."""
+    mass = draft.show(draft.study.system.bodies[name].mass)
+    velocity, omega = t.Vec(draft.of_body("V", name)), t.Sym(draft.of_body("omega", name))
+    moment = t.Sym(draft.of_body("I", name))
+    return (t.mul(t.Div(t.ONE, t.TWO), mass, t.Pow(velocity, t.TWO)),
+            t.mul(t.Div(t.ONE, t.TWO), moment, t.Pow(omega, t.TWO)))
+
+
+def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
+    """What is left when the works that cancel are dropped equals the change of the kinetic energy."""
+    left = [i for i in works if not draft.study.dynamics.workless.get(i.force, False)]
+    terms = [t.Sym(name_of(draft, i, half)) for i in left for half, word in HALVES if getattr(i, word).parts]
+    total = sum(draft.study.kinetic, NOTHING)
+    statement = t.equation(t.add(*terms), t.Delta(t.Group(draft.show(total))))
+    draft.add("theorem.whole", "work_energy", statement, "work.theorem.whole",
+              premises=[s.id for s in draft.steps if s.id.startswith(("theorem.", "workless."))],
+              count=len(terms))
+
+
+def _done(draft: Draft, item: ForceWork) -> None:
+    """The works worked out along the motion from the start."""
+    for half, word in HALVES:
+        work = getattr(item, word)
+        if not work.parts or work.value is None:
+            continue
+        letter = t.Sym(name_of(draft, item, half))
+        items = [letter, draft.show(work.value, factor=True)]
+        draft.add(f"done.{half}.{item.force}.{item.on}", "work_done", t.equation(*items), "work.done",
+                  premises=[f"work.{item.force}.{item.on}"], body=BodyRef(item.on),
+                  force=force_node(draft, _forces(draft, item)[0]), half=word, level=2)
+
+
+def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
+    """Σ (rates of work) = dT/dt, divided by the speed."""
+    names = draft.study.system.independent
+    if len(names) != 1:
+        draft.skip(NAME, "skipped.one_equation", method=NAME, count=len(names))
+        return None
+    [name] = names
+    total = sum(draft.context.works.values(), NOTHING)
+    gained = draft.context.rate_of(sum(draft.study.kinetic, NOTHING))
+    row = short((gained - total) / symbol(f"{name}_dot"))
+    slope = derivative(row, f"{name}_ddot")
+    rest = substitute(row, {f"{name}_ddot": NOTHING})
+    value = short(-(rest / slope))
+    draft.add("motion.from_work", "solution", t.equation(t.Sym(f"{name}_ddot"), draft.show(value)), "work.motion",
+              premises=["theorem.whole"], source=StepRef("theorem.whole"), speed=t.Sym(f"{name}_dot"), level=FULL,
+              obligations=(t.relation(t.Sym(f"{name}_dot"), "!=", t.ZERO),),
+              data={"rows": [row], "values": {f"{name}_ddot": value}})
+    return {f"{name}_ddot": value}
