@@ -48,9 +48,10 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         return present(Scalar(num) / Scalar(den), style, factor=factor)
     den = present_poly(den, style, factor)
     coefficient, common, rest = _taken_out(num, style)
+    more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
+    coefficient = coefficient * more
     sign = coefficient < 0
     before, behind = _split(common, style)
-    pieces = [] if rest == ONE else _groups(rest, style, factor)
     inside = [p for p, moving in pieces if not moving]
     outside = [p for p, moving in pieces if moving]
     top = _monomial_node(abs(coefficient), before, style)
@@ -69,7 +70,8 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
         [(m, c)] = poly.terms.items()
         return _signed(c, m, style)
     coefficient, common, rest = _taken_out(poly, style)
-    pieces = _groups(rest, style, factor)
+    more, pieces = _groups(rest, style, factor)
+    coefficient = coefficient * more
     if not common and coefficient == 1:
         return t.mul(*(node for node, _ in pieces))
     return _assembled(coefficient, common, pieces, style)
@@ -140,26 +142,24 @@ def _common_coefficient(poly: Poly, style: Style) -> Coefficient:
     return sign * content if same or (broken and varies) else sign
 
 
-def _groups(poly: Poly, style: Style, factor: bool) -> list[tuple[t.Node, bool]]:
-    """The rest as one or more (tree, whether it moves) factors."""
+def _groups(poly: Poly, style: Style, factor: bool) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
+    """The rest as a number and one or more (tree, whether it moves) factors."""
     if factor and 1 < len(poly) <= 80 and not any(e < 0 for m in poly.terms for _, e in m):
         from rbpsym.algebra.sympy_bridge import factors
 
         coefficient, found = factors(poly)
         if len(found) > 1 or (found and found[0][1] > 1):
             return _factor_pieces(coefficient, found, style)
-    return [(_sum(poly, style), any(_moves(i, style) for i in poly.atoms()))]
+    return 1, [(_sum(poly, style), any(_moves(i, style) for i in poly.atoms()))]
 
 
-def _factor_pieces(coefficient: Coefficient, found, style: Style) -> list[tuple[t.Node, bool]]:
-    pieces, sign = [], 1 if coefficient > 0 else -1
+def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
+    pieces = []
     for base, power in found:
         if _leads_negative(base, style):
-            base, sign = -base, sign * (-1) ** power
+            base, coefficient = -base, coefficient * (-1) ** power
         pieces.append((t.power(_sum(base, style), power), any(_moves(i, style) for i in base.atoms())))
-    if sign * abs(coefficient) != 1:
-        pieces.insert(0, (t.Num(sign * abs(coefficient)), False))
-    return pieces
+    return coefficient, pieces
 
 
 def _leads_negative(poly: Poly, style: Style) -> bool:

@@ -234,7 +234,9 @@ def constant(context: Context, step: Step) -> Verdict:
 
 
 def vanishing(context: Context, step: Step) -> Verdict:
-    """The force vanishes at the stated place (`data`: "value", "at")."""
+    """The force vanishes at the stated place (`data`: "value", "at"), or where the stated factor does ("factor")."""
+    if not step.data["at"]:
+        return _divides(step.data["factor"], step.data["value"])
     return scalars_equal(substitute(step.data["value"], step.data["at"]), NOTHING, context.assumptions)
 
 
@@ -277,3 +279,14 @@ def characteristic(context: Context, step: Step) -> Verdict:
                        for a, b in zip(item.stiffness, item.inertia, strict=True))
         found.append(scalars_equal(determinant(matrix), NOTHING, context.assumptions))
     return weakest(found)
+
+
+def _divides(factor: Scalar, value: Scalar) -> Verdict:
+    """PROVED if the factor divides the numerator, so that both vanish together."""
+    from rbpsym.algebra.division import divide
+    from rbpsym.algebra.normal import normal
+
+    whole = divide(normal(value.num), normal(factor.num))
+    if whole is None:
+        return Verdict(UNDECIDED, reason="the factor was not found in the force again")
+    return Verdict(PROVED, how="the factor divides the force")

@@ -14,7 +14,7 @@ from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivativ
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.mechanics.motion import along_motion
+from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 
@@ -77,6 +77,4 @@ class Context:
 
     def along(self, found: Scalar) -> Scalar:
         """Squares of speeds replaced too, as far as they are known."""
-        moved = self.study.on_motion(found)
-        whole = along_motion(moved, self.study.squares)
-        return moved if whole is None else whole
+        return with_squares(self.study.on_motion(found), self.study.squares)

@@ -51,9 +51,9 @@ class Draft:
             found, k = f"{id}_{k}", k + 1
         return found
 
-    def skip(self, method: str, phrase: str, **slots: Any) -> None:
-        """Notes that a method does not apply, and why."""
-        self.skipped.append(Skipped(method, phrase, slots))
+    def skip(self, name: str, phrase: str, **slots: Any) -> None:
+        """Notes that the method called `name` does not apply, and why."""
+        self.skipped.append(Skipped(name, phrase, slots))
 
     def has(self, id: str) -> bool:
         """Whether a step of that id was made."""

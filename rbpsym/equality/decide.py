@@ -18,6 +18,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.domain import Condition, conditions, holds_at, obligations
 from rbpsym.equality.enclosure import Number
 from rbpsym.equality.points import Point, all_atoms, points
@@ -100,9 +101,10 @@ def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Con
     kinds = {atoms.atom(index).kind for index in all_atoms([difference])}
     if "opaque" in kinds:
         return undecided("it holds a quantity that is known only by name")
-    how = "" if kinds <= PLAIN else _with_functions(difference, assumptions, deep=False)
+    plain = kinds <= PLAIN and not any(map(is_algebraic, all_atoms([difference])))
+    how = "" if plain else _with_functions(difference, assumptions, deep=False)
     witness = None if how else find_witness(a, b, assumptions, domain, most=FIRST_POINTS)
-    if not how and witness is None and not kinds <= PLAIN:
+    if not how and witness is None and not plain:
         how = _with_functions(difference, assumptions, deep=True)
     if how:
         return proved(how, obligations(domain, assumptions))

@@ -175,6 +175,7 @@ def atan(number: Number) -> Number:
     return monotone(_atan, number)
 
 
+@lru_cache(maxsize=4096)
 def _atan(x: Fraction) -> Number:
     """Halved twice by atan x = 2 atan(x / (1 + √(1 + x²)))."""
     half: Number = x

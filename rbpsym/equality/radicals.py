@@ -11,6 +11,7 @@ from rbpsym.algebra.normal import Bases, bases_of
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.constants import is_zero_form
 from rbpsym.equality.masks import NONZERO, ZERO
 from rbpsym.equality.points import all_atoms
 from rbpsym.equality.reading import Constraint, Reading, cleared, reduced
@@ -54,7 +55,7 @@ def _in_case(value: Scalar, reading: Reading, forced: Signs) -> bool | None:
     broken = [constraint for constraint in reading.constraints if reading.is_broken(constraint)]
     if broken:
         return None if _is_void(broken, reading, forced) else False
-    return not reduced(whole).terms
+    return is_zero_form(reduced(whole))
 
 
 def _forced(value: Scalar, reading: Reading) -> Signs:

@@ -17,6 +17,7 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.equality.constants import is_algebraic, is_zero_number
 from rbpsym.equality.masks import ANY, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, ZERO, flip, plus, power, times
 from rbpsym.equality.points import Point, names_of
 from rbpsym.errors import LimitError, Undecided
@@ -171,6 +172,8 @@ def _by_number(study: Study, poly: Poly) -> int:
         found = enclosure.sign_of(Point({}).poly(poly))
     except enclosure.Outside:
         return ANY
+    if found is None and all(is_algebraic(index) for index in poly.atoms()) and is_zero_number(poly):
+        return ZERO
     return {1: PLUS, 0: ZERO, -1: MINUS, None: ANY}[found]
 
 

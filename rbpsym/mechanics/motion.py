@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.poly import Poly, generator
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import System
@@ -84,4 +84,21 @@ def _replaced(poly: Poly, index: int, square: Scalar) -> Scalar | None:
         if power % 2 or power < 0:
             return None
         total = total + Scalar(part) * square ** (power // 2)
+    return total
+
+
+def with_squares(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar:
+    """The value with squares of speeds replaced; an odd power keeps one factor."""
+    for name, square in squares.items():
+        index = atoms.intern("symbol", f"{name}_dot")
+        if index in value.atoms():
+            value = _squared(value.num, index, square) / _squared(value.den, index, square)
+    return value
+
+
+def _squared(poly: Poly, index: int, square: Scalar) -> Scalar:
+    total = NOTHING
+    for power, part in poly.by_power(index).items():
+        odd = Scalar(generator(index)) if power % 2 else UNITY
+        total = total + Scalar(part) * odd * square ** (power // 2)
     return total

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
@@ -96,9 +97,22 @@ def _speeds(draft: Draft) -> None:
     """Squares of speeds as functions of position."""
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)
-        statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(value, factor=True))
+        statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), _from_start(draft, name, value))
         draft.add(f"square.{name}", "first_integral", statement, "energy.square", premises=["energy"], is_result=True,
                   data={"name": name, "value": value}, source=StepRef("energy"), coordinate=t.Sym(name))
+
+
+def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
+    """The part that the start speed brings, and what is gained since."""
+    start = draft.context.scope.start.get(f"{name}_dot", NOTHING)
+    if not start or start.number() is not None:
+        return draft.show(value, factor=True)
+    gained = substitute(value, {n: NOTHING for n in _symbols(start)})
+    return t.add(draft.show(short(value - gained), factor=True), *([draft.show(gained, factor=True)] if gained else []))
+
+
+def _symbols(value: Scalar) -> list[str]:
+    return [n for i in value.atoms() if (n := atoms.symbol_name(i))]
 
 
 def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:

@@ -17,6 +17,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.methods.solving import isolated
 from rbpsym.notation import tree as t
 
 NAME = "work-energy"
@@ -185,7 +186,8 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     slope = derivative(row, f"{name}_ddot")
     rest = substitute(row, {f"{name}_ddot": NOTHING})
     value = short(-(rest / slope))
-    draft.add("motion.from_work", "solution", t.equation(t.Sym(f"{name}_ddot"), draft.show(value)), "work.motion",
+    shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
+    draft.add("motion.from_work", "solution", t.equation(t.Sym(f"{name}_ddot"), shown), "work.motion",
               premises=["theorem.whole"], source=StepRef("theorem.whole"), speed=t.Sym(f"{name}_dot"), level=FULL,
               obligations=(t.relation(t.Sym(f"{name}_dot"), "!=", t.ZERO),),
               data={"rows": [row], "values": {f"{name}_ddot": value}})

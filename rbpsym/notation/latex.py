@@ -152,7 +152,7 @@ def joined(pieces: list[str]) -> str:
     """The pieces side by side, with a space only where TeX or a reader needs one."""
     text = ""
     for piece in pieces:
-        needed = re.search(r"\\[A-Za-z]+$", text) and re.match(r"[A-Za-z0-9(\[]", piece)
+        needed = re.search(r"\\[A-Za-z]+$", text) and re.match(r"[A-Za-z0-9]", piece)
         text += (" " if needed else "") + piece
     return re.sub(r" {2,}", " ", text).strip()
 

@@ -63,7 +63,8 @@ _STYLES = {"italic": _italic, "upright": _upright, "script": _script_letter, "nu
 
 
 def _phrase(box: b.Phrase) -> str:
-    return f"<mtext>{escape(box.text)}</mtext>"
+    words = escape(box.text.replace(" ", "\u00a0"))
+    return f'<mi mathvariant="normal">{words}</mi>'
 
 
 def _operator(box: b.Operator) -> str:
@@ -159,7 +160,8 @@ def _row(box: b.Row) -> str:
 def _in_row(before: b.Box | None, box: b.Box, after: b.Box | None) -> str:
     """A box of a row; the invisible sign gets a thin space beside a function."""
     beside = isinstance(box, b.Times) and isinstance(after, b.Applied)
-    behind = isinstance(box, b.Times) and isinstance(before, b.Applied)
+    open_before = isinstance(before, b.Applied) and not isinstance(before.arg, b.Fence)
+    behind = isinstance(box, b.Times) and open_before
     return render(box) + (_THIN if beside or behind else "")
 
 

@@ -24,7 +24,7 @@ class Style:
     @property
     def script(self) -> Style:
         """The style of exponents and limits: no fractions with bars."""
-        return replace(self, mode="inline") if self.mode == "display" else self
+        return replace(self, mode="inline")
 
 
 Draw = Callable[..., b.Box]

@@ -38,7 +38,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
     equation = _solved(draft, loss)
     draft.add(f"loss.{loss.force}", "vanishing", equation, "contact.lost" if place is not None else "contact.lost_implicitly",
               premises=[f"along.{loss.force}"], force=t.Sym(loss.force), is_result=True, coordinate=t.Sym(loss.coordinate),
-              data={"value": along[loss.force], "at": dict(loss.at), "equation": True})
+              data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor})
     if place is None:
         return
     for name, value in along.items():

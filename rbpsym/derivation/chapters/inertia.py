@@ -48,7 +48,7 @@ def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> Non
     if not centred:
         _center(draft, name, state, moments, elements)
     if centred or shifted is not None:
-        integral = _sum(draft, [_integral(draft, e, _square(e, shifted)) for e in elements])
+        integral = _sum(draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements])
         radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
         draft.add(f"moment.{name}", "mass_integral", t.equation(moment, radius, integral, draft.show(state.moment)),
                   "inertia.integral", body=BodyRef(name))
@@ -61,6 +61,13 @@ def _shifted_rod(elements: tuple[MassElement, ...], state: BodyState) -> tuple[S
     return (state.inertia.x, state.inertia.y) if len(elements) == 1 and elements[0].kind == "line" else None
 
 
+def _as_square(draft: Draft, element: MassElement, center: tuple[Scalar, Scalar] | None) -> t.Node | None:
+    """(s - a)² for mass along the axis of the body; None for any other."""
+    if center is None or center[1] or scalar(element.y):
+        return None
+    return t.Pow(draft.show(scalar(element.x) - center[0]), t.TWO)
+
+
 def _square(element: MassElement, center: tuple[Scalar, Scalar] | None) -> Scalar:
     x, y = scalar(element.x), scalar(element.y)
     if center is not None:
@@ -70,8 +77,7 @@ def _square(element: MassElement, center: tuple[Scalar, Scalar] | None) -> Scala
 
 def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node | None = None) -> t.Node:
     """density × ∫∫ weight × measure, the sign of a removed part in front."""
-    found = draft.show(weight, factor=True) if node is None else node
-    found = t.mul(found, element.measure) if element.measure != t.ONE else found
+    found = draft.show(weight * scalar(element.measure), factor=True) if node is None else t.mul(node, element.measure)
     if not element.ranges:
         found = t.mul(element.density, found)
         return t.neg(found) if element.sign < 0 else found

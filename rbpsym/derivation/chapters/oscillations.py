@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.oscillation import Equilibrium, resting_forces
@@ -70,7 +72,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int) -> None:
     letter = draft.define(draft.free(f"vartheta_{place}" if len(draft.study.equilibria) > 1 else "vartheta"), NOTHING)
     draft.context.scalars.pop(letter.name)
     square = item.frequencies_squared[0]
-    shown = _frequency(draft, square)
+    shown = _frequency(draft, item, square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     linear = _linear(draft, shown, deviation)
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", linear),
@@ -82,7 +84,10 @@ def _linearized(draft: Draft, item: Equilibrium, place: int) -> None:
                   premises=[f"linear.{place}"], is_result=True, letter=letter)
 
 
-def _frequency(draft: Draft, square: Scalar) -> t.Node:
+def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
+    """Stiffness over inertia for one degree of freedom, else the root as it is."""
+    if len(item.stiffness) == 1 and item.stiffness[0][0].den is ONE and item.inertia[0][0].den is ONE:
+        return present_ratio(item.stiffness[0][0].num, item.inertia[0][0].num, draft.study.style)
     return draft.show(square, factor=True)
 
 
