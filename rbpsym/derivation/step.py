@@ -114,3 +114,19 @@ class Derivation:
             "lagrange": None if self.lagrange is None else str(self.lagrange.kind),
             "simulation": None if error is None else {"max_relative_error": error},
         }
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """Steps that belong to no single problem: the general theory, or a comparison of two problems.
+
+    kind: "theory" or "comparison"; slots are what its introduction may mention; notation as
+    in a problem.
+    """
+
+    kind: str
+    name: str
+    steps: tuple[Step, ...]
+    slots: Mapping[str, Any] = field(default_factory=dict)
+    notation: Mapping[str, str] = field(default_factory=dict)
+    title: Mapping[str, str] = field(default_factory=dict)
