@@ -1,93 +1,15 @@
-"""Boxes of sums, products, fractions, powers, functions and relations, as a textbook sets them:
-
-where parentheses are needed, which sign stands between two factors, when `sin` goes without
-parentheses.
-"""
+"""Boxes of sums and products: signs, parentheses, and what stands between two factors."""
 
 from __future__ import annotations
 
-from fractions import Fraction as Rational
-
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
-from rbpsym.notation.drawing import attach_sup, attached, glyph_box, unit_box
-from rbpsym.notation.levels import (
-    POWER,
-    PRODUCT,
-    SUM,
-    is_decimal,
-    is_open,
-    level,
-    plain_fraction,
-    signed,
-)
+from rbpsym.notation.atom_layout import is_slashed
+from rbpsym.notation.function_layout import applied, is_function_power
+from rbpsym.notation.levels import PRODUCT, SUM, factors_of, is_open, plain_fraction, signed
 from rbpsym.notation.setting import Style, draw, draws, fenced, wrapped
 
-RELATIONS = {
-    "=": "=", "<": "<", ">": ">", "<=": "≤", ">=": "≥", "!=": "≠", "~": "≈", "->": "→",
-}  # fmt: skip
-TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
-VULGAR = {
-    Rational(1, 2): "½", Rational(1, 3): "⅓", Rational(2, 3): "⅔", Rational(1, 4): "¼",
-    Rational(3, 4): "¾", Rational(1, 5): "⅕", Rational(2, 5): "⅖", Rational(3, 5): "⅗",
-    Rational(4, 5): "⅘", Rational(1, 6): "⅙", Rational(5, 6): "⅚", Rational(1, 8): "⅛",
-    Rational(3, 8): "⅜", Rational(5, 8): "⅝", Rational(7, 8): "⅞",
-}  # fmt: skip
 MINUS = b.Operator("−", "prefix")
-
-
-@draws(t.System)
-def aligned(node: t.Node, style: Style) -> b.Rows:
-    """A chain or system as aligned rows; any other formula as one row without a left part."""
-    if isinstance(node, t.System):
-        return b.Rows(tuple(row for part in node.rows for row in aligned(part, style).rows))
-    if not isinstance(node, t.Chain) or not node.ops:
-        return b.Rows(((b.Row(()), draw(node, style)),))
-    lefts = (draw(node.items[0], style), *(b.Row(()) for _ in node.ops[1:]))
-    rights = (
-        b.Row((_relation(op), draw(item, style)))
-        for op, item in zip(node.ops, node.items[1:], strict=True)
-    )
-    return b.Rows(tuple(zip(lefts, rights, strict=True)))
-
-
-@draws(t.Num)
-def _num(node: t.Num, style: Style) -> b.Box:
-    value = Rational(node.value)
-    if value < 0:
-        return b.Row((MINUS, _num(t.Num(-value), style)))
-    if value.denominator == 1:
-        return b.Letter(str(value.numerator), "number")
-    if is_decimal(value):
-        return b.Letter(_decimal(value, style.notation.decimal), "number")
-    return _fraction_of_numbers(value, style)
-
-
-def _decimal(value: Rational, mark: str) -> str:
-    """9.81 for 981/100"""
-    digits = len(str(value.denominator)) * 4
-    whole, rest = divmod(int(value * 10**digits), 10**digits)
-    return f"{whole}{mark}{str(rest).zfill(digits).rstrip('0')}"
-
-
-def _fraction_of_numbers(value: Rational, style: Style) -> b.Box:
-    return _div(t.Div(t.Num(value.numerator), t.Num(value.denominator)), style)
-
-
-@draws(t.Sym)
-def _sym(node: t.Sym, style: Style) -> b.Box:
-    return glyph_box(style.notation.glyph(node.name))
-
-
-@draws(t.Vec)
-def _vec(node: t.Vec, style: Style) -> b.Box:
-    kind = {"arrow": "vec", "bold": "bold"}[style.notation.vector]
-    return glyph_box(style.notation.glyph(node.name), kind)
-
-
-@draws(t.Unit)
-def _unit(node: t.Unit, style: Style) -> b.Box:
-    return unit_box(node.axis)
 
 
 @draws(t.Add)
@@ -117,7 +39,7 @@ def _mul(node: t.Mul, style: Style) -> b.Box:
     negative, body = signed(node)
     if negative or not isinstance(body, t.Mul):
         return draw(t.Neg(body) if negative else body, style)
-    factors = _flat(body)
+    factors = factors_of(body)
     items: list[b.Box] = []
     for position, factor in enumerate(factors):
         after = factors[position + 1] if position + 1 < len(factors) else None
@@ -127,51 +49,19 @@ def _mul(node: t.Mul, style: Style) -> b.Box:
     return b.Row(tuple(items))
 
 
-def _flat(node: t.Mul) -> list[t.Node]:
-    """The factors, those of products inside and without ones."""
-    bare = [_unsigned(factor) for factor in node.factors]
-    flat = [part for f in bare for part in (_flat(f) if isinstance(f, t.Mul) else [f])]
-    kept = [factor for factor in flat if factor != t.ONE]
-    return kept or [t.ONE]
-
-
-def _unsigned(node: t.Node) -> t.Node:
-    """The node without a double minus."""
-    negative, body = signed(node)
-    return t.Neg(body) if negative else body
-
-
 def _factor(factor: t.Node, after: t.Node | None, style: Style) -> b.Box:
     if after is None:
         return wrapped(factor, PRODUCT, style)
     if is_open(factor):
         return fenced(draw(factor, style))
     if _ends_in_function(factor) and not _stops_argument(after):
-        return _applied(factor, style, closed=True)
-    slashed = style.mode != "display" and _is_slashed(factor, style)
+        return applied(factor, style, closed=True)
+    slashed = style.mode != "display" and is_slashed(factor, style)
     return fenced(draw(factor, style)) if slashed else wrapped(factor, PRODUCT, style)
 
 
-def _is_slashed(node: t.Node, style: Style) -> bool:
-    """Is the node written with a slash in one line (and not as ½)?"""
-    return plain_fraction(node) and not _is_vulgar(node, style)
-
-
-def _is_vulgar(node: t.Node, style: Style) -> bool:
-    """Is the node one character in text, such as ½?"""
-    return style.mode == "text" and _ratio(node) in VULGAR
-
-
-def _ratio(node: t.Node) -> Rational | None:
-    """The value of a number or of a fraction of two whole numbers as written in lowest terms."""
-    if isinstance(node, t.Div) and isinstance(node.num, t.Num) and isinstance(node.den, t.Num):
-        value = Rational(node.num.value) / node.den.value if node.den.value else None
-        return value if value and value.numerator == node.num.value else None
-    return Rational(node.value) if isinstance(node, t.Num) else None
-
-
 def _ends_in_function(node: t.Node) -> bool:
-    return isinstance(node, t.Fn) or _is_function_power(node)
+    return isinstance(node, t.Fn) or is_function_power(node)
 
 
 def _stops_argument(after: t.Node) -> bool:
@@ -211,121 +101,9 @@ def _is_wordy(node: t.Node, style: Style) -> bool:
     return isinstance(node, t.Sym) and style.notation.glyph(node.name).style == "upright"
 
 
-@draws(t.Div)
-def _div(node: t.Div, style: Style) -> b.Box:
-    if style.mode == "display":
-        return b.Fraction(draw(node.num, style), draw(node.den, style))
-    if _is_vulgar(node, style):
-        return b.Letter(VULGAR[_ratio(node)], "number")
-    num = wrapped(node.num, PRODUCT, style)
-    least = PRODUCT if style.mode == "text" and _is_simple_product(node.den) else POWER
-    if plain_fraction(node.num) or is_open(node.num):
-        num = fenced(draw(node.num, style))
-    return b.Row((num, b.Operator("/", "mark"), wrapped(node.den, least, style)))
-
-
-@draws(t.Pow)
-def _pow(node: t.Pow, style: Style) -> b.Box:
-    if _is_function_power(node):
-        return _applied(node, style)
-    sup = draw(node.exponent, style.script)
-    base = draw(node.base, style)
-    if level(node.base, style.mode) < POWER + 1 or plain_fraction(node.base) or not attached(base):
-        base = fenced(base)
-    return attach_sup(base, sup)
-
-
-def _is_function_power(node: t.Node) -> bool:
-    """Is it a power that is written sin²θ?"""
-    if not (isinstance(node, t.Pow) and isinstance(node.base, t.Fn)):
-        return False
-    n = node.exponent.value if isinstance(node.exponent, t.Num) else 0
-    return node.base.name in TRIGONOMETRIC and n > 1 and Rational(n).denominator == 1
-
-
-@draws(t.Sqrt)
-def _sqrt(node: t.Sqrt, style: Style) -> b.Box:
-    return b.Radical(draw(node.arg, style))
-
-
-@draws(t.Fn)
-def _fn(node: t.Fn, style: Style) -> b.Box:
-    return _applied(node, style)
-
-
-def _applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
-    """A function (or its power) before its argument, in parentheses unless it is simple."""
-    call = node if isinstance(node, t.Fn) else node.base
-    head: b.Box = b.Function(call.name)
-    if isinstance(node, t.Pow):
-        head = b.Script(head, None, draw(node.exponent, style))
-    arg = draw(call.arg, style)
-    bare = isinstance(call.arg, t.Group) or (
-        not closed and call.name != "exp" and _is_simple_argument(call.arg, style)
-    )
-    return b.Applied(head, arg if bare else fenced(arg))
-
-
-def _is_simple_argument(node: t.Node, style: Style) -> bool:
-    """Is it an argument that a textbook writes without parentheses: θ, 2θ, θ/2?"""
-    if isinstance(node, t.Sym):
-        return not style.notation.glyph(node.name).prefix
-    if plain_fraction(node) and style.mode != "display":
-        return False
-    if isinstance(node, t.Num):
-        return node.value >= 0
-    if isinstance(node, t.Div):
-        return _is_simple_product(node.num) and _is_simple_product(node.den)
-    symbols = [part for part in t.walk(node) if isinstance(part, t.Sym)]
-    return len(symbols) <= 1 and _is_simple_product(node)
-
-
-def _is_simple_product(node: t.Node) -> bool:
-    """A number, a symbol, or up to three of them with numbers only in front."""
-    if isinstance(node, t.Num):
-        return node.value >= 0 and Rational(node.value).denominator == 1
-    if isinstance(node, t.Mul):
-        first, *rest = _flat(node)
-        return (
-            0 < len(rest) < 3
-            and isinstance(first, (t.Num, t.Sym))
-            and _is_simple_product(first)
-            and all(isinstance(factor, t.Sym) for factor in rest)
-        )
-    return isinstance(node, t.Sym)
-
-
-@draws(t.Abs)
-def _abs(node: t.Abs, style: Style) -> b.Box:
-    return fenced(draw(node.arg, style), "|", "|")
-
-
-@draws(t.Group)
-def _group(node: t.Group, style: Style) -> b.Box:
-    closing = {"(": ")", "[": "]"}[node.kind]
-    return fenced(draw(node.arg, style), node.kind, closing)
-
-
 @draws(t.Cross, t.Dot)
 def _cross(node: t.Cross | t.Dot, style: Style) -> b.Box:
     sign = "×" if isinstance(node, t.Cross) else "·"
     left = wrapped(node.left, PRODUCT, style)
     left = fenced(left) if is_open(node.left) else left
     return b.Row((left, b.Operator(sign), wrapped(node.right, PRODUCT, style)))
-
-
-@draws(t.Word)
-def _word(node: t.Word, style: Style) -> b.Box:
-    return b.Phrase(node.text)
-
-
-def _relation(op: str) -> b.Operator:
-    return b.Operator(RELATIONS[op], "relation")
-
-
-@draws(t.Chain)
-def _chain(node: t.Chain, style: Style) -> b.Box:
-    items = [wrapped(node.items[0], SUM, style)]
-    for op, item in zip(node.ops, node.items[1:], strict=True):
-        items += [_relation(op), wrapped(item, SUM, style)]
-    return b.Row(tuple(items))

@@ -21,7 +21,6 @@ _SIGNS = {
     "≈": r"\approx", "→": r"\to", "∫": r"\int", "∑": r"\sum",
 }  # fmt: skip
 _LETTERS = {"∂": r"\partial", "ı": r"\imath", "ȷ": r"\jmath"}
-_FUNCTIONS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 _ACCENTS = {"bold": "boldsymbol"}
 
 
@@ -137,7 +136,7 @@ def _fence(box: b.Fence) -> str:
 
 
 def _function(box: b.Function) -> str:
-    return "\\" + _FUNCTIONS.get(box.name, box.name)
+    return "\\" + box.name
 
 
 def _applied(box: b.Applied) -> str:

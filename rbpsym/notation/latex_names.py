@@ -7,7 +7,7 @@ from difflib import get_close_matches
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_table import Reader
+from rbpsym.notation.latex_table import COMMANDS, Reader
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import Drawn, spelling
 
@@ -92,7 +92,8 @@ def _accented(reader: Reader) -> tuple[Drawn, bool]:
     inside = reader.pass_sign("{")
     if not begins_name(reader.token):
         raise reader.error(f"“{token.text}” stands before something that is no letter")
-    drawn, vector = _scripted(reader) if inside else _accented(reader)
+    with reader.deeper():
+        drawn, vector = _scripted(reader) if inside else _accented(reader)
     if inside:
         reader.expect("}", opening)
     return _with_accent(drawn, token.text), vector or token.text in _VECTORS
@@ -186,10 +187,16 @@ def _change(reader: Reader, drawn: Drawn, start: int, first: int) -> t.Node:
             whole = replace(inner, prefix="Δ")
             return reader.spanned(_known(reader, whole, vector, None, first), start)
         reader.position = before
-    from rbpsym.notation.latex_grammar import argument
+    return reader.spanned(t.Delta(_changed(reader)), start)
 
-    inner_node = argument(reader)
-    return reader.spanned(t.Delta(inner_node), start)
+
+def _changed(reader: Reader) -> t.Node:
+    """What stands after Δ: a name, or something in delimiters."""
+    if begins_name(reader.token):
+        return read_name(reader)
+    if reader.sees_sign("(", "{", "[", r"\lvert", "|"):
+        return COMMANDS[reader.token.text](reader)
+    raise reader.error("a symbol or a parenthesis is expected after Δ")
 
 
 def _known(

@@ -57,10 +57,24 @@ def _checked(node: t.Node, source: Source) -> t.Node:
 
 def _formula_tokens(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
     """The tokens without alignment marks, environments and the final punctuation."""
-    kept = [token for token in tokens[:-1] if token.text != "&" and token.kind != "begin"]
+    kept = [
+        token
+        for before, token, after in zip((None, *tokens), tokens, tokens[1:], strict=False)
+        if not (token.kind == "begin" or (token.text == "&" and _aligns(before, after)))
+    ]
     while kept and (kept[-1].text in (".", ",") or kept[-1].kind == "row"):
         kept.pop()
     return (*kept, tokens[-1])
+
+
+def _aligns(before: Token | None, after: Token) -> bool:
+    """Does an & stand where rows are aligned: beside a relation or sign, or at a row's end?"""
+    beside = (before, after)
+    return any(token is None or token.kind in _EDGES or token.text in _ALIGNED for token in beside)
+
+
+_EDGES = frozenset({"row", "begin", "end"})
+_ALIGNED = frozenset({*SIGNS, "+", "-"})
 
 
 def _rows(reader: Reader) -> t.Node:

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from rbpsym.notation import algebra_layout, calculus_layout, setting
+from rbpsym.notation import (
+    algebra_layout,
+    atom_layout,
+    calculus_layout,
+    function_layout,
+    relation_layout,
+    setting,
+)
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.setting import Style
 
-DRAWN_BY = (algebra_layout, calculus_layout)
+DRAWN_BY = (atom_layout, algebra_layout, function_layout, calculus_layout, relation_layout)
 
 
 def layout(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") -> b.Box:
@@ -18,4 +25,4 @@ def layout(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") ->
 
 def layout_rows(node: t.Node, notation: Notation = DEFAULT, mode: str = "display") -> b.Rows:
     """A chain `a = b = c`, or a system, as rows that are aligned at their relation signs."""
-    return algebra_layout.aligned(node, Style(notation, mode))
+    return relation_layout.aligned(node, Style(notation, mode))

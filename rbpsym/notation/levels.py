@@ -89,3 +89,17 @@ def _signed_product(node: t.Mul) -> tuple[bool, t.Node]:
         deeper, body = signed(t.Mul(rest))
         return negative != deeper, body
     return negative, t.Mul((first, *rest)) if rest else first
+
+
+def factors_of(node: t.Mul) -> list[t.Node]:
+    """The factors, those of products inside and without ones."""
+    bare = [_unsigned(factor) for factor in node.factors]
+    flat = [part for f in bare for part in (factors_of(f) if isinstance(f, t.Mul) else [f])]
+    kept = [factor for factor in flat if factor != t.ONE]
+    return kept or [t.ONE]
+
+
+def _unsigned(node: t.Node) -> t.Node:
+    """The node without a double minus."""
+    negative, body = signed(node)
+    return t.Neg(body) if negative else body

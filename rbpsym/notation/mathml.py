@@ -19,7 +19,6 @@ _ACCENTS = {
     "dddot": "\u20db",
 }  # fmt: skip
 _SIGNS = {"·": "⋅"}
-_FUNCTIONS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
 def to_mathml(
@@ -143,7 +142,7 @@ def _delimiter(sign: str, form: str, *, tall: bool) -> str:
 
 
 def _function(box: b.Function) -> str:
-    return f"<mi>{_FUNCTIONS.get(box.name, box.name)}</mi>"
+    return f"<mi>{box.name}</mi>"
 
 
 def _applied(box: b.Applied) -> str:

@@ -15,7 +15,6 @@ _COMBINING = {
     "vec": "\u20d7", "bold": "\u20d7", "hat": "\u0302", "bar": "\u0304", "tilde": "\u0303",
     "check": "\u030c", "dot": "\u0307", "ddot": "\u0308", "dddot": "\u20db",
 }  # fmt: skip
-_FUNCTIONS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 _DOTTED = {"ı": "i", "ȷ": "j"}
 
 
@@ -88,7 +87,7 @@ def _fraction(box: b.Fraction) -> str:
 
 def _radical(box: b.Radical) -> str:
     body = render(box.body)
-    return f"√{body}" if body.isalnum() else f"√({body})"
+    return f"√{body}" if len(body) == 1 or body.isdigit() else f"√({body})"
 
 
 def _fence(box: b.Fence) -> str:
@@ -96,7 +95,7 @@ def _fence(box: b.Fence) -> str:
 
 
 def _function(box: b.Function) -> str:
-    return _FUNCTIONS.get(box.name, box.name)
+    return box.name
 
 
 def _applied(box: b.Applied) -> str:

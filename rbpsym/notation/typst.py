@@ -19,7 +19,6 @@ _ACCENTS = {
     "dddot": "dot.triple",
 }  # fmt: skip
 _LETTERS = {"ı": "dotless.i", "ȷ": "dotless.j"}
-_FUNCTIONS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
 def to_typst(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
@@ -122,7 +121,7 @@ _FENCES: dict[str, Callable[[str], str]] = {
 
 
 def _function(box: b.Function) -> str:
-    return _FUNCTIONS.get(box.name, box.name)
+    return box.name
 
 
 def _applied(box: b.Applied) -> str:
@@ -130,13 +129,8 @@ def _applied(box: b.Applied) -> str:
 
 
 def _row(box: b.Row) -> str:
-    texts = [f" {render(item)} " if _is_spaced(item) else render(item) for item in box.items]
-    return re.sub(" {2,}", " ", "".join(texts)).strip()
-
-
-def _is_spaced(box: b.Box) -> bool:
-    """Does the source need spaces around it? All but commas and slashes."""
-    return not (isinstance(box, b.Operator) and box.kind == "mark")
+    text = " ".join(text for item in box.items if (text := render(item)))
+    return re.sub(r' (","|\\/) ', r"\1", text)
 
 
 def _rows(box: b.Rows) -> str:

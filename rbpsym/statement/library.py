@@ -11,10 +11,19 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 _FOLDERS = (_PACKAGE / "_data" / "derivations", _PACKAGE.parent / "derivations")  # in a wheel, in a checkout
 
 
+def library_folder() -> Path:
+    """The folder of the shipped files, in an installed package or in a checkout."""
+    return next((folder for folder in _FOLDERS if folder.is_dir()), _FOLDERS[-1])
+
+
 def problem_files() -> dict[str, Path]:
     """The files of the library by the name of their problem."""
-    folder = next((folder for folder in _FOLDERS if folder.is_dir()), _FOLDERS[-1])
-    return {path.stem: path for path in sorted(folder.glob("*.toml"))}
+    return {path.stem: path for path in sorted(library_folder().glob("*.toml"))}
+
+
+def course_files() -> dict[str, Path]:
+    """The courses of the library by name."""
+    return {path.stem: path for path in sorted((library_folder() / "courses").glob("*.toml"))}
 
 
 def find_problem(name_or_file: str) -> Path:

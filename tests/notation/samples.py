@@ -3,13 +3,42 @@
 from fractions import Fraction
 
 from rbpsym.notation.tree import (
-    HALF, ONE, TWO, ZERO, Abs, Add, At, BodyIntegral, Bracket, Cross, Delta, Deriv, Div, Dot, Fn,
-    Group, Integral, Limit, Mul, Neg, Num, PathIntegral, Pow, Sqrt, Sum, Sym, System, Unit, Vec,
-    Word, equation, relation,
+    HALF,
+    ONE,
+    TWO,
+    ZERO,
+    Abs,
+    Add,
+    At,
+    BodyIntegral,
+    Bracket,
+    Cross,
+    Delta,
+    Deriv,
+    Div,
+    Dot,
+    Fn,
+    Group,
+    Integral,
+    Limit,
+    Mul,
+    Neg,
+    Num,
+    PathIntegral,
+    Pow,
+    Sqrt,
+    Sum,
+    Sym,
+    System,
+    Unit,
+    Vec,
+    Word,
+    equation,
+    relation,
 )  # fmt: skip
 
-th, th0, m, M, g, ell, R, t = (Sym(n) for n in "theta theta_0 m M g ell R t".split())
-omega, omega_0, I_O, tau = (Sym(n) for n in "omega omega_0 I_O tau".split())
+th, th0, m, M, g, ell, R, t = (Sym(n) for n in "theta theta_0 m M g ell R t".split())  # noqa: SIM905
+omega, omega_0, I_O, tau = (Sym(n) for n in "omega omega_0 I_O tau".split())  # noqa: SIM905
 
 
 def sin(arg):

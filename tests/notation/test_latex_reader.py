@@ -11,7 +11,7 @@ from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Abs, BodyIntegral, Integral, Mul, Pow, Sym, Vec, Word, relation
 
 SYMBOLS = """m M g ell R theta theta_0 theta_dot theta_ddot phi omega omega_0 I_cm I_O_prime N_w r
-    r_prime V_cm F_net Delta_x cal_W_T t T k x y""".split()  # fmt: skip
+    r_prime V_cm F_net Delta_x cal_W_T t T k x y""".split()  # fmt: skip  # noqa: SIM905
 
 READ = {
     r"g(m + M)": "g(m + M)",
@@ -22,7 +22,7 @@ READ = {
     r"\ddot{\theta}\,m": "θ̈m",
     r"V_\mathrm{cm} + V_{\text{cm}}": "V_cm + V_cm",
     r"\sin^2\theta + \cos ^{2} \theta": "sin² θ + cos² θ",
-    r"\sin\left(2\theta\right)": "sin(2θ)",
+    r"\sin\left(2\theta\right)": "sin 2θ",
     r"\sin{\theta} m": "sin(θ) m",
     r"\omega^2_0": "ω₀²",
     r"\omega_0^2": "ω₀²",
@@ -72,7 +72,7 @@ def test_d_is_a_symbol_where_the_problem_says_so():
 
 def test_every_token_has_a_part_in_the_tree_or_an_error():
     table = symbol_table(SYMBOLS)
-    for extra in ("+", r"\alpha", "q", "^", "_", "}", r"\foo", "&&&x", "!", "#", "$", "%", "@", r"\begin{foo}", '"'):
+    for extra in ("+", r"\alpha", "q", "^", "_", "}", r"\foo", "&x", "!", "#", "$", "%", "@", r"\begin{foo}", '"'):
         with pytest.raises(RbpsymError):
             read_latex(rf"m g {extra}", table)
 

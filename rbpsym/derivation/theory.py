@@ -1,0 +1,348 @@
+"""The general theory of plane motion, for any rigid body known by its mass moments alone.
+
+∫dm = M, ∫dm r = 0, ∫dm r² = I_cm; r is counted from the centre of mass and turns with the body.
+Every step is decided twice: by expanding the integrand in those moments, and for a rigid set of
+three particles of arbitrary masses and places. Kleppner & Kolenkow 7.1-7.4; the paper, sec. II.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import Scope, Value, rate, value
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Space, cartesian
+from rbpsym.derivation import checks as c
+from rbpsym.derivation.step import STANDARD, Certificate, Lesson, Step, StepRef
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.verdict import Verdict
+from rbpsym.notation import tree as t
+
+XI, ETA = symbol("xi"), symbol("eta")
+OMEGA, ALPHA, MASS, MOMENT = symbol("omega"), symbol("alpha"), symbol("M"), symbol("I_cm")
+
+
+def _moving(name: str, orders: int = 2) -> dict[str, Scalar]:
+    """Rates of a coordinate and of its speed."""
+    steps = [name, f"{name}_dot", f"{name}_ddot"][: orders + 1]
+    return {a: symbol(b) for a, b in zip(steps, steps[1:], strict=False)}
+
+
+def _turning(x: str, y: str, speed: Scalar = OMEGA) -> dict[str, Scalar]:
+    """Rates of the components of a vector that is fixed in the body: ω × r."""
+    return {x: -(speed * symbol(y)), y: speed * symbol(x)}
+
+
+RATES: Mapping[str, Scalar] = {
+    **_moving("X"), **_moving("Y"), "omega": ALPHA, "varphi": OMEGA,
+    **_turning("xi", "eta"), **_turning("s_x", "s_y"),
+    **_turning("p_x", "p_y", symbol("omega_p")), **_turning("q_x", "q_y", symbol("omega_q")),
+}
+
+
+def _vector(x: str, y: str) -> Space:
+    return Space(cartesian(symbol(x), symbol(y)))
+
+
+def _speed(vector: Space, rates: Mapping[str, Scalar] = RATES) -> Space:
+    from rbpsym.algebra.evaluate import space_derivative
+
+    return space_derivative(vector, Scope(rates=rates))
+
+
+R, r, s = _vector("X", "Y"), _vector("xi", "eta"), _vector("s_x", "s_y")
+V, v = _speed(R), _speed(r)
+A = _speed(V)
+F = _vector("F_x", "F_y")
+
+VECTORS: Mapping[str, Space] = {
+    "R_cm": R, "r": r, "r_prime": R + r, "V_cm": V, "v": v, "v_prime": V + v, "A_cm": A, "s": s,
+    "varphi": Space(z=symbol("varphi")), "omega": Space(z=OMEGA), "alpha": Space(z=ALPHA), "P_cm": V * MASS, "F": F, "F_net": A * MASS,
+    "L": R.cross(V * MASS) + Space(z=MOMENT * OMEGA), "tau_cm": Space(z=MOMENT * ALPHA),
+    "tau_net": R.cross(A * MASS) + Space(z=MOMENT * ALPHA),
+    "r_p": _vector("p_x", "p_y"), "r_q": _vector("q_x", "q_y"),
+    "omega_p": Space(z=symbol("omega_p")), "omega_q": Space(z=symbol("omega_q")),
+}
+SCALARS: Mapping[str, Scalar] = {
+    "E_K": (MASS * V.dot(V) + MOMENT * OMEGA * OMEGA) / 2, "I_O": MOMENT + MASS * R.dot(R),
+    "tau_cm": MOMENT * ALPHA,
+}
+POWERS: Mapping[str, Scalar] = {
+    "cal_W_T": (A * MASS).dot(V), "cal_W_theta": MOMENT * ALPHA * OMEGA,
+    "cal_W": (A * MASS).dot(V) + MOMENT * ALPHA * OMEGA,
+    "cal_w": F.dot(V + _speed(s)), "cal_w_T": F.dot(V), "cal_w_theta": s.cross(F).z * OMEGA,
+}
+MOMENTS: Mapping[tuple[int, int], Scalar] = {
+    (0, 0): MASS, (1, 0): NOTHING, (0, 1): NOTHING, (2, 0): symbol("m_xx"), (1, 1): symbol("m_xy"),
+    (0, 2): MOMENT - symbol("m_xx"),
+}
+
+
+def by_moments(integrand: Scalar, body: str) -> Scalar:
+    """∫ f dm of a polynomial f in r, from the moments of the mass."""
+    return _over(integrand.num, lambda powers: MOMENTS[powers])
+
+
+def by_particles(integrand: Scalar, body: str) -> Scalar:
+    """Σ mᵢ f(rᵢ) over three particles whose centre of mass is at r = 0."""
+    total = NOTHING
+    for mass, x, y in PARTICLES:
+        total = total + mass * substitute(integrand, {"xi": x, "eta": y})
+    return total
+
+
+def _over(poly: Poly, moment) -> Scalar:
+    first, second = (atoms.intern("symbol", name) for name in ("xi", "eta"))
+    total = NOTHING
+    for a, part in poly.by_power(first).items():
+        for b, rest in part.by_power(second).items():
+            total = total + Scalar(rest) * moment((a, b))
+    return total
+
+
+def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
+    m = [symbol(f"m_{k}") for k in (1, 2, 3)]
+    x, y = ([symbol(f"{axis}_{k}") for k in (1, 2)] for axis in "xy")
+    last = [-(m[0] * p[0] + m[1] * p[1]) / m[2] for p in (x, y)]
+    return ((m[0], x[0], y[0]), (m[1], x[1], y[1]), (m[2], *last))
+
+
+PARTICLES = _particles()
+
+
+@dataclass
+class TheoryContext:
+    """The same questions as `Context`, asked of an arbitrary body."""
+
+    body: object = by_moments
+    images: Mapping[str, Scalar] = field(default_factory=dict)
+    assumptions: Assumptions = field(default_factory=lambda: Assumptions({"M": "positive", "I_cm": "positive"}))
+    scalars: Mapping[str, Scalar] = field(default_factory=lambda: dict(SCALARS))
+    works: Mapping[str, Scalar] = field(default_factory=lambda: dict(POWERS))
+    vectors: Mapping[str, Space] = field(default_factory=lambda: dict(VECTORS))
+
+    @property
+    def scope(self) -> Scope:
+        """The scope of the theory."""
+        return Scope(self.scalars, self.vectors, RATES, {}, self.body, self.works)
+
+    def value(self, node: t.Node) -> Value:
+        """The value of a tree."""
+        found = value(node, self.scope)
+        if isinstance(found, Space):
+            return Space(found.plane.substitute(self.images), substitute(found.z, self.images))
+        return substitute(found, self.images)
+
+    def rate(self, node: t.Node) -> Scalar:
+        """d/dt of a tree with integrals along the motion."""
+        return substitute(rate(node, self.scope), self.images)
+
+    def start(self, found: Scalar) -> Scalar:
+        """All changes are counted from the start."""
+        return NOTHING
+
+
+def particle_context(context: TheoryContext) -> TheoryContext:
+    """Mass and moment of inertia are those of the three particles."""
+    mass = sum((m for m, _, _ in PARTICLES), NOTHING)
+    moment = sum((m * (x * x + y * y) for m, x, y in PARTICLES), NOTHING)
+    return replace(context, body=by_particles, images={"M": mass, "I_cm": moment})
+
+
+
+
+def _identity(context: TheoryContext, step: Step) -> Verdict:
+    return c.weakest([c.identity(context, step), c.identity(particle_context(context), step)])
+
+
+def _rates(context: TheoryContext, step: Step) -> Verdict:
+    return c.weakest([c.rates(context, step), c.rates(particle_context(context), step)])
+
+
+RULES = {"theory_identity": _identity, "theory_rates": _rates}
+
+
+class Writer:
+    """Collects the steps of the theory."""
+
+    def __init__(self) -> None:
+        self.steps: list[Step] = []
+        self.context = TheoryContext()
+
+    def add(self, id: str, statement: t.Node, rule: str = "theory_identity", premises: Iterable[str] = (),
+            fixed: bool = False, is_result: bool = False) -> None:
+        """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R."""
+        context = replace(self.context, **_about_fixed_axis()) if fixed else self.context
+        step = Step(id, rule, statement, "theory", f"theory.{id}", {"sources": [StepRef(p) for p in premises]},
+                    tuple(premises), STANDARD, is_result)
+        verdict = c.guarded(lambda: RULES[rule](context, step))
+        self.steps.append(replace(step, certificate=Certificate((rule, "by_particles"), verdict)))
+
+
+def _about_fixed_axis() -> dict[str, object]:
+    """The meanings that change when the origin is a fixed point of the body: V = ω × R, A = dV/dt."""
+    velocity = Space(z=OMEGA).cross(R)
+    acceleration = Space(z=ALPHA).cross(R) + Space(z=OMEGA).cross(velocity)
+    momentum, push = velocity * MASS, acceleration * MASS
+    vectors = {**VECTORS, "V_cm": velocity, "A_cm": acceleration, "P_cm": momentum, "F_net": push,
+               "L": R.cross(momentum) + Space(z=MOMENT * OMEGA), "tau_net": R.cross(push) + Space(z=MOMENT * ALPHA)}
+    works = {**POWERS, "cal_W_T": push.dot(velocity), "cal_W": push.dot(velocity) + MOMENT * ALPHA * OMEGA}
+    energy = (MASS * velocity.dot(velocity) + MOMENT * OMEGA * OMEGA) / 2
+    return {"vectors": vectors, "works": works, "scalars": {**SCALARS, "E_K": energy}}
+
+
+def _half(*factors: t.Node) -> t.Node:
+    return t.mul(t.Div(t.ONE, t.TWO), *factors)
+
+
+def _square(node: t.Node) -> t.Node:
+    return t.Pow(node, t.TWO)
+
+
+def plane_motion() -> Lesson:
+    """The lesson: rigidity, momentum, torque, energy, fixed axis, works, ideal constraints."""
+    w = Writer()
+    for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, _works, _ideal):
+        chapter(w)
+    return Lesson("theory", "plane-motion", tuple(w.steps))
+
+
+def _rigidity(w: Writer) -> None:
+    arm, omega = t.Vec("r"), t.Vec("omega")
+    turn = t.Cross(omega, arm)
+    w.add("rigid", t.equation(t.Deriv(t.Group(_square(arm))), t.mul(t.TWO, t.Dot(arm, t.Deriv(arm))), t.ZERO))
+    w.add("turning", t.equation(t.Deriv(arm), turn), premises=["rigid"], is_result=True)
+    p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
+    apart = t.Group(t.Add((p, t.Neg(q))))
+    both = t.Group(t.Add((t.Cross(op, p), t.Neg(t.Cross(oq, q)))))
+    w.add("one_omega", t.equation(t.Dot(apart, both), t.Dot(t.Group(t.Add((oq, t.Neg(op)))), t.Cross(p, q))),
+          premises=["turning"])
+    w.add("velocity", t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((t.Vec("R_cm"), arm)))),
+                                 t.Add((t.Vec("V_cm"), turn))), premises=["turning"])
+
+
+def _momentum(w: Writer) -> None:
+    arm, omega = t.Vec("r"), t.Vec("omega")
+    w.add("moments", t.System((
+        t.equation(t.BodyIntegral(t.ONE), t.Sym("M")), t.equation(t.BodyIntegral(arm), t.ZERO),
+        t.equation(t.BodyIntegral(_square(arm)), t.Sym("I_cm")))))
+    w.add("linear", t.equation(t.BodyIntegral(t.Vec("v_prime")), t.mul(t.Sym("M"), t.Vec("V_cm")), t.Vec("P_cm")),
+          premises=["velocity", "moments"])
+    place, speed = t.Add((t.Vec("R_cm"), arm)), t.Add((t.Vec("V_cm"), t.Cross(omega, arm)))
+    split = t.Add((t.Cross(t.Vec("R_cm"), t.Vec("P_cm")), t.mul(t.Sym("I_cm"), omega)))
+    w.add("angular_momentum", t.equation(
+        t.Vec("L"), t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Vec("v_prime"))),
+        t.BodyIntegral(t.Cross(t.Group(place), t.Group(speed))), split), premises=["velocity", "moments", "linear"], is_result=True)
+
+
+def _torque(w: Writer) -> None:
+    w.add("newton", t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))),
+          premises=["linear"])
+    arm = t.Vec("R_cm")
+    w.add("torque", t.equation(t.Vec("tau_net"), t.Deriv(t.Vec("L")), t.Add((
+        t.Cross(arm, t.Vec("F_net")), t.mul(t.Sym("I_cm"), t.Vec("alpha"))))), premises=["angular_momentum", "newton"],
+        is_result=True)
+    place = t.Group(t.Add((arm, t.Vec("s"))))
+    w.add("torque_split", t.equation(t.Cross(place, t.Vec("F")), t.Add((
+        t.Cross(arm, t.Vec("F")), t.Cross(t.Vec("s"), t.Vec("F"))))))
+    w.add("euler", t.equation(t.Vec("tau_cm"), t.Add((t.Vec("tau_net"), t.Neg(t.Cross(arm, t.Vec("F_net"))))),
+                              t.mul(t.Sym("I_cm"), t.Vec("alpha"))), premises=["torque", "torque_split"], is_result=True)
+
+
+def _energy(w: Writer) -> None:
+    speed = t.Add((t.Vec("V_cm"), t.Cross(t.Vec("omega"), t.Vec("r"))))
+    parts = t.Add((_half(t.Sym("M"), _square(t.Vec("V_cm"))), _half(t.Sym("I_cm"), _square(t.Vec("omega")))))
+    w.add("energy", t.equation(t.Sym("E_K"), _half(t.BodyIntegral(_square(t.Vec("v_prime")))),
+                               _half(t.BodyIntegral(_square(t.Group(speed)))), parts),
+          premises=["velocity", "moments"], is_result=True)
+
+
+def _fixed_axis(w: Writer) -> None:
+    arm, omega = t.Vec("R_cm"), t.Vec("omega")
+    w.add("fixed_velocity", t.equation(t.Vec("V_cm"), t.Cross(omega, arm)), fixed=True, premises=["turning"])
+    about = t.Add((t.Sym("I_cm"), t.mul(t.Sym("M"), _square(arm))))
+    w.add("steiner", t.equation(t.Sym("I_O"), t.BodyIntegral(_square(t.Vec("r_prime"))), about), premises=["moments"],
+          is_result=True)
+    w.add("fixed_momentum", t.equation(
+        t.Vec("L"), t.Add((t.Cross(arm, t.Group(t.mul(t.Sym("M"), t.Cross(omega, arm)))), t.mul(t.Sym("I_cm"), omega))),
+        t.mul(t.Sym("I_O"), omega)), fixed=True, premises=["angular_momentum", "fixed_velocity", "steiner"])
+    w.add("fixed_torque", t.equation(t.Vec("tau_net"), t.mul(t.Sym("I_O"), t.Vec("alpha"))), fixed=True,
+          premises=["fixed_momentum"], is_result=True)
+
+
+def _works(w: Writer) -> None:
+    along = t.PathIntegral(t.Vec("F_net"), t.Vec("R_cm"))
+    turn = t.PathIntegral(t.Sym("tau_cm"), t.Sym("varphi"), "times")
+    translation = t.Delta(t.Group(_half(t.Sym("M"), _square(t.Vec("V_cm")))))
+    rotation = t.Delta(t.Group(_half(t.Sym("I_cm"), _square(t.Vec("omega")))))
+    w.add("translational_work", t.equation(t.Sym("cal_W_T"), along, translation), "theory_rates", ["newton"], is_result=True)
+    w.add("rotational_work", t.equation(t.Sym("cal_W_theta"), turn, rotation), "theory_rates", ["euler"], is_result=True)
+    place = t.Group(t.Add((t.Vec("R_cm"), t.Vec("s"))))
+    w.add("work_of_force", t.equation(
+        t.Sym("cal_w"), t.PathIntegral(t.Vec("F"), place), t.Add((
+            t.PathIntegral(t.Vec("F"), t.Vec("R_cm")),
+            t.PathIntegral(t.Group(t.Cross(t.Vec("s"), t.Vec("F"))), t.Vec("varphi"))))),
+        "theory_rates", ["velocity"])
+    w.add("work_energy", t.equation(t.Sym("cal_W"), t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta"))),
+                                    t.Delta(t.Sym("E_K"))), "theory_rates",
+          ["translational_work", "rotational_work", "work_of_force", "energy"], is_result=True)
+    about = t.PathIntegral(t.mul(t.Sym("I_O"), t.Sym("alpha")), t.Sym("varphi"), "times")
+    w.add("fixed_work", t.equation(about, t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))), "theory_rates",
+          ["fixed_torque", "work_energy"], fixed=True)
+
+
+def _ideal(w: Writer) -> None:
+    """A force whose point of application doesn't move along it does W_T + W_θ = 0."""
+    still = {**POWERS, "cal_w_T": F.dot(V), "cal_w_theta": s.cross(F).z * OMEGA}
+    held = Space(z=OMEGA).cross(s)
+    vectors = {**VECTORS, "V_cm": -held}
+    works = {**still, "cal_w_T": F.dot(-held), "cal_w_theta": s.cross(F).z * OMEGA}
+    context = replace(w.context, vectors=vectors, works=works)
+    statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
+    step = Step("ideal_pivot", "theory_rates", statement, "theory", "theory.ideal_pivot",
+                {"sources": [StepRef("work_of_force")]}, ("work_of_force",), STANDARD, True)
+    verdict = c.guarded(lambda: _rates(context, step))
+    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
+    _contact(w)
+
+
+def _contact(w: Writer) -> None:
+    """A smooth contact: the point slides along the line, the force is normal to it."""
+    normal, along = symbol("N"), symbol("u")
+    force, slide = Space(cartesian(NOTHING, normal)), Space(cartesian(along, NOTHING))
+    velocity = slide - Space(z=OMEGA).cross(s)
+    works = {**POWERS, "cal_w_T": force.dot(velocity), "cal_w_theta": s.cross(force).z * OMEGA}
+    vectors = {**VECTORS, "V_cm": velocity, "F": force}
+    context = replace(w.context, vectors=vectors, works=works)
+    statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
+    step = Step("ideal_contact", "theory_rates", statement, "theory", "theory.ideal_contact",
+                {"sources": [StepRef("work_of_force")]}, ("work_of_force",))
+    verdict = c.guarded(lambda: _rates(context, step))
+    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
+    _pair(w)
+
+
+def _pair(w: Writer) -> None:
+    """Action and reaction at one point of two bodies: the powers cancel, wherever the centres are."""
+    second = symbol("omega_q")
+    lever = _vector("q_x", "q_y")
+    point = V + Space(z=OMEGA).cross(s)
+    other = point - Space(z=second).cross(lever)
+    works = {**POWERS, "cal_w_T_1": F.dot(V), "cal_w_theta_1": s.cross(F).z * OMEGA,
+             "cal_w_T_2": -F.dot(other), "cal_w_theta_2": -(lever.cross(F).z * second)}
+    context = replace(w.context, works=works)
+    names = ("cal_w_T_1", "cal_w_theta_1", "cal_w_T_2", "cal_w_theta_2")
+    statement = t.equation(t.Add(tuple(t.Sym(n) for n in names)), t.ZERO)
+    step = Step("ideal_pair", "theory_rates", statement, "theory", "theory.ideal_pair",
+                {"sources": [StepRef("work_of_force")]}, ("work_of_force",))
+    verdict = c.guarded(lambda: _rates(context, step))
+    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
+
+
+
+
+THEORIES = {"plane-motion": plane_motion}

@@ -1,0 +1,255 @@
+"""Typed tokens -> tree: sums, products, powers, calls, by binding power."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from types import MappingProxyType
+
+from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix_names import Reader, function_named, symbol_named, unknown
+from rbpsym.notation.infix_tokens import Token
+from rbpsym.notation.limits import check_exponent, number_of
+
+_POWERED = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+
+
+def _spanned(node: t.Node, start: int, reader: Reader) -> t.Node:
+    return replace(node, span=(start, reader.previous_end))
+
+
+def expression(reader: Reader) -> t.Node:
+    """term + term - term"""
+    start = reader.token.start
+    with reader.deeper():
+        terms = [_term(reader)]
+        while reader.sees("+", "-"):
+            sign = reader.take()
+            term = _term(reader)
+            if sign.text == "-":
+                term = t.Neg(term, span=(sign.start, reader.previous_end))
+            terms.append(term)
+    return terms[0] if len(terms) == 1 else _spanned(t.Add(tuple(terms)), start, reader)
+
+
+def _term(reader: Reader) -> t.Node:
+    """A product with perhaps signs before it."""
+    start = reader.token.start
+    if reader.accept("-"):
+        with reader.deeper():
+            return _spanned(t.Neg(_term(reader)), start, reader)
+    if reader.accept("+"):
+        with reader.deeper():
+            return _term(reader)
+    return _product(reader)
+
+
+def _product(reader: Reader) -> t.Node:
+    """factor * factor / factor factor"""
+    start = reader.token.start
+    factors = [_factor(reader)]
+    while True:
+        if reader.accept("*"):
+            factors.append(_signed_factor(reader))
+        elif reader.sees("/"):
+            factors = [_division(reader, _one(factors, start, reader), start)]
+        elif _begins_factor(reader):
+            _refuse_ambiguity(reader, factors[-1])
+            factors.append(_factor(reader))
+        else:
+            return _one(factors, start, reader)
+
+
+def _one(factors: list[t.Node], start: int, reader: Reader) -> t.Node:
+    if len(factors) == 1:
+        return factors[0]
+    return _spanned(t.Mul(tuple(factors)), start, reader)
+
+
+def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
+    slash = reader.token
+    if _is_bare_call(num, reader):
+        what = "this can be read in two ways: is the function's argument divided, or its value?"
+        raise reader.error(what, "Write sin(x)/2 or sin(x/2).", slash)
+    reader.take()
+    den = _signed_factor(reader)
+    return _spanned(t.Div(num, den), start, reader)
+
+
+def _signed_factor(reader: Reader) -> t.Node:
+    start = reader.token.start
+    if reader.accept("-"):
+        with reader.deeper():
+            return _spanned(t.Neg(_signed_factor(reader)), start, reader)
+    return _factor(reader)
+
+
+def _begins_factor(reader: Reader) -> bool:
+    return reader.token.kind in ("name", "number") or reader.sees("(", "√")
+
+
+def _refuse_ambiguity(reader: Reader, before: t.Node) -> None:
+    """Raise ReadError where an implied product follows a division or a bare argument."""
+    if isinstance(before, t.Div) and number_of(before) is None and not _is_closed(before, reader):
+        what = "this can be read in two ways: is this factor above or below the fraction bar?"
+        raise reader.error(what, "Write a/(b*c), or (a/b)*c.")
+    if _is_bare_call(before, reader) and reader.token.kind != "end" and not _is_call(reader):
+        what = "this can be read in two ways: does it belong to the function's argument?"
+        raise reader.error(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
+    if reader.token.kind == "number":
+        raise reader.error("a number can't follow here without a sign", "Write * between them.")
+
+
+def _is_closed(node: t.Node, reader: Reader) -> bool:
+    """Was the node written in parentheses?"""
+    return bool(node.span) and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
+
+
+def _is_bare_call(node: t.Node, reader: Reader) -> bool:
+    """Does the node end with a function whose argument has no parentheses?"""
+    if isinstance(node, (t.Mul, t.Neg)):
+        return _is_bare_call(node.factors[-1] if isinstance(node, t.Mul) else node.arg, reader)
+    node = node.base if isinstance(node, t.Pow) else node
+    text = reader.source.text[: reader.previous_end].rstrip()
+    return isinstance(node, t.Fn) and not text.endswith((")", "]", "|"))
+
+
+def _is_call(reader: Reader) -> bool:
+    return function_named(reader.token, reader) is not None
+
+
+def _factor(reader: Reader) -> t.Node:
+    """An atom with its powers."""
+    start = reader.token.start
+    base = _atom(reader)
+    if reader.token.kind == "raised":
+        exponent = _exponent_number(reader.take())
+        base = _power(base, exponent, start, reader)
+    elif reader.accept("^"):
+        base = _power(base, _exponent(reader), start, reader)
+    if reader.token.kind == "raised" or reader.sees("^"):
+        raise reader.error("an exponent follows an exponent", "Use parentheses.")
+    return base
+
+
+def _exponent(reader: Reader) -> t.Node:
+    with reader.deeper():
+        return _signed_factor(reader)
+
+
+def _exponent_number(token: Token) -> t.Node:
+    value = t.Num(abs(token.value), span=(token.start, token.end))
+    return t.Neg(value, span=value.span) if token.value < 0 else value
+
+
+def _power(base: t.Node, exponent: t.Node, start: int, reader: Reader) -> t.Node:
+    try:
+        check_exponent(exponent)
+    except LimitError as error:
+        raise error.at(reader.source.at(*(exponent.span or (start, start + 1)))) from None
+    return _spanned(t.Pow(base, exponent), start, reader)
+
+
+def _atom(reader: Reader) -> t.Node:
+    """A number, a symbol, a call, or a parenthesis."""
+    token = reader.token
+    if token.kind == "number":
+        reader.take()
+        return t.Num(_whole(token), span=(token.start, token.end))
+    if token.kind == "name":
+        return _named(reader)
+    opening = _OPENINGS.get(token.text) if token.kind == "operator" else None
+    if opening:
+        with reader.deeper():
+            return opening(reader)
+    raise _missing(reader)
+
+
+def _whole(token: Token) -> Fraction | int:
+    return int(token.value) if token.value.denominator == 1 else token.value
+
+
+def _missing(reader: Reader) -> RbpsymError:
+    token = reader.token
+    if token.kind == "end":
+        return reader.error("the expression ends too early", "A number or symbol is missing here.")
+    what = f"a number or symbol is expected before “{token.text}”"
+    return reader.error(what, "Remove the sign, or write what is missing.")
+
+
+def _parenthesis(reader: Reader) -> t.Node:
+    opening = reader.take()
+    inner = expression(reader)
+    _close(reader, opening)
+    return inner
+
+
+def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
+    if not reader.accept(sign):
+        if reader.token.kind == "end":
+            raise reader.error("this parenthesis is never closed", f"Add a “{sign}”.", opening)
+        raise reader.error(f"“{reader.token.text}” stands where “{sign}” is expected")
+
+
+def _root(reader: Reader) -> t.Node:
+    sign = reader.take()
+    return _spanned(t.Sqrt(_factor(reader)), sign.start, reader)
+
+
+def _bars(reader: Reader) -> t.Node:
+    opening = reader.take()
+    inner = expression(reader)
+    _close(reader, opening, "|")
+    return _spanned(t.Abs(inner), opening.start, reader)
+
+
+_OPENINGS = MappingProxyType({"(": _parenthesis, "√": _root, "|": _bars})
+
+
+def _named(reader: Reader) -> t.Node:
+    token = reader.take()
+    name = symbol_named(token, reader)
+    if name:
+        return t.Sym(name, span=(token.start, token.end))
+    if function_named(token, reader):
+        with reader.deeper():
+            return _call(token, reader)
+    raise unknown(token, reader)
+
+
+def _call(token: Token, reader: Reader) -> t.Node:
+    """A function with an optional power before its argument: sin^2(x), sin x."""
+    exponent = _function_power(token, reader)
+    arg = _parenthesis(reader) if reader.sees("(") else _bare_argument(token, reader)
+    call = _spanned(reader.functions[token.text](arg), token.start, reader)
+    return _power(call, exponent, token.start, reader) if exponent else call
+
+
+def _function_power(token: Token, reader: Reader) -> t.Node | None:
+    if reader.token.kind == "raised":
+        exponent = _exponent_number(reader.take())
+    elif reader.accept("^"):
+        exponent = _exponent(reader)
+    else:
+        return None
+    if token.text not in _POWERED or not isinstance(exponent, t.Num):
+        hint = f"Write a{token.text}(x) for the inverse, 1/{token.text}(x) for the reciprocal."
+        what = f"this power of {token.text} can be read in two ways"
+        raise reader.error(what, hint if token.text in _POWERED else "", token)
+    return exponent
+
+
+def _bare_argument(token: Token, reader: Reader) -> t.Node:
+    """An argument without parentheses: a number, a symbol, or a number and a symbol."""
+    start = reader.token.start
+    first = reader.token
+    if first.kind not in ("number", "name") or function_named(first, reader):
+        raise reader.error(f"{token.text} needs its argument", f"Write {token.text}(...).", token)
+    arg = _atom(reader)
+    if isinstance(arg, t.Num) and reader.token.kind == "name" and not _is_call(reader):
+        arg = _spanned(t.Mul((arg, _atom(reader))), start, reader)
+    if reader.sees("^") or reader.token.kind == "raised":
+        raise reader.error("is the argument or the function raised to this power?",
+                           f"Write {token.text}(x^2) or {token.text}(x)^2.")  # fmt: skip
+    return arg

@@ -1,0 +1,75 @@
+"""The names in a typed formula: functions, symbols, and the sentence for an unknown name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from types import MappingProxyType
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.notation.cursor import Cursor
+from rbpsym.notation.infix_tokens import Token
+
+
+def _fn(name: str) -> Callable[[t.Node], t.Node]:
+    return lambda arg: t.Fn(name, arg)
+
+
+FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
+    **{name: _fn(name) for name in ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos",
+                                    "atan", "exp", "ln")},
+    "log": _fn("ln"), "arcsin": _fn("asin"), "arccos": _fn("acos"), "arctan": _fn("atan"),
+    "sqrt": t.Sqrt, "abs": t.Abs,
+})  # fmt: skip
+
+
+@dataclass(slots=True)
+class Reader(Cursor[Token]):
+    """A cursor with the symbols, functions and aliases of a problem."""
+
+    symbols: frozenset[str] = frozenset()
+    functions: Mapping[str, Callable[[t.Node], t.Node]] = field(default_factory=lambda: FUNCTIONS)
+    aliases: Mapping[str, str] = field(default_factory=dict)
+
+
+def symbol_named(token: Token, reader: Reader) -> str | None:
+    """The symbol of the problem that a token names, by its own name or an alias."""
+    names = [reader.aliases.get(name, name) for name in (*token.names, *_squeezed(token))]
+    return next((name for name in names if name in reader.symbols), None)
+
+
+def _squeezed(token: Token) -> tuple[str, ...]:
+    """ω₁ may also be omega1."""
+    return tuple(name.replace("_", "") for name in token.names if name != token.text)
+
+
+def function_named(token: Token, reader: Reader) -> str | None:
+    found = token.kind == "name" and token.text in reader.functions
+    return token.text if found and token.text not in reader.symbols else None
+
+
+def unknown(token: Token, reader: Reader) -> RbpsymError:
+    """The error for a name that the problem doesn't have."""
+    known = sorted(reader.symbols | set(reader.aliases))
+    pieces = _pieces(token.names[0], reader.symbols)
+    near = get_close_matches(token.names[0], [*known, *reader.functions], n=1)
+    hint = "The symbols are: " + ", ".join(known) + "."
+    if near:
+        hint = f"Did you mean “{near[0]}”?"
+    if pieces:
+        hint = f"If a product is meant, write {'*'.join(pieces)}."
+    shown = token.text if len(token.text) <= 40 else token.text[:40] + "…"
+    return reader.error(f"unknown symbol “{shown}”", hint, token)
+
+
+def _pieces(word: str, symbols: frozenset[str]) -> list[str]:
+    """The symbols that a word is made of (mgell: m, g, ell); empty if it isn't."""
+    found: dict[int, list[str]] = {0: []}
+    for end in range(1, min(len(word), 40) + 1):
+        for start in range(end):
+            if start in found and word[start:end] in symbols:
+                found[end] = [*found[start], word[start:end]]
+                break
+    return found.get(len(word), [])
