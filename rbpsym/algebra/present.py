@@ -18,6 +18,7 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 
 DERIVED = ("_dot", "_ddot")
+MOST_FACTORED, FEW = 16, 6  # terms; longer sums are not worth the search for factors
 
 
 @dataclass(frozen=True)
@@ -142,15 +143,45 @@ def _common_coefficient(poly: Poly, style: Style) -> Coefficient:
     return sign * content if same or (broken and varies) else sign
 
 
-def _groups(poly: Poly, style: Style, factor: bool) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
+Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]
+
+
+def _groups(poly: Poly, style: Style, factor: bool) -> Pieces:
     """The rest as a number and one or more (tree, whether it moves) factors."""
-    if factor and 1 < len(poly) <= 80 and not any(e < 0 for m in poly.terms for _, e in m):
+    parts = _by_moving(poly, style)
+    shared = _shared_coefficient(list(parts.values())) if len(parts) > 1 else None
+    if shared is not None:
+        rest = Poly({m: _ratio_to(fixed, shared) for m, fixed in parts.items()})
+        first, second = _one_group(shared, style, factor), _one_group(rest, style, factor)
+        return first[0] * second[0], first[1] + second[1]
+    return _one_group(poly, style, factor)
+
+
+def _one_group(poly: Poly, style: Style, factor: bool) -> Pieces:
+    if factor and _is_worth_factoring(poly, style):
         from rbpsym.algebra.sympy_bridge import factors
 
         coefficient, found = factors(poly)
         if len(found) > 1 or (found and found[0][1] > 1):
             return _factor_pieces(coefficient, found, style)
     return 1, [(_sum(poly, style), any(_moves(i, style) for i in poly.atoms()))]
+
+
+def _is_worth_factoring(poly: Poly, style: Style) -> bool:
+    """Short sums, or sums of moving quantities with plain numbers: others hardly ever have factors."""
+    if len(poly) < 2 or any(e < 0 for m in poly.terms for _, e in m):
+        return False
+    plain = all(_moves(index, style) for index in poly.atoms())
+    return len(poly) <= (MOST_FACTORED if plain else FEW)
+
+
+def _by_moving(poly: Poly, style: Style) -> dict[Monomial, dict[Monomial, Coefficient]]:
+    """Coefficients in the parameters by the moving part of the terms."""
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
+    for m, c in poly.terms.items():
+        fixed, moving = _split(m, style)
+        parts.setdefault(moving, {})[fixed] = c
+    return parts
 
 
 def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
@@ -170,16 +201,9 @@ def _leads_negative(poly: Poly, style: Style) -> bool:
 
 def _sum(poly: Poly, style: Style) -> t.Node:
     """A sum, coefficients of the same moving part collected, a positive term first."""
-    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
-    for m, c in poly.terms.items():
-        fixed, moving = _split(m, style)
-        parts.setdefault(moving, {})[fixed] = c
+    parts = _by_moving(poly, style)
     if len(parts) == 1:
         return _plain_sum(poly, style)
-    shared = _shared_coefficient(list(parts.values()))
-    if shared is not None:
-        rest = Poly({m: _ratio_to(fixed, shared) for m, fixed in parts.items()})
-        return t.mul(_plain_sum(shared, style), _plain_sum(rest, style))
     collected = sorted(parts.items(), key=lambda item: _term_key(item[0], style))
     nodes = [_collected(moving, Poly(fixed), style) for moving, fixed in collected]
     return t.add(*_positive_first(nodes))

@@ -58,6 +58,7 @@ def cofactors(a: Poly, b: Poly) -> tuple[Poly, Poly]:
     return from_element(p, order), from_element(q, order)
 
 
+@lru_cache(maxsize=4096)
 def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
     """Rational coefficient and irreducible factors over ℚ with multiplicities.
 

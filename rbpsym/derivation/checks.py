@@ -6,7 +6,7 @@ integral differentiated, a moment taken over the mass itself, a solution substit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.evaluate import Value
@@ -211,11 +211,30 @@ def solution(context: Context, step: Step) -> Verdict:
     from rbpsym.mechanics.elimination import solve_linear
 
     rows, values = step.data["rows"], step.data["values"]
-    back = [scalars_equal(substitute(row, values), NOTHING, context.assumptions) for row in rows]
-    unique = solve_linear([substitute(row, {n: symbol(n) for n in values}) for row in rows], tuple(values))
-    if unique.free:
-        return Verdict(UNDECIDED, reason="the equations leave " + ", ".join(unique.free) + " free")
-    return weakest(back)
+    found = _stated(context, step, values)
+    return found if found.kind is not PROVED else _solved(context, tuple(rows), tuple(values.items()))
+
+
+def _stated(context: Context, step: Step, values: Mapping[str, Scalar]) -> Verdict:
+    """What the step states of an unknown is the value that is checked."""
+    stated = [(left.name, right) for left, _, right in relations(step.statement) if isinstance(left, t.Sym)]
+    return weakest([_equal(context.value(right), values[name], context) for name, right in stated if name in values])
+
+
+def _solved(context: Context, rows: tuple[Scalar, ...], values: tuple[tuple[str, Scalar], ...]) -> Verdict:
+    key = (rows, values)
+    if key not in context.solved:
+        context.solved[key] = _substituted_back(context, rows, dict(values))
+    return context.solved[key]
+
+
+def _substituted_back(context: Context, rows: tuple[Scalar, ...], values: Mapping[str, Scalar]) -> Verdict:
+    """The values make every row vanish, and the rows determine them (a pivot for each unknown)."""
+    from rbpsym.mechanics.elimination import has_full_rank
+
+    if not has_full_rank(rows, tuple(values)):
+        return Verdict(UNDECIDED, reason="the equations do not determine " + ", ".join(values))
+    return weakest([scalars_equal(substitute(row, values), NOTHING, context.assumptions) for row in rows])
 
 
 def series(context: Context, step: Step) -> Verdict:

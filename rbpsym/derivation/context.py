@@ -14,6 +14,7 @@ from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivativ
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.verdict import Verdict
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
@@ -23,7 +24,8 @@ from rbpsym.notation.tree import Node
 class Context:
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
-    `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name.
+    `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name;
+    `solved`: verdicts on systems that several steps share.
     """
 
     study: Study
@@ -31,6 +33,7 @@ class Context:
     vectors: dict[str, Space] = field(default_factory=dict)
     moments: dict[str, Mapping[int, Scalar]] = field(default_factory=dict)
     works: dict[str, Scalar] = field(default_factory=dict)
+    solved: dict[object, Verdict] = field(default_factory=dict)
 
     @property
     def scope(self) -> Scope:

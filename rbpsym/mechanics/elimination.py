@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.normal import is_zero, shorten
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
@@ -149,3 +150,34 @@ def blocks(matrix: Matrix) -> list[tuple[int, ...]]:
         found.append(tuple(sorted(block)))
         left -= block
     return found
+
+
+def has_full_rank(rows: Sequence[Scalar], unknowns: Sequence[str]) -> bool:
+    """Whether the rows determine all unknowns: a minor that does not vanish modulo a prime.
+
+    The image of a rank at one point is a lower bound of the rank, so True is a proof.
+    """
+    matrix = [[_residue(derivative(row, name)) for name in unknowns] for row in rows]
+    return _rank(matrix) == len(unknowns) or not solve_linear(rows, unknowns).free
+
+
+def _residue(value: Scalar) -> int:
+    try:
+        return value_of(value.num) * pow(value_of(value.den), -1, PRIME) % PRIME
+    except (NoImage, ValueError):
+        return 0
+
+
+def _rank(matrix: list[list[int]]) -> int:
+    rank = 0
+    for column in range(len(matrix[0]) if matrix else 0):
+        place = next((k for k in range(rank, len(matrix)) if matrix[k][column]), None)
+        if place is None:
+            continue
+        matrix[rank], matrix[place] = matrix[place], matrix[rank]
+        inverse = pow(matrix[rank][column], -1, PRIME)
+        for k in range(rank + 1, len(matrix)):
+            factor = matrix[k][column] * inverse % PRIME
+            matrix[k] = [(a - factor * b) % PRIME for a, b in zip(matrix[k], matrix[rank], strict=True)]
+        rank += 1
+    return rank

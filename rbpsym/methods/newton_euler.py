@@ -51,7 +51,7 @@ def _reactions(draft: Draft, steps: list) -> None:
         return
     premises = [step.id for step in steps] + [f"motion.{name}" for name in draft.study.system.independent]
     for name, value in values.items():
-        draft.add(f"reaction.{name}", "solution", t.equation(t.Sym(name), draft.show(value, factor=True)),
+        draft.add(f"reaction.{name}", "solution", t.equation(t.Sym(name), draft.show(value)),
                   "newton_euler.reaction", premises=premises, force=t.Sym(name), level=FULL if draft.study.squares else 2,
                   data={"rows": _rows(draft), "values": _values(draft)}, sources=[StepRef(s.id) for s in steps])
 
