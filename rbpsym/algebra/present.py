@@ -8,7 +8,7 @@ scalar it was made of (the derivation proves it again for every tree that it pri
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
@@ -25,12 +25,14 @@ MOST_FACTORED, FEW = 16, 6  # terms; longer sums are not worth the search for fa
 class Style:
     """Order of factors: `rank` sorts parameters, `moving` are names that vary with time.
 
-    With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²).
+    With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
+    `whole`, sums get whole coefficients, as above a bar whose denominator has them.
     """
 
     rank: Mapping[str, tuple] = field(default_factory=dict)
     moving: frozenset[str] = frozenset()
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
+    whole: bool = False
 
 
 PLAIN = Style()
@@ -40,7 +42,7 @@ def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.N
     """The value as a display tree; `factor` looks for irreducible factors of sums."""
     if value.den is ONE:
         return present_poly(value.num, style, factor)
-    return present_ratio(value.num, value.den, style, factor=factor)
+    return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
 
 
 def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
@@ -50,13 +52,16 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     den = present_poly(den, style, factor)
     coefficient, common, rest = _taken_out(num, style)
     more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
-    coefficient = coefficient * more
+    coefficient, pieces = _turned(coefficient * more, pieces)
     sign = coefficient < 0
     before, behind = _split(common, style)
     inside = [p for p, moving in pieces if not moving]
     outside = [p for p, moving in pieces if moving]
-    top = _monomial_node(abs(coefficient), before, style)
-    num = t.mul(*([] if top == t.ONE and inside else [top]), *inside)
+    size = abs(coefficient)
+    above = _powers(before, style)
+    below = _powers(tuple((i, -e) for i, e in before if e < 0), style)
+    num = t.mul(*([t.Num(size.numerator)] if size.numerator != 1 else []), *above, *inside)
+    den = t.mul(*([t.Num(size.denominator)] if size.denominator != 1 else []), *below, den)
     if num == t.ONE and outside and behind == UNIT:
         num, outside = t.mul(*outside), []
     node = t.mul(t.div(num, den), *_powers(behind, style), *outside)
@@ -78,7 +83,19 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     return _assembled(coefficient, common, pieces, style)
 
 
+def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]]) -> tuple[Coefficient, list]:
+    """-(a - b) is printed b - a."""
+    if coefficient > 0:
+        return coefficient, pieces
+    for k, (node, moving) in enumerate(pieces):
+        if isinstance(node, t.Add) and len(node.terms) == 2 and isinstance(node.terms[1], t.Neg):
+            turned = t.Add((node.terms[1].arg, t.Neg(node.terms[0])))
+            return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
+    return coefficient, pieces
+
+
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
+    coefficient, pieces = _turned(coefficient, pieces)
     before, behind = _split(common, style)
     fixed = [node for node, moving in pieces if not moving]
     moving = [node for node, moves in pieces if moves]
@@ -132,15 +149,15 @@ def _nearer(a: int, b: int) -> int:
 
 def _common_coefficient(poly: Poly, style: Style) -> Coefficient:
     values = list(poly.terms.values())
-    sign = -1 if all(c < 0 for c in values) else 1
+    sign = -1 if _leads_negative(poly, style) else 1
     content = poly.content()[0]
     whole = all(c.denominator == 1 for c in values)
     if whole:
         return sign * content.numerator
     same = len({c.denominator for c in values}) == 1
     broken = all(c.denominator != 1 for c in values)
-    varies = any(_moves(i, style) for i in poly.atoms()) and not any(_is_quadratic(m) for m in poly.terms)
-    return sign * content if same or (broken and varies) else sign
+    varies = style.whole or any(_moves(i, style) for i in poly.atoms()) and not any(_is_quadratic(m) for m in poly.terms)
+    return tidy(sign * content) if same or style.whole or (broken and varies) else sign
 
 
 Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]
@@ -152,19 +169,63 @@ def _groups(poly: Poly, style: Style, factor: bool) -> Pieces:
     shared = _shared_coefficient(list(parts.values())) if len(parts) > 1 else None
     if shared is not None:
         rest = Poly({m: _ratio_to(fixed, shared) for m, fixed in parts.items()})
-        first, second = _one_group(shared, style, factor), _one_group(rest, style, factor)
-        return first[0] * second[0], first[1] + second[1]
-    return _one_group(poly, style, factor)
+        return _product(_group(shared, style, factor), _group(rest, style, factor))
+    return _group(poly, style, factor)
 
 
-def _one_group(poly: Poly, style: Style, factor: bool) -> Pieces:
-    if factor and _is_worth_factoring(poly, style):
-        from rbpsym.algebra.sympy_bridge import factors
+def _product(first: Pieces, second: Pieces) -> Pieces:
+    return first[0] * second[0], first[1] + second[1]
 
-        coefficient, found = factors(poly)
+
+def _group(poly: Poly, style: Style, factor: bool) -> Pieces:
+    """One sum with its number and sign taken out, or its factors."""
+    found = _best_factors(poly, style) if factor and _is_worth_factoring(poly, style) else None
+    if found is not None:
+        return _factor_pieces(*found, style)
+    if factor and _splits_by_parameters(poly, style):
+        return 1, [(_sum_by_parameters(poly, style), True)]
+    number = _common_coefficient(poly, style)
+    rest = poly.scaled(Fraction(1) / number) if number != 1 else poly
+    return number, [(_sum(rest, style), any(_moves(i, style) for i in poly.atoms()))]
+
+
+def _best_factors(poly: Poly, style: Style) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]] | None:
+    """Factors of the sum as it is, or with one of sin², cos² replaced; None if it has none."""
+    from rbpsym.algebra.sympy_bridge import factors
+
+    for form in _forms(poly):
+        coefficient, found = factors(form)
         if len(found) > 1 or (found and found[0][1] > 1):
-            return _factor_pieces(coefficient, found, style)
-    return 1, [(_sum(poly, style), any(_moves(i, style) for i in poly.atoms()))]
+            return coefficient, found
+    return None
+
+
+def _forms(poly: Poly) -> list[Poly]:
+    from rbpsym.algebra.normal import without_squares
+
+    forms = [poly]
+    for kind in ("sin", "cos"):
+        form = poly
+        for index in sorted(poly.atoms()):
+            if atoms.atom(index).kind == kind:
+                form = without_squares(form, index)
+        if form != poly and len(form) > 1:
+            forms.append(form)
+    return forms
+
+
+def _splits_by_parameters(poly: Poly, style: Style) -> bool:
+    """Whether terms with the same parameters belong together (a weight's and a spring's, say)."""
+    fixed, moving = zip(*(_split(m, style) for m in poly.terms), strict=True)
+    return 1 < len(set(fixed)) < len(set(moving))
+
+
+def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
+    for m, c in poly.terms.items():
+        parts.setdefault(_split(m, style)[0], {})[m] = c
+    ordered = sorted(parts.items(), key=lambda item: _term_key(item[0], style))
+    return t.add(*_positive_first([present_poly(Poly(part), style, True) for _, part in ordered]))
 
 
 def _is_worth_factoring(poly: Poly, style: Style) -> bool:
@@ -187,16 +248,20 @@ def _by_moving(poly: Poly, style: Style) -> dict[Monomial, dict[Monomial, Coeffi
 def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
     pieces = []
     for base, power in found:
-        if _leads_negative(base, style):
+        content = base.content()[0]
+        base, coefficient = base.scaled(Fraction(1) / content), coefficient * content**power
+        if _leads_negative(base, style) or (power % 2 == 0 and _starts_negative(base, style)):
             base, coefficient = -base, coefficient * (-1) ** power
         pieces.append((t.power(_sum(base, style), power), any(_moves(i, style) for i in base.atoms())))
-    return coefficient, pieces
+    return tidy(coefficient), pieces
+
+
+def _starts_negative(poly: Poly, style: Style) -> bool:
+    return poly.terms[min(poly.terms, key=lambda m: _term_key(m, style))] < 0
 
 
 def _leads_negative(poly: Poly, style: Style) -> bool:
-    return all(c < 0 for c in poly.terms.values()) or (
-        len(poly) == 2 and poly.terms[min(poly.terms, key=lambda m: _term_key(m, style))] < 0
-    )
+    return all(c < 0 for c in poly.terms.values())
 
 
 def _sum(poly: Poly, style: Style) -> t.Node:
