@@ -161,10 +161,11 @@ def _show(poly: Poly) -> str:
 
 def _term(m: tuple, c: int | Fraction) -> str:
     parts = [] if c == 1 and m != UNIT else [str(c)]
-    return "*".join(parts + [_name(i) + (f"**{e}" if e != 1 else "") for i, e in m])
+    return "*".join(parts + [name_of(i) + (f"**{e}" if e != 1 else "") for i, e in m])
 
 
-def _name(index: int) -> str:
+def name_of(index: int) -> str:
+    """A short, stable text for an atom."""
     found = atoms.atom(index)
     if found.kind == "symbol":
         return found.arg

@@ -208,7 +208,6 @@ def combination(context: Context, step: Step) -> Verdict:
 
 def solution(context: Context, step: Step) -> Verdict:
     """The values satisfy the equations (`data`: "rows" Scalars = 0, "values"), and only they do."""
-    from rbpsym.mechanics.elimination import solve_linear
 
     rows, values = step.data["rows"], step.data["values"]
     found = _stated(context, step, values)

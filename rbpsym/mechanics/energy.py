@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import derivative, depends_on, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol

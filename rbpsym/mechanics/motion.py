@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
@@ -12,7 +13,6 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import System
-from rbpsym.algebra import atoms
 
 
 def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:

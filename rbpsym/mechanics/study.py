@@ -8,8 +8,8 @@ from functools import cached_property
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import Style
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.style import Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.mechanics import energy, events, motion, oscillation, work

@@ -107,7 +107,7 @@ def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
     start = draft.context.scope.start.get(f"{name}_dot", NOTHING)
     if not start or start.number() is not None:
         return draft.show(value, factor=True)
-    gained = substitute(value, {n: NOTHING for n in _symbols(start)})
+    gained = substitute(value, dict.fromkeys(_symbols(start), NOTHING))
     return t.add(draft.show(short(value - gained), factor=True), *([draft.show(gained, factor=True)] if gained else []))
 
 

@@ -1,0 +1,138 @@
+"""What is taken out of a sum before it is printed: common factors, numbers, shared sums, irreducible factors."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy
+from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
+from rbpsym.quantities import LENGTH, MASS, NUMBER
+
+MOST_FACTORED, FEW = 16, 6  # terms; longer sums are not worth the search for factors
+
+
+def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
+    """(coefficient, monomial, rest) with poly = coefficient × monomial × rest."""
+    if poly.is_monomial():
+        [(m, c)] = poly.terms.items()
+        return c, m, ONE
+    if is_inertia(poly, style):
+        return 1, UNIT, poly
+    common = common_powers(poly)
+    rest = poly.scaled(1, inverse(common)) if common else poly
+    coefficient = common_coefficient(rest, style)
+    if coefficient != 1:
+        rest = rest.scaled(Fraction(1) / coefficient)
+    return coefficient, common, rest
+
+
+def is_inertia(poly: Poly, style: Style) -> bool:
+    """Whether the terms are moments of inertia, which a reader wants to see one by one."""
+    if not style.dimensions:
+        return False
+    total = NUMBER
+    for index, exponent in next(iter(poly.terms)):
+        name = atoms.symbol_name(index)
+        if name is None or moves(index, style):
+            return False
+        total = total * style.dimensions.get(name, NUMBER) ** exponent
+    return total == MASS * LENGTH**2 and not any(moves(i, style) for i in poly.atoms())
+
+
+def common_powers(poly: Poly) -> Monomial:
+    shared: dict[int, int] | None = None
+    for m in poly.terms:
+        powers = dict(m)
+        if shared is None:
+            shared = powers
+            continue
+        shared = {i: nearer(e, powers[i]) for i, e in shared.items() if i in powers and e * powers[i] > 0}
+    return tuple(sorted((shared or {}).items()))
+
+
+def nearer(a: int, b: int) -> int:
+    return min(a, b) if a > 0 else max(a, b)
+
+
+def common_coefficient(poly: Poly, style: Style) -> Coefficient:
+    values = list(poly.terms.values())
+    sign = -1 if leads_negative(poly, style) else 1
+    content = poly.content()[0]
+    whole = all(c.denominator == 1 for c in values)
+    if whole:
+        return sign * content.numerator
+    same = len({c.denominator for c in values}) == 1
+    broken = all(c.denominator != 1 for c in values)
+    varies = style.whole or (any(moves(i, style) for i in poly.atoms()) and not any(is_quadratic(m) for m in poly.terms))
+    return tidy(sign * content) if same or style.whole or (broken and varies) else sign
+
+
+def starts_negative(poly: Poly, style: Style) -> bool:
+    return poly.terms[min(poly.terms, key=lambda m: term_key(m, style))] < 0
+
+
+def leads_negative(poly: Poly, style: Style) -> bool:
+    return all(c < 0 for c in poly.terms.values())
+
+
+def shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None:
+    """The coefficient sum that all groups have up to a number, None if they differ."""
+    first = groups[0]
+    if len(first) < 2 or any(g.keys() != first.keys() for g in groups[1:]):
+        return None
+    shared = Poly(first)
+    return shared if all(ratio_to(g, shared) is not None for g in groups) else None
+
+
+def ratio_to(group: dict[Monomial, Coefficient], shared: Poly) -> Coefficient | None:
+    ratios = {Fraction(c) / shared.terms[m] for m, c in group.items()}
+    return tidy(ratios.pop()) if len(ratios) == 1 else None
+
+
+def by_moving(poly: Poly, style: Style) -> dict[Monomial, dict[Monomial, Coefficient]]:
+    """Coefficients in the parameters by the moving part of the terms."""
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
+    for m, c in poly.terms.items():
+        fixed, moving = split(m, style)
+        parts.setdefault(moving, {})[fixed] = c
+    return parts
+
+
+def splits_by_parameters(poly: Poly, style: Style) -> bool:
+    """Whether terms with the same parameters belong together (a weight's and a spring's, say)."""
+    fixed, moving = zip(*(split(m, style) for m in poly.terms), strict=True)
+    return 1 < len(set(fixed)) < len(set(moving))
+
+
+def is_worth_factoring(poly: Poly, style: Style) -> bool:
+    """Short sums, or sums of moving quantities with plain numbers: others hardly ever have factors."""
+    if len(poly) < 2 or any(e < 0 for m in poly.terms for _, e in m):
+        return False
+    plain = all(moves(index, style) for index in poly.atoms())
+    return len(poly) <= (MOST_FACTORED if plain else FEW)
+
+
+def best_factors(poly: Poly, style: Style) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]] | None:
+    """Factors of the sum as it is, or with one of sin², cos² replaced; None if it has none."""
+    from rbpsym.algebra.sympy_bridge import factors
+
+    for form in forms(poly):
+        coefficient, found = factors(form)
+        if len(found) > 1 or (found and found[0][1] > 1):
+            return coefficient, found
+    return None
+
+
+def forms(poly: Poly) -> list[Poly]:
+    from rbpsym.algebra.normal import without_squares
+
+    forms = [poly]
+    for kind in ("sin", "cos"):
+        form = poly
+        for index in sorted(poly.atoms()):
+            if atoms.atom(index).kind == kind:
+                form = without_squares(form, index)
+        if form != poly and len(form) > 1:
+            forms.append(form)
+    return forms

@@ -1,0 +1,73 @@
+"""How values are ordered on a page, and which quantities vary with time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import Monomial
+from rbpsym.algebra.scalar import Scalar, name_of
+from rbpsym.quantities import Dimension
+
+DERIVED = ("_dot", "_ddot")
+
+
+@dataclass(frozen=True)
+class Style:
+    """Order of factors: `rank` sorts parameters, `moving` are names that vary with time.
+
+    With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
+    `whole`, sums get whole coefficients, as above a bar whose denominator has them.
+    """
+
+    rank: Mapping[str, tuple] = field(default_factory=dict)
+    moving: frozenset[str] = frozenset()
+    dimensions: Mapping[str, Dimension] = field(default_factory=dict)
+    whole: bool = False
+
+PLAIN = Style()
+
+
+def split(m: Monomial, style: Style) -> tuple[Monomial, Monomial]:
+    """(parameters, moving part) of a monomial."""
+    return tuple(i for i in m if not moves(i[0], style)), tuple(i for i in m if moves(i[0], style))
+
+
+def moves(index: int, style: Style) -> bool:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return found.arg in style.moving or found.arg.endswith(DERIVED)
+    return found.kind in ("cos", "sin") or (found.kind != "root" or bool(root_moves(found.arg, style)))
+
+
+def root_moves(radicand: Scalar, style: Style) -> bool:
+    return any(moves(index, style) for index in radicand.atoms())
+
+
+def is_quadratic(moving: Monomial) -> bool:
+    """Whether a speed is squared (an energy): then the number stands as a fraction in front."""
+    return any(e == 2 and (atoms.symbol_name(i) or "").endswith("_dot") for i, e in moving)
+
+KIND_RANK = {"root": 6, "symbol": 5, "cos": 9, "sin": 8}
+
+
+def atom_key(index: int, style: Style) -> tuple:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return style.rank.get(found.arg, default_rank(found.arg))
+    return KIND_RANK.get(found.kind, 10), name_of(index)
+
+
+def default_rank(name: str) -> tuple:
+    if name.endswith("_ddot"):
+        return (7, 1, name)
+    return (7, 0, name) if name.endswith("_dot") else (5, 0, name)
+
+
+def term_key(m: Monomial, style: Style) -> tuple:
+    """Terms with accelerations first, then by parameters, constants of motion last."""
+    names = [atoms.symbol_name(i) or "" for i, _ in m]
+    second = 0 if any(n.endswith("_ddot") for n in names) else 1
+    keys = sorted((atom_key(i, style), -e) for i, e in m)
+    return (second, [(str(k), e) for k, e in keys])
