@@ -85,7 +85,7 @@ def _dependent_speeds(free, implicit, problem: Problem) -> dict[str, Scalar]:
     rows = []
     for condition in implicit:
         rows.append(sum((derivative(condition.value, n) * symbol(f"{n}_dot") for n in free), NOTHING))
-    return solve_linear(rows, unknowns).values
+    return solve_linear(rows, unknowns, keep_free=True).values
 
 
 def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, Vector, cartesian
 from rbpsym.mechanics.inertia import tidy
@@ -86,10 +87,25 @@ def _weld_angles(element: Element) -> tuple[AngleJoin, ...]:
 
 
 def normal(line: Line) -> Vector:
-    """The unit vector across the line, towards growing a x + b y."""
-    a, b = scalar(line.a), scalar(line.b)
+    """The unit vector across the line, towards growing a x + b y.
+
+    Denominators are cleared first, so that y = x tan β gives (-sin β, cos β); a slope angle is
+    therefore taken between -90° and 90°.
+    """
+    a, b = _cleared(scalar(line.a), scalar(line.b))
     length = root(tidy(a * a + b * b))
     return cartesian(a / length, b / length)
+
+
+def _cleared(a: Scalar, b: Scalar) -> tuple[Scalar, Scalar]:
+    """Both multiplied by what stands below in them."""
+    below: dict[int, int] = {}
+    for poly in (a.num, b.num):
+        for m in poly.terms:
+            for index, exponent in m:
+                below[index] = max(below.get(index, 0), -exponent)
+    factor = Scalar(Poly({tuple(sorted((i, e) for i, e in below.items() if e)): 1}))
+    return a * factor, b * factor
 
 
 def _contact_forces(element: Element, where, side) -> tuple[Force, ...]:

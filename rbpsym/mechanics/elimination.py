@@ -14,7 +14,7 @@ from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.normal import is_zero, shorten
 from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +38,12 @@ def linear_row(value: Scalar, unknowns: Sequence[str]) -> Row:
     return row
 
 
-def solve_linear(rows: Sequence[Scalar], unknowns: Sequence[str]) -> Solution:
-    """Solves rows = 0 for the unknowns."""
-    return solve_rows([linear_row(value, unknowns) for value in rows], unknowns)
+def solve_linear(rows: Sequence[Scalar], unknowns: Sequence[str], *, keep_free: bool = False) -> Solution:
+    """Solves rows = 0 for the unknowns; with `keep_free`, some in terms of those that stay free."""
+    return solve_rows([linear_row(value, unknowns) for value in rows], unknowns, keep_free=keep_free)
 
 
-def solve_rows(rows: list[Row], unknowns: Sequence[str]) -> Solution:
+def solve_rows(rows: list[Row], unknowns: Sequence[str], *, keep_free: bool = False) -> Solution:
     """The same for rows already split into coefficients."""
     rows, done = [_cleaned(row) for row in rows], []
     while True:
@@ -54,7 +54,7 @@ def solve_rows(rows: list[Row], unknowns: Sequence[str]) -> Solution:
         pivot = rows.pop(place)
         rows = [_eliminated(row, pivot, name) for row in rows]
         done.append((name, pivot))
-    return _back_substituted(done, unknowns, rows)
+    return _back_substituted(done, unknowns, rows, keep_free)
 
 
 def _cleaned(row: Row) -> Row:
@@ -92,18 +92,20 @@ def short(value: Scalar) -> Scalar:
     return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
 
-def _back_substituted(done: list[tuple[str, Row]], unknowns: Sequence[str], rows: list[Row]) -> Solution:
+def _back_substituted(
+    done: list[tuple[str, Row]], unknowns: Sequence[str], rows: list[Row], keep_free: bool
+) -> Solution:
     values: dict[str, Scalar] = {}
     solved = {name for name, _ in done}
     undetermined = {name for name in unknowns if name not in solved}
     for name, row in reversed(done):
         others = [key for key in row if key not in (name, CONSTANT)]
-        if any(key in undetermined for key in others):
+        if not keep_free and any(key in undetermined for key in others):
             undetermined.add(name)
             continue
         total = row.get(CONSTANT, NOTHING)
         for key in others:
-            total = total + row[key] * values[key]
+            total = total + row[key] * (values[key] if key in values else symbol(key))
         values[name] = short(-(total / row[name]))
     left = tuple(row[CONSTANT] for row in rows if row.get(CONSTANT))
     return Solution(values, tuple(n for n in unknowns if n in undetermined), left)

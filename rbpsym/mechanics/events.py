@@ -27,8 +27,10 @@ class Loss:
 
 
 def losses(system: System, along: Mapping[str, Scalar], assumptions: Assumptions) -> tuple[Loss, ...]:
-    """The contacts that end during the motion from the start."""
-    found = []
+    """The contacts that end during the motion from the start (none where coordinates stay tied implicitly)."""
+    found: list[Loss] = []
+    if system.implicit:
+        return ()
     for element in system.problem.constraints:
         if element.kind in ONE_SIDED and element.name in along:
             found += _of(system, element.name, along[element.name], assumptions)
