@@ -50,7 +50,7 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     outside = [p for p, moving in pieces if moving]
     size = abs(coefficient)
     above = _powers(before, style)
-    below = _powers(tuple((i, -e) for i, e in before if e < 0), style)
+    below = _powers(tuple((i, -e) for i, e in (*before, *behind) if e < 0), style)
     num = t.mul(*([t.Num(size.numerator)] if size.numerator != 1 else []), *above, *inside)
     den = t.mul(*([t.Num(size.denominator)] if size.denominator != 1 else []), *below, den)
     if num == t.ONE and outside and behind == UNIT:
@@ -90,8 +90,10 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     before, behind = split(common, style)
     fixed = [node for node, moving in pieces if not moving]
     moving = [node for node, moves in pieces if moves]
-    head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind))
+    low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
+    head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
     node = t.mul(*([] if head == t.ONE else [head]), *fixed, *_powers(behind, style), *moving)
+    node = t.div(node, t.mul(*low)) if low else node
     return t.neg(node) if coefficient < 0 else node
 
 Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]

@@ -10,13 +10,14 @@ from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.evaluate import Value
+from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
-from rbpsym.equality.decide import compare, scalars_equal, vectors_equal
+from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
@@ -52,9 +53,25 @@ def guarded(check: Callable[[], Verdict]) -> Verdict:
 
 def _equal(a: Value, b: Value, context: Context) -> Verdict:
     if isinstance(a, Space) or isinstance(b, Space):
-        a, b = (v if isinstance(v, Space) else Space(z=NOTHING) if not v else v for v in (a, b))
-        return vectors_equal(a, b, context.assumptions)
-    return scalars_equal(a, b, context.assumptions)
+        pairs = zip(_components(a), _components(b), strict=True)
+        return weakest([same(context, x, y) for x, y in pairs])
+    return same(context, a, b)
+
+
+def _components(found: Value) -> tuple[Scalar, ...]:
+    """Components of a vector; the scalar 0 counts as the zero vector."""
+    return found.components() if isinstance(found, Space) else (NOTHING, NOTHING, found)
+
+
+def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
+    """Whether two scalars are equal, on the conditions that tie the coordinates if there are any."""
+    found = scalars_equal(a, b, context.assumptions)
+    ties = [condition.value for condition in getattr(getattr(context, "study", None), "ties", ())]
+    if found.kind is PROVED or not ties:
+        return found
+    if vanishes_on(a - b, ties):
+        return Verdict(PROVED, how="in the ideal of the conditions that tie the coordinates")
+    return Verdict(UNDECIDED, reason="the coordinates are tied by conditions that were not solved in closed form")
 
 
 def _each(context: Context, step: Step, see: Callable[[Value], Value]) -> Verdict:
@@ -85,10 +102,10 @@ def along_motion(context: Context, step: Step) -> Verdict:
 
 def _by_rates(context: Context, step: Step, see: Callable[[Scalar], Scalar]) -> Verdict:
     def one(left: t.Node, right: t.Node) -> Verdict:
-        rates = scalars_equal(see(context.rate(left)), see(context.rate(right)), context.assumptions)
+        rates = same(context, see(context.rate(left)), see(context.rate(right)))
         if rates.kind is not PROVED:
             return rates
-        return weakest([rates, scalars_equal(_begin(context, left), _begin(context, right), context.assumptions)])
+        return weakest([rates, same(context, _begin(context, left), _begin(context, right))])
 
     return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
 
@@ -115,8 +132,9 @@ def rates(context: Context, step: Step) -> Verdict:
 
 
 def rates_on_motion(context: Context, step: Step) -> Verdict:
-    """The same, with the accelerations and forces of the motion."""
-    return _by_rates(context, step, context.along)
+    """The same, with the accelerations and forces of the motion (and the speeds, where they are needed)."""
+    found = _by_rates(context, step, context.on_motion)
+    return found if found.kind is PROVED else _by_rates(context, step, context.along)
 
 
 def integrals_by_differentiation(context: Context, step: Step) -> Verdict:
@@ -130,9 +148,9 @@ def _undone(context: Context, node: t.Integral) -> Verdict:
     primitive = antiderivative(integrand, node.var)
     if primitive is None:
         return Verdict(UNDECIDED, reason="the integral has no closed form")
-    back = scalars_equal(derivative(primitive, node.var), integrand, context.assumptions)
+    back = same(context, derivative(primitive, node.var), integrand)
     ends = [substitute(primitive, {node.var: context.value(end)}) for end in (node.upper, node.lower)]
-    return weakest([back, scalars_equal(ends[0] - ends[1], context.value(node), context.assumptions)])
+    return weakest([back, same(context, ends[0] - ends[1], context.value(node))])
 
 
 def _nothing() -> Verdict:
@@ -149,18 +167,19 @@ def derivatives_by_integration(context: Context, step: Step) -> Verdict:
 
 
 def _integrated(context: Context, of: Scalar, found: Scalar) -> Verdict:
-    system = context.study.system
-    for name in system.independent:
-        slope = derivative(found, f"{name}_dot")
+    """Each partial derivative is integrated back; their sum with the speeds is the rate."""
+    system, total = context.study.system, NOTHING
+    for name in system.coordinates:
+        slope = derivative(of, name)
         primitive = antiderivative(slope, name)
         if primitive is None:
             return Verdict(UNDECIDED, reason="the rate can't be integrated back in closed form")
         gained = primitive - substitute(primitive, {name: NOTHING})
         moved = of - substitute(of, {name: NOTHING})
         if not is_zero(gained - moved):
-            return scalars_equal(gained, moved, context.assumptions)
-    rest = substitute(found, dict.fromkeys(system.speeds, NOTHING))
-    return scalars_equal(rest, NOTHING, context.assumptions)
+            return same(context, gained, moved)
+        total = total + slope * system.scope.rates[name]
+    return same(context, found, total + derivative(of, "t"))
 
 
 def momentum_over_mass(context: Context, step: Step) -> Verdict:
@@ -168,7 +187,7 @@ def momentum_over_mass(context: Context, step: Step) -> Verdict:
     from rbpsym.derivation.mass import angular_momentum
 
     total = sum((angular_momentum(context.study.system, b, step.data["origin"]) for b in step.data["bodies"]), NOTHING)
-    return scalars_equal(total, step.data["value"], context.assumptions)
+    return same(context, total, step.data["value"])
 
 
 def energy_over_mass(context: Context, step: Step) -> Verdict:
@@ -176,7 +195,7 @@ def energy_over_mass(context: Context, step: Step) -> Verdict:
     from rbpsym.derivation.mass import kinetic_energy
 
     total = sum((kinetic_energy(context.study.system, b) for b in step.data["bodies"]), NOTHING)
-    return scalars_equal(total, step.data["value"], context.assumptions)
+    return same(context, total, step.data["value"])
 
 
 def moment_over_mass(context: Context, step: Step) -> Verdict:
@@ -184,14 +203,14 @@ def moment_over_mass(context: Context, step: Step) -> Verdict:
     from rbpsym.derivation.mass import moment_about
 
     found = moment_about(context.study, step.data["body"], step.data["point"])
-    return scalars_equal(found, step.data["value"], context.assumptions)
+    return same(context, found, step.data["value"])
 
 
 def torque_by_components(context: Context, step: Step) -> Verdict:
     """Σ (x F_y - y F_x) + couples (`data`: "forces", "origin" Vector, "value")."""
     from rbpsym.derivation.mass import torque
 
-    return scalars_equal(torque(step.data["forces"], step.data["origin"]), step.data["value"], context.assumptions)
+    return same(context, torque(step.data["forces"], step.data["origin"]), step.data["value"])
 
 
 def combination(context: Context, step: Step) -> Verdict:
@@ -203,7 +222,7 @@ def combination(context: Context, step: Step) -> Verdict:
     total = difference(step.statement)
     for factor, premise in step.data["terms"]:
         total = total - difference(premise.statement) * factor
-    return scalars_equal(total, NOTHING, context.assumptions)
+    return same(context, total, NOTHING)
 
 
 def solution(context: Context, step: Step) -> Verdict:
@@ -233,7 +252,7 @@ def _substituted_back(context: Context, rows: tuple[Scalar, ...], values: Mappin
 
     if not has_full_rank(rows, tuple(values)):
         return Verdict(UNDECIDED, reason="the equations do not determine " + ", ".join(values))
-    return weakest([scalars_equal(substitute(row, values), NOTHING, context.assumptions) for row in rows])
+    return weakest([same(context, substitute(row, values), NOTHING) for row in rows])
 
 
 def series(context: Context, step: Step) -> Verdict:
@@ -241,21 +260,21 @@ def series(context: Context, step: Step) -> Verdict:
     data, name = step.data, step.data["name"]
     here = substitute(data["value"], data["at"])
     slope = substitute(derivative(data["value"], name), data["at"])
-    return weakest([scalars_equal(here, NOTHING, context.assumptions),
-                    scalars_equal(slope, data["slope"], context.assumptions)])
+    return weakest([same(context, here, NOTHING),
+                    same(context, slope, data["slope"])])
 
 
 def constant(context: Context, step: Step) -> Verdict:
     """d/dt of the first item vanishes on the motion (`data`: "value")."""
     found = context.on_motion(context.rate_of(step.data["value"]))
-    return scalars_equal(found, NOTHING, context.assumptions)
+    return same(context, found, NOTHING)
 
 
 def vanishing(context: Context, step: Step) -> Verdict:
     """The force vanishes at the stated place (`data`: "value", "at"), or where the stated factor does ("factor")."""
     if not step.data["at"]:
         return _divides(step.data["factor"], step.data["value"])
-    return scalars_equal(substitute(step.data["value"], step.data["at"]), NOTHING, context.assumptions)
+    return same(context, substitute(step.data["value"], step.data["at"]), NOTHING)
 
 
 def conservative(context: Context, step: Step) -> Verdict:
@@ -263,18 +282,16 @@ def conservative(context: Context, step: Step) -> Verdict:
     from rbpsym.derivation.mass import power
 
     total = power(context.study.system, step.data["forces"]) + context.rate_of(step.data["value"])
-    return scalars_equal(total, NOTHING, context.assumptions)
+    return same(context, total, NOTHING)
 
 
 def start_state(context: Context, step: Step) -> Verdict:
     """At the start q̇² has its start value, and 2 q̈ = d(q̇²)/dq (`data`: "name", "value")."""
     name, square = step.data["name"], step.data["value"]
     start, speed = context.scope.start, f"{name}_dot"
-    begin = substitute(square, {name: start[name]}) - start.get(speed, NOTHING) ** 2
-    acceleration = context.along(symbol(f"{name}_ddot"))
-    growth = derivative(square, name) - acceleration * 2
-    return weakest([scalars_equal(begin, NOTHING, context.assumptions),
-                    scalars_equal(growth, NOTHING, context.assumptions)])
+    begin = context.start(square) - start.get(speed, NOTHING) ** 2
+    growth = context.rate_of(square) - symbol(speed) * symbol(f"{name}_ddot") * 2
+    return weakest([same(context, begin, NOTHING), same(context, context.along(growth), NOTHING)])
 
 
 def at_rest(context: Context, step: Step) -> Verdict:
@@ -282,7 +299,7 @@ def at_rest(context: Context, step: Step) -> Verdict:
     still = dict.fromkeys(context.study.system.speeds, NOTHING)
     found = []
     for value in context.study.dynamics.forcing:
-        found.append(scalars_equal(substitute(substitute(value, still), step.data["at"]), NOTHING, context.assumptions))
+        found.append(same(context, substitute(substitute(value, still), step.data["at"]), NOTHING))
     return weakest(found)
 
 
@@ -295,7 +312,7 @@ def characteristic(context: Context, step: Step) -> Verdict:
     for square in item.frequencies_squared:
         matrix = tuple(tuple(k - square * m for k, m in zip(a, b, strict=True))
                        for a, b in zip(item.stiffness, item.inertia, strict=True))
-        found.append(scalars_equal(determinant(matrix), NOTHING, context.assumptions))
+        found.append(same(context, determinant(matrix), NOTHING))
     return weakest(found)
 
 

@@ -15,7 +15,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.mechanics import energy, events, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, solve
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import Condition, System
 from rbpsym.quantities import ACCELERATION, Quantity
 from rbpsym.statement.model import Problem
 
@@ -30,6 +30,11 @@ class Study:
     def system(self) -> System:
         """Kinematics and forces."""
         return assemble(self.problem)
+
+    @property
+    def ties(self) -> tuple[Condition, ...]:
+        """The conditions that tie coordinates to each other without an explicit solution."""
+        return self.system.implicit
 
     @cached_property
     def dynamics(self) -> Dynamics:
