@@ -254,7 +254,17 @@ VALUES: dict[type, Callable[[Any, Scope], Value]] = {
 
 def rate(node: t.Node, scope: Scope) -> Scalar:
     """d/dt of a scalar formula that may hold integrals along the motion from the start to now."""
+    if not _holds_integral(node, scope):
+        return _plain_rate(node, scope)
     return RATES.get(type(node), _plain_rate)(node, scope)
+
+
+def _holds_integral(node: t.Node, scope: Scope) -> bool:
+    """Whether a part is known by its rate only (changes, which have one, are counted in)."""
+    return any(
+        isinstance(part, (t.Integral, t.PathIntegral, t.Delta)) or (isinstance(part, t.Sym) and part.name in scope.powers)
+        for part in t.walk(node)
+    )
 
 
 def _plain_rate(node: t.Node, scope: Scope) -> Scalar:
@@ -262,7 +272,7 @@ def _plain_rate(node: t.Node, scope: Scope) -> Scalar:
 
 
 def _product_rate(node: t.Mul, scope: Scope) -> Scalar:
-    """Of factors, at most one may hold an integral; the others must be constant then."""
+    """The product rule (a factor that holds an integral needs constant others to have a value)."""
     total = NOTHING
     for place, factor in enumerate(node.factors):
         others = node.factors[:place] + node.factors[place + 1 :]

@@ -40,6 +40,8 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     """num/den as they are, with the functions that divide out kept behind the fraction."""
     if den.is_monomial():
         return present(Scalar(num) / Scalar(den), style, factor=factor)
+    if _is_upside_down(den, style):
+        num, den = -num, -den
     den = present_poly(den, style, factor)
     coefficient, common, rest = taken_out(num, style)
     more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
@@ -57,6 +59,12 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         num, outside = t.mul(*outside), []
     node = t.mul(t.div(num, den), *_powers(behind, style), *outside)
     return t.neg(node) if sign else node
+
+
+def _is_upside_down(den: Poly, style: Style) -> bool:
+    """Whether the terms that do not vary are all negative: then both sides change their sign."""
+    still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
+    return bool(still) and all(c < 0 for c in still)
 
 
 def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.Node:

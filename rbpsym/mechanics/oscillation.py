@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -85,7 +86,7 @@ def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assum
     stiffness = tuple(tuple(short(substitute(-derivative(force, n), at)) for n in names) for force in forces)
     inertia = tuple(tuple(short(substitute(entry, at)) for entry in row) for row in dynamics.mass_matrix)
     return Equilibrium(
-        at, _stability(stiffness, names, forces, at, assumptions), _frequencies(stiffness, inertia), stiffness, inertia
+        at, _stability(stiffness, names, forces, at, assumptions), _frequencies(stiffness, inertia, assumptions), stiffness, inertia
     )
 
 
@@ -102,7 +103,7 @@ def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -
     return False if minors[-1] == "negative" else None
 
 
-def _frequencies(stiffness: Matrix, inertia: Matrix) -> tuple[Scalar, ...]:
+def _frequencies(stiffness: Matrix, inertia: Matrix, assumptions: Assumptions) -> tuple[Scalar, ...]:
     """The non-zero roots λ of det(K - λ M) that have a closed form, factor by factor."""
     unknown = symbol(LAMBDA)
     size = range(len(stiffness))
@@ -111,13 +112,13 @@ def _frequencies(stiffness: Matrix, inertia: Matrix) -> tuple[Scalar, ...]:
         whole = determinant(matrix)
         found: list[Scalar] = []
         for factor in numerator_factors(whole):
-            found += _roots_of(Scalar(factor))
+            found += _roots_of(Scalar(factor), assumptions)
     except RbpsymError:
         return ()
     return tuple(found)
 
 
-def _roots_of(factor: Scalar) -> list[Scalar]:
+def _roots_of(factor: Scalar, assumptions: Assumptions) -> list[Scalar]:
     """Roots in λ of a linear or quadratic factor (λ itself is left out: no restoring force)."""
     c = substitute(factor, {LAMBDA: NOTHING})
     slope = derivative(factor, LAMBDA)
@@ -129,7 +130,7 @@ def _roots_of(factor: Scalar) -> list[Scalar]:
     if depends_on(curvature, LAMBDA):
         return []
     a, b = curvature / 2, substitute(slope, {LAMBDA: NOTHING})
-    spread = root(short(b * b - 4 * a * c))
+    spread = simplified_root(short(b * b - 4 * a * c), lambda name: assumptions.sign_of(name) == "positive")
     return [(-b - spread) / (2 * a), (-b + spread) / (2 * a)]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -14,6 +14,11 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
     """The unknown of one linear equation as a quotient that keeps the form of both sides."""
     coefficient = derivative(left - right, name)
     rest = substitute(right - left, {name: NOTHING})
-    if coefficient.den is not ONE or rest.den is not ONE:
+    if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
         return draft.show(rest / coefficient)
     return present_ratio(rest.num, coefficient.num, draft.study.style)
+
+
+def _varies(coefficient: Scalar, draft: Draft) -> bool:
+    """Whether the inertia depends on position: then common factors are cancelled first."""
+    return any(depends_on(coefficient, name) for name in draft.study.system.coordinates)

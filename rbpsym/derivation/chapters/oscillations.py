@@ -26,7 +26,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     zero = t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces)) if len(forces) > 1 else (
         t.equation(draft.show(forces[0], factor=True), t.ZERO))
     verdict = {True: "stable", False: "unstable", None: "unclear"}[item.stable]
-    draft.add(f"equilibrium.{place}", "equilibrium", t.System((_at(zero, item),)), f"oscillations.{verdict}",
+    draft.add(f"equilibrium.{place}", "equilibrium", t.System((_at(draft, zero, item),)), f"oscillations.{verdict}",
               premises=[f"motion.{n}" for n in draft.study.system.independent], names=names, count=len(names),
               place=condition, data={"at": item.at})
     if len(draft.study.system.independent) == 1 or len(item.frequencies_squared) == 1:
@@ -35,13 +35,11 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         _modes(draft, item, place)
 
 
-def _at(zero: t.Node, item: Equilibrium) -> t.Node:
+def _at(draft: Draft, zero: t.Node, item: Equilibrium) -> t.Node:
     """The equations of rest with the place put in: identities."""
-    from rbpsym.algebra.present import present
-
     def put(node: t.Node) -> t.Node:
         if isinstance(node, t.Sym) and node.name in item.at:
-            return present(item.at[node.name])
+            return draft.show(item.at[node.name])
         return node
 
     return _mapped(zero, put)

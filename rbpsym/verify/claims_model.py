@@ -1,0 +1,154 @@
+"""Claims: printed formulas, where they stand, what their symbols mean, what is expected of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from rbpsym.errors import Place
+from rbpsym.notation.tree import Node
+
+
+class Outcome(StrEnum):
+    """What was found out about a printed relation."""
+
+    PROVED = "PROVED"
+    DEFINITION = "DEFINITION"
+    REFUTED = "REFUTED"
+    UNDECIDED = "UNDECIDED"
+    NOT_COMPUTED = "NOT A FORMULA WE COMPUTE"
+    UNREAD = "COULD NOT BE READ"
+
+
+EXPECTATIONS = {
+    "proved": (Outcome.PROVED, Outcome.DEFINITION),
+    "refuted": (Outcome.REFUTED,),
+    "undecided": (Outcome.UNDECIDED,),
+    "not computed": (Outcome.NOT_COMPUTED,),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A LaTeX text as it is printed, and where it stands in the claims file."""
+
+    latex: str
+    place: Place | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """The phrase that says what a printed symbol means."""
+
+    phrase: str
+    place: Place | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What several claims share: a problem or a theory, the meanings of symbols, assumptions.
+
+    `given` are relations that are assumed, as printed; `where` conditions such as "omega > 0".
+    """
+
+    name: str
+    problem: str = ""
+    theory: str = ""
+    fixed_axis: bool = False
+    symbols: Mapping[str, Meaning] = field(default_factory=dict)
+    given: tuple[Printed, ...] = ()
+    place: Place | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """A printed formula with its meaning.
+
+    id: stable. number, label, line: its place in the source. says: a sentence in words, of which
+    `printed` is the formula. holds: "" (at whatever depth it is found to), "identity", "motion" or
+    "start". expect: a key of EXPECTATIONS. right: the correct form of an erratum. not_computed: why
+    nothing can be computed of it.
+    """
+
+    id: str
+    setting: Setting
+    printed: Printed | None
+    number: str = ""
+    label: str = ""
+    line: int = 0
+    says: str = ""
+    holds: str = ""
+    expect: str = "proved"
+    right: Printed | None = None
+    erratum: str = ""
+    note: str = ""
+    not_computed: str = ""
+    place: Place | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class ClaimsFile:
+    """A claims file: the claims about one source, in its order."""
+
+    name: str
+    title: str
+    source: str
+    text: str
+    claims: tuple[Claim, ...]
+    file: str = field(default="", compare=False)
+    content: str = field(default="", compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """One relation of a chain with its outcome.
+
+    how: by what it was proved; witness or reason: why not; diagnosis: what seems to be meant.
+    """
+
+    relation: Node
+    outcome: Outcome
+    how: str = ""
+    detail: str = ""
+    diagnosis: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What was found out about a claim; `right` is the outcome of the declared correct form."""
+
+    id: str
+    number: str
+    label: str
+    line: int
+    file: str
+    latex: str
+    outcome: Outcome
+    expected: bool
+    links: tuple[Link, ...] = ()
+    detail: str = ""
+    says: str = ""
+    erratum: str = ""
+    note: str = ""
+    right: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
+
+    @property
+    def diagnosis(self) -> str:
+        """The first diagnosis of a near miss."""
+        return next((link.diagnosis for link in self.links if link.diagnosis), "")
+
+    @property
+    def how(self) -> str:
+        """By what the links were proved."""
+        return ", ".join(dict.fromkeys(link.how for link in self.links if link.how))
+
+
+ORDER = (Outcome.UNREAD, Outcome.REFUTED, Outcome.UNDECIDED, Outcome.NOT_COMPUTED, Outcome.PROVED, Outcome.DEFINITION)
+
+
+def worst(outcomes: list[Outcome]) -> Outcome:
+    """The outcome of a chain: that of its weakest link."""
+    return min(outcomes, key=ORDER.index) if outcomes else Outcome.NOT_COMPUTED
