@@ -24,7 +24,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     With `simulation`, the numerical oracle is run as well. Raises StatementError if the
     statement does not determine the motion.
     """
-    draft = Draft.of(Study(problem))
+    draft = Draft(Study(problem))
     for write in BEFORE:
         write(draft)
     found = {name: method(draft) for name, method in METHODS.items()}

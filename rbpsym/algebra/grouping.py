@@ -19,7 +19,7 @@ def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
         return c, m, ONE
     if is_inertia(poly, style):
         return 1, UNIT, poly
-    common = common_powers(poly)
+    common = _common_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
     coefficient = common_coefficient(rest, style)
     if coefficient != 1:
@@ -40,22 +40,23 @@ def is_inertia(poly: Poly, style: Style) -> bool:
     return total == MASS * LENGTH**2 and not any(moves(i, style) for i in poly.atoms())
 
 
-def common_powers(poly: Poly) -> Monomial:
+def _common_powers(poly: Poly) -> Monomial:
     shared: dict[int, int] | None = None
     for m in poly.terms:
         powers = dict(m)
         if shared is None:
             shared = powers
             continue
-        shared = {i: nearer(e, powers[i]) for i, e in shared.items() if i in powers and e * powers[i] > 0}
+        shared = {i: _nearer(e, powers[i]) for i, e in shared.items() if i in powers and e * powers[i] > 0}
     return tuple(sorted((shared or {}).items()))
 
 
-def nearer(a: int, b: int) -> int:
+def _nearer(a: int, b: int) -> int:
     return min(a, b) if a > 0 else max(a, b)
 
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:
+    """The number, its sign included, that is taken out of a sum (1 where a reader would leave it)."""
     values = list(poly.terms.values())
     sign = -1 if leads_negative(poly, style) else 1
     content = poly.content()[0]
@@ -69,10 +70,12 @@ def common_coefficient(poly: Poly, style: Style) -> Coefficient:
 
 
 def starts_negative(poly: Poly, style: Style) -> bool:
+    """Whether the first term in order is negative."""
     return poly.terms[min(poly.terms, key=lambda m: term_key(m, style))] < 0
 
 
 def leads_negative(poly: Poly, style: Style) -> bool:
+    """Whether all terms are negative."""
     return all(c < 0 for c in poly.terms.values())
 
 
@@ -86,6 +89,7 @@ def shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None
 
 
 def ratio_to(group: dict[Monomial, Coefficient], shared: Poly) -> Coefficient | None:
+    """The number that makes one group of the other, None if there is none."""
     ratios = {Fraction(c) / shared.terms[m] for m, c in group.items()}
     return tidy(ratios.pop()) if len(ratios) == 1 else None
 
@@ -117,22 +121,22 @@ def best_factors(poly: Poly, style: Style) -> tuple[Coefficient, tuple[tuple[Pol
     """Factors of the sum as it is, or with one of sin², cos² replaced; None if it has none."""
     from rbpsym.algebra.sympy_bridge import factors
 
-    for form in forms(poly):
+    for form in _forms(poly):
         coefficient, found = factors(form)
         if len(found) > 1 or (found and found[0][1] > 1):
             return coefficient, found
     return None
 
 
-def forms(poly: Poly) -> list[Poly]:
+def _forms(poly: Poly) -> list[Poly]:
     from rbpsym.algebra.normal import without_squares
 
-    forms = [poly]
+    _forms = [poly]
     for kind in ("sin", "cos"):
         form = poly
         for index in sorted(poly.atoms()):
             if atoms.atom(index).kind == kind:
                 form = without_squares(form, index)
         if form != poly and len(form) > 1:
-            forms.append(form)
-    return forms
+            _forms.append(form)
+    return _forms

@@ -32,9 +32,7 @@ def vanishes_on(value: Scalar, relations: Iterable[Scalar]) -> bool:
 @lru_cache(maxsize=64)
 def _basis(relations: tuple[Poly, ...], bases: Bases, more: tuple[int, ...]):
     """A Gröbner basis of the relations and of sin² + cos² = 1, with the order of its atoms."""
-    from sympy.polys.groebnertools import groebner
-
-    from rbpsym.algebra.sympy_bridge import to_element
+    from rbpsym.algebra.sympy_bridge import groebner_basis, to_element
 
     ideal = [_ordinary(in_bases(relation, bases)) for relation in relations]
     used = sorted(set(more).union(*(p.atoms() for p in ideal)))
@@ -44,7 +42,7 @@ def _basis(relations: tuple[Poly, ...], bases: Bases, more: tuple[int, ...]):
         used = sorted({*used, other})
         ideal.append(generator(index) * generator(index) + generator(other) * generator(other) - ONE)
     elements = [to_element(p, used) for p in dict.fromkeys(ideal)]
-    return tuple(groebner(elements, elements[0].ring)), tuple(used)
+    return groebner_basis(elements), tuple(used)
 
 
 def _ordinary(poly: Poly) -> Poly:

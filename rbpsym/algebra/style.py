@@ -35,13 +35,14 @@ def split(m: Monomial, style: Style) -> tuple[Monomial, Monomial]:
 
 
 def moves(index: int, style: Style) -> bool:
+    """Whether an atom varies with time."""
     found = atoms.atom(index)
     if found.kind == "symbol":
         return found.arg in style.moving or found.arg.endswith(DERIVED)
-    return found.kind in ("cos", "sin") or (found.kind != "root" or bool(root_moves(found.arg, style)))
+    return found.kind in ("cos", "sin") or (found.kind != "root" or bool(_root_moves(found.arg, style)))
 
 
-def root_moves(radicand: Scalar, style: Style) -> bool:
+def _root_moves(radicand: Scalar, style: Style) -> bool:
     return any(moves(index, style) for index in radicand.atoms())
 
 
@@ -53,13 +54,14 @@ KIND_RANK = {"root": 6, "symbol": 5, "cos": 9, "sin": 8}
 
 
 def atom_key(index: int, style: Style) -> tuple:
+    """Sorting key of a factor."""
     found = atoms.atom(index)
     if found.kind == "symbol":
-        return style.rank.get(found.arg, default_rank(found.arg))
+        return style.rank.get(found.arg, _default_rank(found.arg))
     return KIND_RANK.get(found.kind, 10), name_of(index)
 
 
-def default_rank(name: str) -> tuple:
+def _default_rank(name: str) -> tuple:
     if name.endswith("_ddot"):
         return (7, 1, name)
     return (7, 0, name) if name.endswith("_dot") else (5, 0, name)

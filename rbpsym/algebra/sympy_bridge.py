@@ -71,6 +71,13 @@ def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
     return _coefficient(coefficient), tuple((from_element(f, order), k) for f, k in found)
 
 
+def groebner_basis(elements: list[Any]) -> tuple[Any, ...]:
+    """A Gröbner basis of elements of one ring."""
+    from sympy.polys.groebnertools import groebner
+
+    return tuple(groebner(elements, elements[0].ring))
+
+
 def to_sympy(value: Scalar) -> Any:
     """The scalar as a sympy expression; plain symbols are positive-free `Symbol(name)`."""
     num = _expression(value.num)

@@ -20,7 +20,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 
 
-@dataclass
+@dataclass(frozen=True)
 class Context:
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import certify
@@ -16,20 +16,17 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
 
-@dataclass
 class Draft:
-    """Steps so far, with the meanings of the quantities that they define."""
+    """Steps so far, with the meanings of the quantities that they define.
 
-    study: Study
-    context: Context
-    steps: list[Step] = field(default_factory=list)
-    skipped: list[Skipped] = field(default_factory=list)
-    chapter: str = "statement"
+    `chapter` is where the next steps belong.
+    """
 
-    @classmethod
-    def of(cls, study: Study) -> Draft:
-        """An empty draft for a problem."""
-        return cls(study, Context(study))
+    def __init__(self, study: Study) -> None:
+        self.study, self.context = study, Context(study)
+        self.steps: list[Step] = []
+        self.skipped: list[Skipped] = []
+        self.chapter = "statement"
 
     def add(
         self, id: str, rule: str, statement: t.Node, phrase: str, *, premises: Iterable[str] = (),
@@ -98,16 +95,6 @@ class Draft:
         return f"{name}_b" if name in taken else name
 
 
-def velocity_symbol(name: str) -> t.Sym:
-    """The speed of a coordinate as a tree."""
-    return t.Sym(f"{name}_dot")
-
-
 def acceleration_symbol(name: str) -> t.Sym:
     """The acceleration of a coordinate as a tree."""
     return t.Sym(f"{name}_ddot")
-
-
-def unknown_symbol(name: str) -> Scalar:
-    """An unknown force component as a value."""
-    return symbol(name)

@@ -114,7 +114,7 @@ def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
 PARTICLES = _particles()
 
 
-@dataclass
+@dataclass(frozen=True)
 class TheoryContext:
     """The same questions as `Context`, asked of an arbitrary body."""
 

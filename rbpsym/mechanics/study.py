@@ -14,7 +14,7 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.mechanics import energy, events, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
-from rbpsym.mechanics.dynamics import Dynamics, solve
+from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.quantities import ACCELERATION, Quantity
 from rbpsym.statement.model import Problem
@@ -40,6 +40,11 @@ class Study:
     def dynamics(self) -> Dynamics:
         """Equations of motion, accelerations, unknown forces."""
         return solve(self.system)
+
+    @cached_property
+    def newton_euler_rows(self) -> list[Scalar]:
+        """M A - F (x and y) and I α - τ_cm of every body, which vanish."""
+        return [value for _, _, value in newton_euler_rows(self.system)]
 
     @cached_property
     def assumptions(self) -> Assumptions:

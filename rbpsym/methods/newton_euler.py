@@ -53,18 +53,7 @@ def _reactions(draft: Draft, steps: list) -> None:
     for name, value in values.items():
         draft.add(f"reaction.{name}", "solution", t.equation(t.Sym(name), draft.show(value)),
                   "newton_euler.reaction", premises=premises, force=t.Sym(name), level=FULL if draft.study.squares else 2,
-                  data={"rows": _rows(draft), "values": _values(draft)}, sources=[StepRef(s.id) for s in steps])
-
-
-def _rows(draft: Draft) -> list[Scalar]:
-    """All Newton-Euler rows (worked out once for the draft)."""
-    from rbpsym.mechanics.dynamics import newton_euler_rows
-
-    cached = draft.context.__dict__.setdefault("newton_euler_rows", None)
-    if cached is None:
-        cached = [value for _, _, value in newton_euler_rows(draft.study.system)]
-        draft.context.__dict__["newton_euler_rows"] = cached
-    return cached
+                  data={"rows": draft.study.newton_euler_rows, "values": _values(draft)}, sources=[StepRef(s.id) for s in steps])
 
 
 def _values(draft: Draft) -> dict[str, Scalar]:
@@ -79,7 +68,7 @@ def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
         draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
         return None
     unknowns = (*system.unknowns, *system.accelerations)
-    solution = solve_linear(_rows(draft), unknowns)
+    solution = solve_linear(draft.study.newton_euler_rows, unknowns)
     if any(name not in solution.values for name in system.accelerations):
         draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
         return None

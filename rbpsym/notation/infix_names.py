@@ -46,6 +46,7 @@ def _squeezed(token: Token) -> tuple[str, ...]:
 
 
 def function_named(token: Token, reader: Reader) -> str | None:
+    """The function that a name calls, its aliases included; None if it is no function."""
     found = token.kind == "name" and token.text in reader.functions
     return token.text if found and token.text not in reader.symbols else None
 

@@ -25,7 +25,7 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.course import CoursePart
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Context:
     """Values of statements in the common parameters of both problems."""
 
@@ -37,7 +37,7 @@ class _Context:
         return value(node, Scope(self.scalars))
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Pair:
     first: Study
     second: Study

@@ -1,0 +1,205 @@
+"""Claims files: TOML -> `ClaimsFile`, every fault told with its place.
+
+A file has `[settings.NAME]` tables (a problem or a theory, the meanings of symbols) and
+`[[claim]]` tables in the order of the source. `docs/claims.md` shows the grammar by examples.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+
+from rbpsym.errors import LimitError, Place, ReadError
+from rbpsym.statement.positions import index_positions, place_at
+from rbpsym.statement.source import Source, Table, did_you_mean, kind_of
+from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Meaning, Printed, Setting
+
+MAX_BYTES = 512 * 1024
+FILE_KEYS = ("title", "source", "text", "settings", "claim")
+SETTING_KEYS = ("problem", "theory", "fixed_axis", "like", "symbols", "given")
+CLAIM_KEYS = (
+    "id", "number", "label", "line", "setting", "latex", "says", "symbols", "holds", "expect", "right",
+    "erratum", "note", "not_computed", "given",
+)
+HOLDS = ("", "identity", "motion", "start")
+
+
+def load_claims(path: Path) -> ClaimsFile:
+    """The claims in a file. Raises ReadError, StatementError or LimitError with the place of what is wrong."""
+    return read_claims(_content(path), str(path), path.stem)
+
+
+def read_claims(text: str, file: str = "", name: str = "claims") -> ClaimsFile:
+    """The claims in a TOML text."""
+    text = text.removeprefix("\ufeff").replace("\r\n", "\n")
+    root = Table(Source(file, index_positions(text)), (), _parsed(text, file))
+    root.check_keys(FILE_KEYS, "a claims file")
+    settings = _settings(root)
+    rows = root.rows("claim", "claim")
+    if not rows:
+        raise root.error("a claims file without claims", 'add [[claim]] with id, setting and latex.')
+    claims = tuple(_claim(row, settings) for row in rows)
+    _check_ids(claims)
+    return ClaimsFile(name, _title(root), root.string("source"), root.string("text"), claims, file, text)
+
+
+def _content(path: Path) -> str:
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise LimitError(f"the claims file is larger than {MAX_BYTES} bytes", place=Place(str(path)))
+        return path.read_bytes().decode("utf-8")
+    except UnicodeDecodeError as error:
+        what = f"not a text file (byte {error.start + 1} is not UTF-8)"
+    except OSError as error:
+        what = (error.strerror or "it can't be read").lower()
+    raise ReadError(f"can't read the claims: {what}", place=Place(str(path)))
+
+
+_AT = re.compile(r" \(at line (\d+), column (\d+)\)$")
+
+
+def _parsed(text: str, file: str) -> Mapping[str, object]:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        found = _AT.search(str(error))
+        hint = "put LaTeX in single quotes: latex = '''\\frac{1}{2}'''"
+        if found is None:
+            raise ReadError(f"not valid TOML: {error}", instead=hint, place=Place(file)) from None
+        start = sum(len(row) + 1 for row in text.split("\n")[: int(found[1]) - 1])
+        place = place_at(file, text, start + int(found[2]) - 1)
+        raise ReadError(f"not valid TOML: {str(error)[: found.start()]}", instead=hint, place=place) from None
+    except (RecursionError, ValueError):
+        raise LimitError("the claims file is nested too deeply", place=Place(file)) from None
+
+
+def _title(root: Table) -> str:
+    title = root.data.get("title", "")
+    return str(title.get("en", next(iter(title.values()), ""))) if isinstance(title, Mapping) else root.string("title")
+
+
+def _settings(root: Table) -> dict[str, Setting]:
+    found: dict[str, Setting] = {}
+    for name, table in root.tables("settings", "settings"):
+        table.check_keys(SETTING_KEYS, f"settings.{name}")
+        found[name] = _setting(name, table, found)
+    return found
+
+
+def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
+    like = table.string("like")
+    if like and like not in known:
+        raise table.value_error("like", f"there is no setting “{like}” above", did_you_mean(like, known, "settings"))
+    base = known.get(like) or Setting(name)
+    problem, theory = table.string("problem", base.problem), table.string("theory", base.theory)
+    if bool(problem) == bool(theory):
+        what = "both a problem and a theory" if problem else "neither a problem nor a theory"
+        raise table.error(f"the setting “{name}” has {what}", 'write problem = "NAME" or theory = "plane-motion".')
+    symbols = {**base.symbols, **_symbols(table)}
+    given = (*base.given, *_many(table, "given"))
+    fixed = _flag(table, "fixed_axis", base.fixed_axis)
+    return Setting(name, problem, theory, fixed, symbols, given, table.source.key(table.path))
+
+
+def _flag(table: Table, key: str, default: bool) -> bool:
+    value = table.data.get(key, default)
+    if not isinstance(value, bool):
+        raise table.value_error(key, f"“{key}” is true or false, not {kind_of(value)}")
+    return value
+
+
+def _symbols(table: Table) -> dict[str, Meaning]:
+    section = table.table("symbols", "symbols")
+    return {
+        latex: Meaning(section.string(latex), section.source.value((*section.path, latex)))
+        for latex in section.names()
+    }
+
+
+def _many(table: Table, key: str) -> tuple[Printed, ...]:
+    """A text or a list of texts."""
+    value = table.data.get(key, ())
+    if isinstance(value, str):
+        return (_printed(table, key),)
+    if not isinstance(value, (list, tuple)) or not all(isinstance(part, str) for part in value):
+        raise table.value_error(key, f"“{key}” is a list of formulas in quotes")
+    return tuple(Printed(part, table.source.value((*table.path, key, i))) for i, part in enumerate(value))
+
+
+def _printed(table: Table, key: str) -> Printed | None:
+    if key not in table:
+        return None
+    text, path = table.string(key), (*table.path, key)
+    if not text.strip():
+        raise table.value_error(key, f"“{key}” is empty", f"{key} = '''...''' holds the formula as printed.")
+    return Printed(text, table.source.inside(path, text, 1, 1) if "\n" not in text else table.source.value(path))
+
+
+def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
+    table.check_keys(CLAIM_KEYS, "a claim")
+    table.require("id", "a claim", 'give it a name that stays: id = "eq-12"')
+    setting = _setting_of(table, settings)
+    expect, holds = table.string("expect", "proved"), table.string("holds")
+    _choice(table, "expect", expect, tuple(EXPECTATIONS))
+    _choice(table, "holds", holds, HOLDS)
+    _check_content(table, expect)
+    return Claim(
+        id=table.string("id"), setting=setting, printed=_printed(table, "latex"), number=_number(table),
+        label=table.string("label"), line=_line(table), says=table.string("says"), holds=holds,
+        expect=expect, right=_printed(table, "right"), erratum=table.string("erratum"),
+        note=table.string("note"), not_computed=table.string("not_computed"),
+        place=table.source.key((*table.path, "id")),
+    )
+
+
+def _check_content(table: Table, expect: str) -> None:
+    if "latex" not in table and "not_computed" not in table:
+        raise table.error("the claim has no formula", "add latex = '''...''', or not_computed = \"why\".", "id")
+    if "right" in table and expect != "refuted":
+        raise table.error("“right” belongs to a claim that is refuted", 'add expect = "refuted", or drop it.', "right")
+    if "erratum" in table and expect not in ("refuted", "not computed"):
+        raise table.error("an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum")
+
+
+def _choice(table: Table, key: str, value: str, known: tuple[str, ...]) -> None:
+    if value not in known:
+        raise table.value_error(key, f"“{value}” is not a value of “{key}”", did_you_mean(value, filter(None, known)))
+
+
+def _setting_of(table: Table, settings: Mapping[str, Setting]) -> Setting:
+    name = table.string("setting")
+    if not name and len(settings) == 1:
+        name = next(iter(settings))
+    if name not in settings:
+        what = f"there is no setting “{name}”" if name else "the claim has no setting"
+        raise table.error(what, did_you_mean(name, settings, "settings"), "setting" if "setting" in table else "id")
+    base = settings[name]
+    own = _symbols(table)
+    given = (*base.given, *_many(table, "given"))
+    return Setting(name, base.problem, base.theory, base.fixed_axis, {**base.symbols, **own}, given, base.place)
+
+
+def _number(table: Table) -> str:
+    value = table.data.get("number", "")
+    if isinstance(value, bool) or not isinstance(value, (int, str)):
+        raise table.value_error("number", f"“number” is the number of the equation, not {kind_of(value)}")
+    return str(value)
+
+
+def _line(table: Table) -> int:
+    value = table.data.get("line", 0)
+    if isinstance(value, bool) or not isinstance(value, int) or value < 0:
+        raise table.value_error("line", "“line” is the number of a line in the source")
+    return value
+
+
+def _check_ids(claims: tuple[Claim, ...]) -> None:
+    seen: dict[str, Claim] = {}
+    for claim in claims:
+        if claim.id in seen:
+            other = seen[claim.id].place
+            where = f"the other one is in line {other.line}." if other else ""
+            raise ReadError(f"two claims are called “{claim.id}”", instead=where, place=claim.place)
+        seen[claim.id] = claim
