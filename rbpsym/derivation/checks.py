@@ -66,12 +66,31 @@ def _components(found: Value) -> tuple[Scalar, ...]:
 def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
     """Whether two scalars are equal, on the conditions that tie the coordinates if there are any."""
     found = scalars_equal(a, b, context.assumptions)
+    if found.kind is not PROVED and _is_unsolved(context, a - b):
+        return _by_equations_of_motion(context, a - b)
     ties = [condition.value for condition in getattr(getattr(context, "study", None), "ties", ())]
     if found.kind is PROVED or not ties:
         return found
     if vanishes_on(a - b, ties):
         return Verdict(PROVED, how="in the ideal of the conditions that tie the coordinates")
     return Verdict(UNDECIDED, reason="the coordinates are tied by conditions that were not solved in closed form")
+
+
+def _is_unsolved(context: Context, rest: Scalar) -> bool:
+    """Whether accelerations stand in it for which there is no closed formula."""
+    study = getattr(context, "study", None)
+    if study is None or study.dynamics.accelerations is not None:
+        return False
+    return any(derivative(rest, name) for name in study.system.accelerations)
+
+
+def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
+    """Whether it is one of the equations M q̈ - f = 0, or Σ q̇ (M q̈ - f), in which energy balances hold."""
+    study = context.study
+    for known in (*study.motion_rows, study.power_balance):
+        if is_zero(rest + known) or is_zero(rest - known):
+            return Verdict(PROVED, how="one of the equations of motion, or their balance of power")
+    return Verdict(UNDECIDED, reason="the accelerations of so many coupled coordinates have no closed formula here")
 
 
 def _each(context: Context, step: Step, see: Callable[[Value], Value]) -> Verdict:

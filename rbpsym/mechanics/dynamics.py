@@ -13,14 +13,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.modular import is_surely_nonzero
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.elimination import CONSTANT, Matrix, Row, blocks, linear_row, short, solve_matrix, solve_rows
+from rbpsym.mechanics.elimination import Matrix, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 
-LARGEST_BLOCK = 4
+LARGEST_BLOCK = 3
 
 
 @dataclass(frozen=True)
@@ -156,21 +157,17 @@ def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
 
 
 def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
+    """Solved with the accelerations as symbols, which are put in at the end."""
     unknowns = system.unknowns
     if not unknowns:
         return {}
-    rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
-    images = accelerations or {}
-    solution = solve_rows([_on_motion(row, images) for row in rows], unknowns)
+    solution = solve_linear([value for _, _, value in newton_euler_rows(system)], unknowns)
     if solution.free:
         raise _indistinct(system, solution.free)
-    if accelerations is not None and not all(is_zero(value) for value in solution.left):
+    images = accelerations or {}
+    if accelerations is not None and any(is_surely_nonzero(substitute(v, images).num) for v in solution.left):
         raise _contradictory(system)
-    return {name: solution.values[name] for name in unknowns}
-
-
-def _on_motion(row: Row, accelerations: Mapping[str, Scalar]) -> Row:
-    return {**row, CONSTANT: substitute(row[CONSTANT], accelerations)} if accelerations else row
+    return {name: short(substitute(solution.values[name], images)) for name in unknowns}
 
 
 def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
@@ -45,6 +45,21 @@ class Study:
     def newton_euler_rows(self) -> list[Scalar]:
         """M A - F (x and y) and I α - τ_cm of every body, which vanish."""
         return [value for _, _, value in newton_euler_rows(self.system)]
+
+    @cached_property
+    def motion_rows(self) -> tuple[Scalar, ...]:
+        """M q̈ - f, row by row, which vanish on the motion."""
+        system, found = self.system, []
+        for row, force in zip(self.dynamics.mass_matrix, self.dynamics.forcing, strict=True):
+            pushed = (m * symbol(a) for m, a in zip(row, system.accelerations, strict=True))
+            found.append(sum(pushed, NOTHING) - force)
+        return tuple(found)
+
+    @cached_property
+    def power_balance(self) -> Scalar:
+        """Σ q̇ (M q̈ - f), which vanishes on the motion."""
+        pairs = zip(self.system.speeds, self.motion_rows, strict=True)
+        return sum((symbol(speed) * row for speed, row in pairs), NOTHING)
 
     @cached_property
     def assumptions(self) -> Assumptions:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.normal import is_zero, same
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.chapters.forces import is_reaction, tag
 from rbpsym.derivation.chapters.momentum import momentum_name
@@ -27,9 +27,19 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     found = plan(draft.study)
     if found is None:
         draft.skip(NAME, "skipped.planner")
+        _projected(draft)
         return None
     steps = [_balance(draft, balance) for balance in found.balances]
     return _solve(draft, found, steps)
+
+
+def _projected(draft: Draft) -> None:
+    """The equations of motion along the velocities that the constraints allow, where no balances were found."""
+    dynamics, system = draft.study.dynamics, draft.study.system
+    for name, row, force in zip(system.independent, dynamics.mass_matrix, dynamics.forcing, strict=True):
+        left = sum((m * symbol(a) for m, a in zip(row, system.accelerations, strict=True)), NOTHING)
+        draft.add(f"motion.{name}", "balance", t.equation(draft.show(left), draft.show(force)), "torque.projected",
+                  coordinate=t.Sym(name), is_result=True, data={"row": left - force})
 
 
 def _balance(draft: Draft, balance: Balance) -> Step:

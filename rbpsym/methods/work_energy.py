@@ -126,7 +126,7 @@ def _cancelling(draft: Draft, works: tuple[ForceWork, ...]) -> None:
 
 def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     """The halves for each body, and the whole."""
-    for name, state in draft.study.system.bodies.items():
+    for name, state in _bodies_with_known_motion(draft):
         own = [item for item in works if item.on == name]
         for (half, word), kinetic in zip(HALVES, _kinetic_nodes(draft, name), strict=True):
             terms = [t.Sym(name_of(draft, i, half)) for i in own if getattr(i, word).parts]
@@ -138,6 +138,11 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
             draft.add(f"theorem.{half}.{name}", "work_energy", statement, f"work.theorem.{word}", body=BodyRef(name),
                       premises=[f"work.{i.force}.{i.on}" for i in own], count=len(terms))
     _whole(draft, works)
+
+
+def _bodies_with_known_motion(draft: Draft) -> list:
+    """All bodies; none where the accelerations have no closed formula, and only the whole can be decided."""
+    return [] if draft.study.dynamics.accelerations is None else list(draft.study.system.bodies.items())
 
 
 def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:

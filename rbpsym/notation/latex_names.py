@@ -8,8 +8,9 @@ from difflib import get_close_matches
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_table import COMMANDS, Reader
-from rbpsym.notation.latex_tokens import Token
-from rbpsym.notation.symbol_table import Drawn, spelling
+from rbpsym.notation.latex_tokens import Token, tokenize
+from rbpsym.notation.source import Source
+from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 _ACCENTS = {r"\hat": "hat", r"\bar": "bar", r"\tilde": "tilde", r"\check": "check"}
@@ -232,3 +233,19 @@ def _unknown(reader: Reader, drawn: Drawn, first: int) -> RbpsymError:
 
 def _shown(drawn: Drawn) -> str:
     return drawn.prefix + drawn.base + "˙" * drawn.dots + "'" * drawn.primes + "_" + drawn.label
+
+
+def drawn_name(text: str) -> tuple[Drawn, bool] | None:
+    """(what a reader sees of a printed name such as `\\vec{R}_{cm}`; has it an arrow?), None if it is no name."""
+    source = Source(text)
+    reader = Reader(source, tokenize(source), table=SymbolTable({}))
+    if not begins_name(reader.token):
+        return None
+    try:
+        drawn, vector = _scripted(reader)
+        if drawn == Drawn("Δ") and begins_name(reader.token):
+            inner, vector = _scripted(reader)
+            drawn = replace(inner, prefix="Δ")
+    except RbpsymError:
+        return None
+    return (drawn, vector) if reader.token.kind == "end" else None

@@ -1,0 +1,84 @@
+"""What a phrase means: values, and the world in which they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from rbpsym.algebra.calculus import function
+from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Space, Vector
+from rbpsym.equality.assumptions import Assumptions
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The meaning of a symbol.
+
+    scalar, vector: its value; a quantity along the axis has both. kind: "value", "constant" (some
+    constant of the motion), "unknown", "defined here", "up to a constant". points: the values at
+    the points where the external forces act; density: what d(it) is for a mass element, over dm.
+    """
+
+    scalar: Scalar | None = None
+    vector: Space | None = None
+    kind: str = "value"
+    points: tuple[Space, ...] = ()
+    density: Space | None = None
+
+
+def axial(value: Scalar) -> Bound:
+    """A quantity along the axis of rotation, counter-clockwise positive."""
+    return Bound(value, Space(z=value))
+
+
+def plane(value: Vector | Space) -> Bound:
+    """A vector; as a scalar, its magnitude."""
+    space = value if isinstance(value, Space) else Space(value)
+    return Bound(function("sqrt", space.dot(space)), space)
+
+
+def number(value: Scalar) -> Bound:
+    """A scalar."""
+    return Bound(value)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What is true of the motion: how values are seen at three depths.
+
+    scope: rates and start values; moved: accelerations and unknown forces replaced; squares: of the
+    speeds, from the start; ledger: the rates of quantities that are zero at the start (works).
+    """
+
+    scope: Scope
+    assumptions: Assumptions
+    moved: Callable[[Scalar], Scalar]
+    squares: Mapping[str, Scalar] = field(default_factory=dict)
+    speeds: tuple[str, ...] = ()
+    starts: frozenset[str] = frozenset()
+    unsettled: frozenset[str] = frozenset()
+    ledger: dict[str, Scalar] = field(default_factory=dict)
+
+    def work(self, power: Scalar) -> Scalar:
+        """The quantity that grows at this rate from zero at the start."""
+        from rbpsym.algebra.scalar import symbol
+
+        if not power:
+            return NOTHING
+        name = next((name for name, rate in self.ledger.items() if rate == power), None)
+        if name is None:
+            name = f"work_{len(self.ledger) + 1}"
+            self.ledger[name] = power
+        return symbol(name)
+
+
+class World(Protocol):
+    """A problem or a theory as claims see it."""
+
+    motion: Motion
+
+    def bound(self, phrase: str) -> Bound:
+        """What a phrase means. Raises StatementError with what is known for one that means nothing."""

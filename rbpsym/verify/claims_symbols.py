@@ -1,0 +1,73 @@
+"""Printed symbols of a claims file -> a table for the LaTeX reader, with a name for each of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from rbpsym.errors import ReadError
+from rbpsym.notation.latex_names import drawn_name
+from rbpsym.notation.latex_tokens import tokenize
+from rbpsym.notation.letters import NAME_OF_LETTER
+from rbpsym.notation.source import Source
+from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
+from rbpsym.verify.claims_model import Meaning
+
+
+@dataclass(frozen=True, slots=True)
+class Glossary:
+    """The table for the reader, and for each printed symbol (its name, has it an arrow?)."""
+
+    table: SymbolTable
+    names: Mapping[str, tuple[str, bool]]
+
+
+def glossary(symbols: Mapping[str, Meaning]) -> Glossary:
+    """The glossary of printed symbols. Raises ReadError for one that is no symbol."""
+    drawn: dict[Drawn, tuple[str, ...]] = {Drawn("π"): ("pi",)}
+    spelled: dict[tuple[str, ...], str] = {}
+    names: dict[str, tuple[str, bool]] = {}
+    for latex, meaning in symbols.items():
+        found = drawn_name(latex)
+        if found:
+            name = name_of(found[0])
+            drawn[found[0]] = (name,)
+        else:
+            name = _spelled_name(latex)
+            spelled[_spelling(latex, meaning)] = name
+        names[latex] = (name, found[1] if found else latex.lstrip().startswith(r"\vec"))
+    return Glossary(SymbolTable(MappingProxyType(drawn), MappingProxyType(spelled)), names)
+
+
+def _spelling(latex: str, meaning: Meaning) -> tuple[str, ...]:
+    try:
+        return spelling(tokenize(Source(latex))[:-1])
+    except ReadError as error:
+        raise ReadError(f"“{latex}” is not a symbol: {error.what}", place=meaning.place) from None
+
+
+def name_of(drawn: Drawn) -> str:
+    """The name that draws so: R_cm, cal_W_T, I_O_prime, v_prime, Delta_x."""
+    base = NAME_OF_LETTER.get(drawn.base, drawn.base)
+    parts = [*(["cal"] if drawn.script else []), base]
+    parts += {1: ["dot"], 2: ["ddot"], 3: ["dddot"]}.get(drawn.dots, [])
+    parts += [drawn.accent] * bool(drawn.accent) + ["prime"] * drawn.primes + _label_parts(drawn.label)
+    return "_".join([*(["Delta"] if drawn.prefix else []), *parts])
+
+
+def _label_parts(label: str) -> list[str]:
+    plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else char for char in label)
+    return [part for part in plain.replace("'", "_prime").split("_") if part]
+
+
+def _spelled_name(latex: str) -> str:
+    """A name for what no name draws, such as W^{nc}_T."""
+    words = re.findall(r"[A-Za-z0-9]+|'", latex.replace(r"\vec", "").replace(r"\mathcal", "cal ").replace(r"\mathpzc", "cal "))
+    return "_".join("prime" if word == "'" else word for word in words) or "symbol"
+
+
+def known_names(names: Iterable[tuple[str, bool]]) -> set[str]:
+    """The names alone."""
+    return {name for name, _ in names}
