@@ -344,3 +344,14 @@ def _divides(factor: Scalar, value: Scalar) -> Verdict:
     if whole is None:
         return Verdict(UNDECIDED, reason="the factor was not found in the force again")
     return Verdict(PROVED, how="the factor divides the force")
+
+
+def holds_there(context: Context, step: Step) -> Verdict:
+    """The stated relation holds at the place (`data`: "at"); without one, it is the factor (`data`: "factor")."""
+    def one(left: t.Node, right: t.Node) -> Verdict:
+        difference = context.value(left) - context.value(right)
+        if step.data["at"]:
+            return same(context, substitute(difference, step.data["at"]), NOTHING)
+        return same(context, difference, step.data["factor"])
+
+    return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))

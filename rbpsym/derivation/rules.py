@@ -30,14 +30,14 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "workless": (c.rates,),
     "work_energy": (c.rates_on_motion,),
     "work_done": (c.rates_on_motion,),
-    "conservation": (c.constant,),
+    "conservation": (c.identity, c.constant),
     "energy_rate": (c.identity, c.on_motion),
     "first_integral": (c.along_motion, c.start_state),
     "substitution": (c.along_motion,),
     "linearization": (c.series,),
     "equilibrium": (c.identity, c.at_rest),
     "normal_modes": (c.identity, c.characteristic),
-    "vanishing": (c.vanishing,),
+    "vanishing": (c.vanishing, c.holds_there),
     "inequality": (c.identity,),
 }
 

@@ -1,0 +1,192 @@
+"""Integrals, sums and derivatives of a printed formula, made ready to be evaluated.
+
+An integral along the motion from the start to now is a quantity that is zero at the start and
+whose rate is known: ∫f dq grows at f q̇, whatever unknown forces f may hold. A sum over particles
+is the sum over the points at which the external forces act.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative, value, vector
+from rbpsym.algebra.integration import definite
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.vector import Space
+from rbpsym.errors import ReadError, Undecided
+from rbpsym.mechanics.motion import along_motion
+from rbpsym.notation import tree as t
+from rbpsym.verify.claims_ground import Ground
+
+
+def rebuilt(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
+    """The node with its direct parts changed."""
+    new = {}
+    for item in fields(node):
+        old = getattr(node, item.name)
+        if isinstance(old, t.Node):
+            new[item.name] = change(old)
+        elif isinstance(old, tuple) and item.name != "span" and any(isinstance(part, t.Node) for part in old):
+            new[item.name] = tuple(change(part) for part in old)
+    return replace(node, **new) if new else node
+
+
+def prepared(node: t.Node, ground: Ground) -> t.Node:
+    """The formula with its integrals and sums replaced by quantities that the scope knows."""
+    early = EARLY.get(type(node))
+    if early is not None:
+        return early(node, ground)
+    node = rebuilt(node, lambda part: prepared(part, ground))
+    late = LATE.get(type(node))
+    return late(node, ground) if late else node
+
+
+def _injected(found: Scalar | Space, ground: Ground) -> t.Node:
+    """A value as a name of its own."""
+    table = ground.defined
+    name = next((n for n, v in table.items() if v == found and n.startswith("value ")), f"value {len(table)}")
+    table[name] = found
+    return t.Vec(name) if isinstance(found, Space) else t.Sym(name)
+
+
+def _path(node: t.PathIntegral, ground: Ground) -> t.Node:
+    scope = ground.scope
+    force, path = value(node.integrand, scope), value(node.path, scope)
+    along = space_derivative(path, scope) if isinstance(path, Space) else time_derivative(path, scope)
+    if isinstance(force, Space) != isinstance(along, Space):
+        raise ReadError("a vector and a scalar are multiplied under the integral")
+    power = force.dot(along) if isinstance(force, Space) else force * along
+    return _injected(ground.motion.work(power), ground)
+
+
+def _integral(node: t.Integral, ground: Ground) -> t.Node:
+    scope = ground.scope
+    name = ground.generator(node.var)
+    if name is None:
+        raise Undecided("the variable of this integral is no coordinate")
+    inside = scalar(node.integrand, scope)
+    lower, upper = scalar(node.lower, scope), scalar(node.upper, scope)
+    if _is_settled(inside, name, ground):
+        done = definite(inside, name, lower, upper)
+        if done is not None:
+            return _injected(done, ground)
+    return _injected(_along(inside, name, lower, upper, ground), ground)
+
+
+def _is_settled(inside: Scalar, name: str, ground: Ground) -> bool:
+    """Is the integrand a function of the variable and of constants alone?"""
+    moving = [other for other in ground.scope.rates if other != name]
+    return not any(depends_on(inside, other) for other in (*moving, *ground.motion.unsettled))
+
+
+def _along(inside: Scalar, name: str, lower: Scalar, upper: Scalar, ground: Ground) -> Scalar:
+    """An integral along the motion: from the start to now, back, or between other places."""
+    scope = ground.scope
+    begin, now = scope.start.get(name), symbol(name)
+    if begin is None or name not in scope.rates:
+        raise Undecided("this integral is outside the class that is integrated in closed form")
+    power = inside * scope.rates[name]
+    for first, last, sign in ((begin, now, 1), (now, begin, -1)):
+        if is_zero(lower - first) and is_zero(upper - last):
+            return ground.motion.work(power) * sign
+    known = along_motion(ground.motion.moved(inside), ground.motion.squares)
+    done = None if known is None else definite(known, name, lower, upper)
+    if done is None:
+        raise Undecided("this integral is outside the class that is integrated in closed form")
+    return done
+
+
+def _sum(node: t.Sum, ground: Ground) -> t.Node:
+    """Σ over the points at which the external forces act."""
+    return t.Add(tuple(prepared(part, ground) for part in _at_points(node.term, ground)))
+
+
+def _at_points(term: t.Node, ground: Ground) -> list[t.Node]:
+    indexed = {part.name for part in t.walk(term) if isinstance(part, t.Vec) and _points(part.name, ground)}
+    if not indexed:
+        raise ReadError("the sum has no quantity of the single particles", instead="bind one to “external force”.")
+    count = min(_points(name, ground) for name in indexed)
+    return [_with_index(term, indexed, k) for k in range(count)]
+
+
+def _points(name: str, ground: Ground) -> int:
+    found = ground.bound(name)
+    return len(found.points) if found else 0
+
+
+def _with_index(node: t.Node, names: set[str], k: int) -> t.Node:
+    if isinstance(node, t.Vec) and node.name in names:
+        return t.Vec(f"{node.name}#{k}")
+    return rebuilt(node, lambda part: _with_index(part, names, k))
+
+
+def _body(node: t.BodyIntegral, ground: Ground) -> t.Node:
+    """∫ r × dF is a sum over the forces; ∫ r × dp is ∫ r × v dm; ∫ dF is ΣF."""
+    found = next((part for part in t.walk(node.integrand) if isinstance(part, t.Deriv) and part.wrt == "m"), None)
+    if found is not None and isinstance(found.of, t.Vec) and _points(found.of.name, ground):
+        plain = _without_mass(node.integrand)
+        return t.Add(tuple(_at_points(plain, ground)))
+    return rebuilt(node, lambda part: prepared(part, ground))
+
+
+def _without_mass(node: t.Node) -> t.Node:
+    if isinstance(node, t.Deriv) and node.wrt == "m":
+        return node.of
+    return rebuilt(node, _without_mass)
+
+
+def _derivative(node: t.Deriv, ground: Ground) -> t.Node:
+    if node.wrt == "t":
+        return node
+    if node.wrt == "m" and isinstance(node.of, t.Vec) and (found := ground.bound(node.of.name)) and found.density:
+        return t.Vec(f"{node.of.name}/dm")
+    name = ground.generator(node.wrt)
+    if name is None:
+        raise Undecided("the derivative is with respect to something that is no coordinate, speed or parameter")
+    return replace(node, wrt=name)
+
+
+def _renamed(node: t.Bracket | t.Limit, ground: Ground) -> t.Node:
+    name = ground.generator(node.var)
+    if name is None:
+        raise Undecided("the limits are those of something that is no coordinate or parameter")
+    return replace(node, var=name)
+
+
+def _at(node: t.At, ground: Ground) -> t.Node:
+    """f|_{θ = 0}: the value there."""
+    condition = node.condition
+    if not (isinstance(condition, t.Chain) and condition.ops == ("=",) and isinstance(condition.items[0], t.Sym)):
+        raise Undecided("a value can be taken where a symbol has a value")
+    name = ground.generator(condition.items[0].name)
+    if name is None:
+        raise Undecided("the place is not given by a coordinate or parameter")
+    image = {name: scalar(condition.items[1], ground.scope)}
+    found = value(node.arg, ground.scope)
+    if isinstance(found, Space):
+        return _injected(Space(found.plane.substitute(image), substitute(found.z, image)), ground)
+    return _injected(substitute(found, image), ground)
+
+
+EARLY: dict[type, Callable[..., t.Node]] = {t.Sum: _sum, t.BodyIntegral: _body}
+LATE: dict[type, Callable[..., t.Node]] = {
+    t.PathIntegral: _path, t.Integral: _integral, t.Deriv: _derivative, t.Bracket: _renamed, t.Limit: _renamed,
+    t.At: _at,
+}
+
+
+def valued(node: t.Node, ground: Ground) -> Scalar | Space:
+    """The value of a printed formula. Raises RbpsymError where it has none."""
+    return value(prepared(node, ground), ground.scope)
+
+
+def as_vector(found: Scalar | Space) -> Space:
+    """A vector; the scalar 0 counts as the zero vector. Raises ReadError for any other scalar."""
+    if isinstance(found, Space):
+        return found
+    if found:
+        raise ReadError("a scalar stands where a vector belongs")
+    return vector(t.ZERO)

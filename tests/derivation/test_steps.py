@@ -1,0 +1,60 @@
+"""Laws for every step of every shipped problem."""
+
+from dataclasses import fields, replace
+
+from rbpsym.derivation.checks import relations
+from rbpsym.derivation.rules import RULES, certify
+from rbpsym.notation import tree as t
+
+
+def test_every_step_is_proved(draft):
+    wrong = [(s.id, s.certificate.verdict) for s in draft.steps if not s.certificate.verdict.is_proved]
+    assert not wrong
+
+
+def test_ids_are_unique_and_premises_come_before(draft):
+    seen = set()
+    for step in draft.steps:
+        assert step.id not in seen
+        assert set(step.premises) <= seen
+        seen.add(step.id)
+
+
+def test_every_step_asserts_something(draft):
+    for step in draft.steps:
+        assert list(relations(step.statement)), step.id
+        assert step.certificate.checks == tuple(check.__name__ for check in RULES[step.rule])
+
+
+def test_a_wrong_statement_is_not_proved(draft):
+    """Each relation of each step is spoilt in turn: no checker may let it pass."""
+    passed = []
+    for step in draft.steps:
+        for place, spoilt in enumerate(_spoilt(step.statement)):
+            wrong = replace(step, statement=spoilt)
+            if certify(draft.context, wrong).verdict.is_proved:
+                passed.append((step.id, step.rule, place))
+    assert not passed
+
+
+def _spoilt(statement):
+    """The statement with the last item of one relation changed: doubled, or 1 (of its kind) for 0."""
+    if isinstance(statement, t.System):
+        for place, row in enumerate(statement.rows):
+            for wrong in _spoilt(row):
+                yield t.System((*statement.rows[:place], wrong, *statement.rows[place + 1 :]))
+    elif isinstance(statement, t.Chain) and statement.ops[-1] == "=" and statement.items[0] != t.ZERO:
+        yield t.Chain((*statement.items[:-1], _other(statement)), statement.ops)
+
+
+def _other(statement):
+    last = statement.items[-1]
+    if last != t.ZERO:
+        return t.Mul((t.TWO, last))
+    return t.Unit("z") if any(isinstance(part, (t.Vec, t.Unit)) for part in t.walk(statement)) else t.ONE
+
+
+def test_steps_are_values(draft):
+    for step in draft.steps:
+        assert step == replace(step)
+        assert {f.name for f in fields(step)} >= {"id", "rule", "premises", "statement", "obligations", "certificate"}
