@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import factor_zeros, numerator_factors
 from rbpsym.mechanics.system import System
 
 ONE_SIDED = ("contact",)
+EDGE = 1e-9  # a zero at the end of the range is not a loss on the way
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,22 +25,22 @@ class Loss:
     coordinate: str
 
 
-def losses(system: System, along: Mapping[str, Scalar], assumptions: Assumptions) -> tuple[Loss, ...]:
+def losses(system: System, along: Mapping[str, Scalar]) -> tuple[Loss, ...]:
     """The contacts that end during the motion from the start (none where coordinates stay tied implicitly)."""
     found: list[Loss] = []
     if system.implicit:
         return ()
     for element in system.problem.constraints:
         if element.kind in ONE_SIDED and element.name in along:
-            found += _of(system, element.name, along[element.name], assumptions)
+            found += _of(system, element.name, along[element.name])
     return tuple(found)
 
 
-def _of(system: System, name: str, value: Scalar, assumptions: Assumptions) -> list[Loss]:
+def _of(system: System, name: str, value: Scalar) -> list[Loss]:
     result = []
     for factor in map(Scalar, numerator_factors(value)):
         coordinate = next((n for n in system.independent if depends_on(factor, n)), None)
-        if coordinate is None or sign(factor, assumptions).kind in ("positive", "negative"):
+        if coordinate is None:
             continue
         places = [z for z in factor_zeros(factor, coordinate) if _reached(system, coordinate, z)]
         if places or _changes_sign(system, coordinate, factor):
@@ -61,7 +60,7 @@ def _reached(system: System, name: str, place: Scalar) -> bool:
     numbers = sample(system.problem)
     try:
         low, high = _bounds(system, name, numbers)
-        return low - 1e-9 <= number(place, numbers) <= high + 1e-9
+        return low + EDGE < number(place, numbers) < high - EDGE
     except (ValueError, ZeroDivisionError, KeyError):
         return False
 

@@ -129,7 +129,7 @@ class Study:
     def losses(self) -> tuple[events.Loss, ...]:
         """Contacts that end."""
         along = self.reactions_along_motion
-        return events.losses(self.system, along, self.assumptions) if along else ()
+        return events.losses(self.system, along) if along else ()
 
     @cached_property
     def origins(self) -> dict[str, Vector]:

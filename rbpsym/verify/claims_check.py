@@ -1,0 +1,182 @@
+"""A claim decided: its formula is read, and every link of its chain gets an outcome."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Space
+from rbpsym.equality.verdict import Kind, Verdict, all_of
+from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex_reader import read_latex
+from rbpsym.verify import claims_decide as d
+from rbpsym.verify.claims_bound import World
+from rbpsym.verify.claims_ground import Ground, grounded
+from rbpsym.verify.claims_integrals import valued
+from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
+from rbpsym.verify.claims_theory import TheoryWorld
+
+OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
+Study = Callable[[str], World]
+
+
+@dataclass(frozen=True)
+class Checker:
+    """Claims of one file, decided in their order; `world` finds the world of a setting."""
+
+    world: Callable[[Setting], World]
+    diagnose: Callable[[t.Node, Claim, Ground], str] | None = None
+    memory: dict[str, dict[str, Scalar | Space]] = field(default_factory=dict)
+
+    def check(self, claim: Claim, printed: Printed | None = None) -> Result:
+        """The result of a claim; `printed` is the formula as another text has it."""
+        begun = time.perf_counter()
+        result = self._result(claim, printed or claim.printed)
+        expected = self._is_expected(claim, result)
+        return replace(result, expected=expected, seconds=time.perf_counter() - begun)
+
+    def _is_expected(self, claim: Claim, result: Result) -> bool:
+        right = not claim.right or result.right in ("PROVED", "DEFINITION")
+        return right and result.outcome in EXPECTATIONS[claim.expect]
+
+    def _result(self, claim: Claim, printed: Printed | None) -> Result:
+        blank = Result(
+            claim.id, claim.number, claim.label, claim.line, "", printed.latex if printed else "", Outcome.NOT_COMPUTED,
+            False, detail=claim.not_computed, says=claim.says, erratum=claim.erratum, note=claim.note,
+        )
+        if claim.not_computed or printed is None:
+            return blank
+        ground = self.ground(claim)
+        links = tuple(self.links(read(printed, ground), claim, ground))
+        right = self._right(claim, ground) if claim.right else ""
+        return replace(blank, outcome=worst([link.outcome for link in links]), links=links, right=right)
+
+    def ground(self, claim: Claim) -> Ground:
+        """The ground of a claim, with what earlier claims of its setting defined."""
+        setting = claim.setting
+        ground = grounded(setting, self.world(setting))
+        ground = replace(ground, defined=self.memory.setdefault(setting.name, {}))
+        given = [gap for printed in setting.given for gap in _gaps(read(printed, ground), ground)]
+        return replace(ground, given=tuple(given))
+
+    def links(self, node: t.Node, claim: Claim, ground: Ground) -> Iterator[Link]:
+        """The outcome of each relation that the formula asserts."""
+        for relation in relations(node):
+            link = decide(relation, ground, claim.holds)
+            if link.outcome is Outcome.REFUTED and self.diagnose:
+                link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
+            yield link
+
+    def _right(self, claim: Claim, ground: Ground) -> str:
+        found = [decide(relation, ground, claim.holds) for relation in relations(read(claim.right, ground))]
+        return str(worst([link.outcome for link in found]))
+
+
+def read(printed: Printed, ground: Ground) -> t.Node:
+    """The tree of a printed formula. Raises ReadError with its place."""
+    return read_latex(printed.latex, ground.glossary.table, place=printed.place)
+
+
+def relations(node: t.Node) -> Iterator[t.Chain]:
+    """The single relations of a chain or a system."""
+    if isinstance(node, t.System):
+        for row in node.rows:
+            yield from relations(row)
+    elif isinstance(node, t.Chain):
+        for left, op, right in zip(node.items, node.ops, node.items[1:], strict=False):
+            yield t.Chain((left, right), (op,))
+
+
+def _gaps(node: t.Node, ground: Ground) -> Iterator[Scalar]:
+    """left - right of given relations."""
+    for relation in relations(node):
+        left, right = (valued(item, ground) for item in relation.items)
+        if not isinstance(left, Space):
+            yield left - right
+
+
+def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:
+    """The outcome of one relation; what can't be computed is said, never passed."""
+    try:
+        return _decided(relation, ground, d.Question(ground, depth, witnesses))
+    except (Undecided, LimitError) as error:
+        return Link(relation, Outcome.UNDECIDED, detail=error.what)
+    except RbpsymError as error:
+        return Link(relation, Outcome.NOT_COMPUTED, detail=error.what)
+    except ZeroDivisionError:
+        return Link(relation, Outcome.UNDECIDED, detail="a denominator is identically zero")
+
+
+def _decided(relation: t.Chain, ground: Ground, question: d.Question) -> Link:
+    left, right = relation.items
+    [op] = relation.ops
+    for one, other in ((left, right), (right, left)):
+        special = SPECIAL.get(_kind(one, ground)) if op == "=" else None
+        if special:
+            return special(relation, one, other, question)
+    compare = d.RELATIONS.get(op)
+    if compare is None:
+        return Link(relation, Outcome.NOT_COMPUTED, detail=f"“{op}” is no relation between values")
+    verdict = compare(valued(left, ground), valued(right, ground), op, question)
+    return _link(relation, _on_both_roads(verdict, relation, op, question))
+
+
+def _link(relation: t.Chain, verdict: Verdict) -> Link:
+    witness = verdict.witness
+    detail = str(witness) if witness is not None else verdict.reason
+    return Link(relation, OUTCOMES[verdict.kind], verdict.how, detail)
+
+
+def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: d.Question) -> Verdict:
+    """The general theory is decided a second time, for a body of three particles."""
+    world = question.ground.world
+    if not (verdict.is_proved and isinstance(world, TheoryWorld) and not world.particles):
+        return verdict
+    return all_of([verdict, _second(relation, op, question)])
+
+
+def _second(relation: t.Chain, op: str, question: d.Question) -> Verdict:
+    ground = question.ground
+    world = ground.world.second_road()
+    phrases = ground.world.shared
+    bounds = {key: world.bound(_phrase_of(found, phrases)) for key, found in ground.bounds.items()}
+    other = Ground(world, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
+    if ground.given:
+        return Verdict(Kind.PROVED, how="from what is given")
+    left, right = relation.items
+    return d.RELATIONS[op](valued(left, other), valued(right, other), op, d.Question(other, "", False))
+
+
+def _phrase_of(bound: object, phrases: dict) -> str:
+    return next(phrase for phrase, found in phrases.items() if found is bound)
+
+
+def _kind(node: t.Node, ground: Ground) -> str:
+    if isinstance(node, t.Word):
+        return "constant"
+    return ground.kind(node.name) if isinstance(node, (t.Sym, t.Vec)) else "value"
+
+
+def _constant(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+    value = valued(other, question.ground)
+    parts = value.components() if isinstance(value, Space) else (value,)
+    return _link(relation, all_of(d.constant_value(part, question) for part in parts))
+
+
+def _loose(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+    value, same = (valued(node, question.ground) for node in (other, one))
+    return _link(relation, d.up_to_constant(value, same, question))
+
+
+def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+    """The relation says what a new symbol means."""
+    if one.name in t.names(other):
+        return Link(relation, Outcome.NOT_COMPUTED, detail="the symbol is defined by itself")
+    question.ground.defined[one.name] = valued(other, question.ground)
+    return Link(relation, Outcome.DEFINITION, "it defines its symbol")
+
+
+SPECIAL = {"constant": _constant, "up to a constant": _loose, "defined here": _defines}
