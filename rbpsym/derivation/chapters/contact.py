@@ -58,7 +58,7 @@ def _solved(draft: Draft, loss: Loss) -> t.Node:
         parts = loss.factor.num.by_power(index)
         if set(parts) == {0, 1} and not any(depends_on(Scalar(p), loss.coordinate) for p in parts.values()):
             return t.equation(atom_node(index, draft.study.style), draft.show(-(Scalar(parts[0]) / Scalar(parts[1]))))
-    return t.equation(draft.show(loss.factor), t.ZERO)
+    return t.equation(draft.show(loss.factor, factor=True), t.ZERO)
 
 
 def _generator(index: int) -> Scalar:
