@@ -37,10 +37,18 @@ def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None]
     from rbpsym.verify.lagrange import lagrange_verdict
 
     study = draft.study
-    report = None
-    if simulation:
-        from rbpsym.verify.simulation import simulate
-
-        report = simulate(study.system, study.dynamics)
+    report = _simulated(study) if simulation else None
     lagrange: Verdict = lagrange_verdict(study.system, study.dynamics)
     return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreement(study, found), report, lagrange)
+
+
+def _simulated(study: Study):
+    """The report of the numerical oracle; None where it does not know a kind of the statement."""
+    from rbpsym.errors import NotApplicable
+    from rbpsym.verify.simulation import simulate
+
+    try:
+        return simulate(study.system, study.dynamics, integral=study.first_integral, squares=study.squares,
+                        along=study.reactions_along_motion)
+    except NotApplicable:
+        return None

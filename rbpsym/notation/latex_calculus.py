@@ -44,6 +44,28 @@ def _derivative(reader: Reader, start: int) -> t.Node | None:
     return reader.spanned(t.Deriv(of, wrt, order, partial), start)
 
 
+@begins("d/")
+def slashed_derivative(reader: Reader) -> t.Node | None:
+    """dω/dt in a line, if it stands here; else nothing is passed."""
+    start, token = reader.position, reader.token
+    if reader.integrals or not reader.sees_differential():
+        return None
+    partial = reader.take().text == "∂"
+    of = read_name(reader) if begins_name(reader.token) else None
+    if of is None or not reader.pass_sign("/") or not reader.sees_differential():
+        reader.position = start
+        return None
+    reader.take()
+    wrt = "t" if _is_plain_time(reader) else read_symbol(reader)
+    return reader.spanned(t.Deriv(of, wrt, 1, partial), token.start)
+
+
+def _is_plain_time(reader: Reader) -> bool:
+    found = reader.token.kind == "letter" and reader.token.text == "t"
+    reader.position += found
+    return found
+
+
 def _order(reader: Reader) -> int:
     """The order after the d: 1, or what ^ says."""
     if not reader.pass_sign("^"):

@@ -116,10 +116,23 @@ def _slash(reader: Reader, factors: list[t.Node], start: int) -> t.Node:
 
 def _begins_factor(reader: Reader) -> bool:
     token = reader.token
-    if reader.sees_differential() or (reader.bars and token.text in _PLAIN_BARS):
+    if reader.sees_differential():
+        return _sees_derivative(reader)
+    if reader.bars and token.text in _PLAIN_BARS:
         return False
     known = token.kind in ("digit", "letter", "text") or begins_name(token)
     return known or token.text in COMMANDS or token.text in _FUNCTIONS
+
+
+def _sees_derivative(reader: Reader) -> bool:
+    """Does dω/dt in a line follow?"""
+    position = reader.position
+    try:
+        return COMMANDS["d/"](reader) is not None
+    except RbpsymError:
+        return False
+    finally:
+        reader.position = position
 
 
 def _refuse_ambiguity(reader: Reader, before: t.Node) -> None:
@@ -172,6 +185,8 @@ def _atom(reader: Reader) -> t.Node:
     if token.kind == "digit":
         return _number(reader)
     with reader.deeper():
+        if reader.sees_differential() and (derivative := COMMANDS["d/"](reader)):
+            return derivative
         if token.text in COMMANDS and token.kind in ("sign", "command"):
             return COMMANDS[token.text](reader)
         if token.text in _FUNCTIONS:

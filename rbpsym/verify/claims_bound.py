@@ -50,7 +50,8 @@ class Motion:
     """What is true of the motion: how values are seen at three depths.
 
     scope: rates and start values; moved: accelerations and unknown forces replaced; squares: of the
-    speeds, from the start; ledger: the rates of quantities that are zero at the start (works).
+    speeds, from the start; ledger: the rates of quantities that are zero at the start (works);
+    is_free: any state may be the start.
     """
 
     scope: Scope
@@ -60,6 +61,7 @@ class Motion:
     speeds: tuple[str, ...] = ()
     starts: frozenset[str] = frozenset()
     unsettled: frozenset[str] = frozenset()
+    is_free: bool = False
     ledger: dict[str, Scalar] = field(default_factory=dict)
 
     def work(self, power: Scalar) -> Scalar:

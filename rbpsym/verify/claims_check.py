@@ -17,7 +17,7 @@ from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_ground import Ground, grounded
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
-from rbpsym.verify.claims_theory import TheoryWorld
+from rbpsym.verify.claims_symbols import Glossary, glossary
 
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
 Study = Callable[[str], World]
@@ -49,18 +49,21 @@ class Checker:
         )
         if claim.not_computed or printed is None:
             return blank
-        ground = self.ground(claim)
-        links = tuple(self.links(read(printed, ground), claim, ground))
-        right = self._right(claim, ground) if claim.right else ""
+        words = glossary(claim.setting.symbols)
+        node = read(printed, words)
+        right = read(claim.right, words) if claim.right else None
+        ground = self.ground(claim.setting, words, *filter(None, (node, right)))
+        links = tuple(self.links(node, claim, ground))
+        right = self._right(right, claim, ground) if right else ""
         return replace(blank, outcome=worst([link.outcome for link in links]), links=links, right=right)
 
-    def ground(self, claim: Claim) -> Ground:
-        """The ground of a claim, with what earlier claims of its setting defined."""
-        setting = claim.setting
-        ground = grounded(setting, self.world(setting))
+    def ground(self, setting: Setting, words: Glossary, *nodes: t.Node) -> Ground:
+        """The ground of some formulas, with what earlier claims of their setting defined."""
+        given = [read(printed, words) for printed in setting.given]
+        names = {name for node in (*nodes, *given) for name in used_names(node)}
+        ground = grounded(setting, words, self.world(setting), names)
         ground = replace(ground, defined=self.memory.setdefault(setting.name, {}))
-        given = [gap for printed in setting.given for gap in _gaps(read(printed, ground), ground)]
-        return replace(ground, given=tuple(given))
+        return replace(ground, given=tuple(gap for node in given for gap in _gaps(node, ground)))
 
     def links(self, node: t.Node, claim: Claim, ground: Ground) -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
@@ -70,14 +73,20 @@ class Checker:
                 link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
             yield link
 
-    def _right(self, claim: Claim, ground: Ground) -> str:
-        found = [decide(relation, ground, claim.holds) for relation in relations(read(claim.right, ground))]
+    def _right(self, node: t.Node, claim: Claim, ground: Ground) -> str:
+        found = [decide(relation, ground, claim.holds) for relation in relations(node)]
         return str(worst([link.outcome for link in found]))
 
 
-def read(printed: Printed, ground: Ground) -> t.Node:
+def read(printed: Printed, words: Glossary) -> t.Node:
     """The tree of a printed formula. Raises ReadError with its place."""
-    return read_latex(printed.latex, ground.glossary.table, place=printed.place)
+    return read_latex(printed.latex, words.table, place=printed.place)
+
+
+def used_names(node: t.Node) -> set[str]:
+    """Names of symbols in a formula, variables of integrals and derivatives among them."""
+    variables = {getattr(part, key) for part in t.walk(node) for key in ("var", "wrt") if hasattr(part, key)}
+    return t.names(node) | variables
 
 
 def relations(node: t.Node) -> Iterator[t.Chain]:
@@ -133,7 +142,7 @@ def _link(relation: t.Chain, verdict: Verdict) -> Link:
 def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: d.Question) -> Verdict:
     """The general theory is decided a second time, for a body of three particles."""
     world = question.ground.world
-    if not (verdict.is_proved and isinstance(world, TheoryWorld) and not world.particles):
+    if not verdict.is_proved or not hasattr(world, "second_road"):
         return verdict
     return all_of([verdict, _second(relation, op, question)])
 

@@ -14,12 +14,14 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.integration import definite
+from rbpsym.algebra.normal import reduce_roots
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare, find_witness, scalars_equal
 from rbpsym.equality.domain import Condition
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.motion import along_motion, with_squares
@@ -210,7 +212,8 @@ def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
             rest = substitute(gap, {speed: NOTHING})
             gap = with_squares(rest * rest - slope * slope * square, squares)
             left, right = rest * rest, with_squares(slope * slope * square, squares)
-    if any(_is_speed(index) for index in gap.atoms()) or _holds_unknowns(gap, question):
+    bound_speeds = not question.motion.is_free and any(_is_speed(index) for index in gap.atoms())
+    if bound_speeds or _holds_unknowns(gap, question):
         return undecided("")
     domain = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in squares.items()]
     found = _witness(left, right, question.motion.assumptions, domain)
@@ -257,11 +260,24 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     low, high = (a, b) if op in ("<", "<=") else (b, a)
     found = undecided("")
     for depth in question.depths:
-        low_seen, high_seen = question.seen(low, depth), question.seen(high, depth)
-        found = compare(low_seen, high_seen, question.motion.assumptions, strict=op in ("<", ">"))
+        pair = _squared([question.seen(v, depth) for v in (low, high)], question)
+        found = compare(*pair, question.motion.assumptions, strict=op in ("<", ">"))
         if found.is_proved:
             return found
     return found
+
+
+def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:
+    """The squares of two roots that are not negative, which are ordered as these."""
+    rooted = [any(atoms.atom(index).kind == "root" for index in value.atoms()) for value in pair]
+    if all(rooted) and all(sign(value, question.motion.assumptions).is_nonnegative for value in pair):
+        return [_without_roots(value * value) for value in pair]
+    return pair
+
+
+def _without_roots(value: Scalar) -> Scalar:
+    """Even powers of roots carried out above and below."""
+    return Scalar(reduce_roots(value.num)) / Scalar(reduce_roots(value.den))
 
 
 def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:

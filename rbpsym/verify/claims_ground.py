@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import atoms
@@ -13,7 +13,7 @@ from rbpsym.algebra.vector import Space
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.verify.claims_bound import Bound, Motion, World
 from rbpsym.verify.claims_model import Setting
-from rbpsym.verify.claims_symbols import Glossary, glossary
+from rbpsym.verify.claims_symbols import Glossary
 
 
 @dataclass(frozen=True)
@@ -87,11 +87,12 @@ def _enter(scalars: dict, vectors: dict, name: str, arrow: bool, found: Bound) -
         vectors[f"{name}/dm"] = found.density
 
 
-def grounded(setting: Setting, world: World) -> Ground:
-    """The ground of a setting. Raises StatementError at the phrase that means nothing."""
-    words = glossary(setting.symbols)
+def grounded(setting: Setting, words: Glossary, world: World, names: Collection[str]) -> Ground:
+    """The ground of formulas with some names. Raises StatementError at the phrase that means nothing."""
     bounds: dict[tuple[str, bool], Bound] = {}
     for latex, meaning in setting.symbols.items():
+        if words.names[latex][0] not in names:
+            continue
         try:
             bounds[words.names[latex]] = world.bound(meaning.phrase)
         except RbpsymError as error:

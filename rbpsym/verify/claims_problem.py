@@ -31,6 +31,7 @@ class ProblemWorld:
     """A problem, its phrases resolved."""
 
     study: Study
+    others: Callable[[str], ProblemWorld] | None = None
 
     @cached_property
     def motion(self) -> Motion:
@@ -89,6 +90,8 @@ class ProblemWorld:
         if name in problem.points:
             return pair(problem.points[name])
         body, _, point = name.partition(".")
+        if body in SYSTEM and point == "cm":
+            return _center(self)
         state = self.body(body)
         known = [*problem.body(body).points, "cm"]
         if point not in known:
@@ -108,6 +111,13 @@ class ProblemWorld:
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))
         return [force for force in here if force.name in wanted]
+
+
+def _center(world: ProblemWorld) -> Vector:
+    """The centre of mass of all bodies."""
+    states = world.bodies("system")
+    mass = sum((state.mass for state in states), NOTHING)
+    return sum((state.center * (state.mass / mass) for state in states), ORIGIN)
 
 
 def _names(value: Scalar) -> set[str]:
@@ -247,6 +257,21 @@ def _kinetic(world: ProblemWorld, name: str | None, part: str | None) -> Bound:
     return number(total)
 
 
+def _relative(world: ProblemWorld) -> Bound:
+    """Kinetic energy without that of the centre of mass of all bodies."""
+    states = world.bodies("system")
+    mass = sum((state.mass for state in states), NOTHING)
+    push = sum((state.velocity * state.mass for state in states), ORIGIN)
+    return number(_kinetic(world, None, None).scalar - push.dot(push) / mass / 2)
+
+
+def _elsewhere(world: ProblemWorld, phrase: str, problem: str) -> Bound:
+    """The same in another problem, whose parameters of the same names are the same quantities."""
+    if world.others is None:
+        raise StatementError("no other problem is known here")
+    return world.others(problem).bound(phrase)
+
+
 def _potential(world: ProblemWorld, name: str | None) -> Bound:
     found = potentials(world.study.system)
     values = [found.get(name)] if name else list(found.values())
@@ -280,6 +305,8 @@ _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
 PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
+    (r"(.+) in ([\w./-]+)", _elsewhere),
+    (r"kinetic energy of the system relative to its centre of mass", _relative),
     (r"start of (.+)", _start),
     (r"minus (.+)", _minus),
     (r"magnitude of (.+)", _magnitude),

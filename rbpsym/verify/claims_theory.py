@@ -12,13 +12,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, space_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, cartesian
 from rbpsym.derivation import theory
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.errors import StatementError
+from rbpsym.errors import StatementError, Undecided
+from rbpsym.mechanics.inertia import tidy
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane
 
@@ -52,9 +54,21 @@ class TheoryWorld:
     def motion(self) -> Motion:
         """What is true of its motion."""
         start = {name: symbol(f"{name}_start") for name in self.rates}
-        body = theory.by_particles if self.particles else theory.by_moments
-        scope = Scope({}, {}, self.rates, start, body)
-        return Motion(scope, POSITIVE, self._moved, {}, ("omega", "X_dot", "Y_dot"), frozenset(f"{name}_start" for name in start))
+        scope = Scope({}, {}, self.rates, start, self._over_mass)
+        return Motion(scope, POSITIVE, self._moved, {}, ("omega", "X_dot", "Y_dot"), frozenset(f"{name}_start" for name in start), is_free=True)
+
+    def _over_mass(self, integrand: Scalar, body: str) -> Scalar:
+        """∫ f dm of a polynomial f in the place of the mass element. Raises Undecided for any other f."""
+        integrand = tidy(integrand)
+        for index in {*integrand.num.atoms(), *integrand.den.atoms()}:
+            if atoms.symbol_name(index) is None and any(atom_depends(index, name) for name in ("xi", "eta")):
+                raise Undecided("the integrand over the body is no polynomial in the place of the mass element")
+        if any(depends_on(Scalar(integrand.den), name) for name in ("xi", "eta")):
+            raise Undecided("the integrand over the body is no polynomial in the place of the mass element")
+        try:
+            return (theory.by_particles if self.particles else theory.by_moments)(integrand, body)
+        except KeyError:
+            raise Undecided("moments of the mass beyond the second are not known") from None
 
     def _moved(self, value: Scalar) -> Scalar:
         value = substitute(value, self._laws)
@@ -175,7 +189,7 @@ def _works() -> dict[str, object]:
     """work of all forces; translational and rotational work of some of them."""
     found: dict[str, object] = {}
     for which, words in (("all", "the forces"), ("conservative", "the conservative forces"),
-                         ("non-conservative", "the non-conservative forces")):
+                         ("non-conservative", "the non-conservative forces"), ("conservative", "a force")):
         for part, tail in (("both", ""), ("translational", ", translational"), ("rotational", ", rotational")):
             found[f"work of {words}{tail}"] = (
                 lambda w, which=which, part=part: number(w.motion.work(w.power(which, part))))
@@ -211,6 +225,7 @@ PHRASES: Mapping[str, object] = {
     "kinetic energy, rotational": lambda w: number(_kinetic(w, "rotational")),
     "kinetic energy about the axis": lambda w: number(_about_axis(w) * OMEGA * OMEGA / 2),
     "rotational work about the axis": lambda w: number(w.motion.work(_torque(w, False).scalar * OMEGA)),
+    "magnitude of position of a mass element": lambda w: replace(plane(w.place + ELEMENT), vector=None),
     "potential energy": lambda w: number(symbol("E_p")),
     "a constant": lambda w: Bound(kind="constant"),
     "unknown": lambda w: Bound(kind="unknown"),
