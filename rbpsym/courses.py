@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
-from rbpsym.derivation.step import Derivation, Lesson
+from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
 from rbpsym.statement.course import Course, CoursePart
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
-
-
-@dataclass(frozen=True)
-class DerivedCourse:
-    """A course with the derivations of its problems by name, and its lessons part by part."""
-
-    course: Course
-    derivations: Mapping[str, Derivation]
-    lessons: Mapping[CoursePart, Lesson]
 
 
 def derive_course(

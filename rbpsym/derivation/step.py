@@ -10,6 +10,7 @@ from typing import Any
 from rbpsym.equality.verdict import PROVED, Verdict
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
+from rbpsym.statement.course import Course, CoursePart
 
 BRIEF, STANDARD, FULL = 1, 2, 3
 
@@ -130,3 +131,12 @@ class Lesson:
     slots: Mapping[str, Any] = field(default_factory=dict)
     notation: Mapping[str, str] = field(default_factory=dict)
     title: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class DerivedCourse:
+    """A course with the derivations of its problems by name, and its lessons part by part."""
+
+    course: Course
+    derivations: Mapping[str, Derivation]
+    lessons: Mapping[CoursePart, Lesson]

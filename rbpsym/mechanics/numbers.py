@@ -53,15 +53,29 @@ def _atom(index: int, numbers: Numbers) -> float:
     return FUNCTIONS[found.kind](inner)
 
 
-def sample(problem: Problem) -> dict[str, float]:
-    """Generic numbers for all parameters and coordinates, in the middle of their ranges."""
+def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[str, float]:
+    """Generic numbers for all parameters and coordinates, in the middle of their ranges.
+
+    `example` holds the author's own numbers for some of them ("0.25 m", "60 deg").
+    """
     numbers = {q.name: _parameter(q.name, place, q) for place, q in enumerate(problem.parameters)}
     numbers |= _starts(problem, numbers)
+    numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
     for coordinate in problem.coordinates:
         numbers[coordinate.name] = _middle(coordinate, numbers)
         numbers[f"{coordinate.name}_dot"] = _speed(coordinate, numbers)
     numbers["t"] = 0.0
     return numbers
+
+
+def _read(text: str) -> float | None:
+    """The number at the start of "0.25 m", degrees made radians; None if there is none."""
+    first, _, unit = str(text).strip().partition(" ")
+    try:
+        value = float(first)
+    except ValueError:
+        return None
+    return math.radians(value) if unit in ("deg", "°") else value
 
 
 def _parameter(name: str, place: int, quantity) -> float:

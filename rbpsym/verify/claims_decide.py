@@ -14,7 +14,6 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import reduce_roots
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space
@@ -26,7 +25,7 @@ from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.motion import along_motion, with_squares
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_bound import Motion, without_even_roots
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_integrals import as_vector
 
@@ -271,13 +270,8 @@ def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:
     """The squares of two roots that are not negative, which are ordered as these."""
     rooted = [any(atoms.atom(index).kind == "root" for index in value.atoms()) for value in pair]
     if all(rooted) and all(sign(value, question.motion.assumptions).is_nonnegative for value in pair):
-        return [_without_roots(value * value) for value in pair]
+        return [without_even_roots(value * value) for value in pair]
     return pair
-
-
-def _without_roots(value: Scalar) -> Scalar:
-    """Even powers of roots carried out above and below."""
-    return Scalar(reduce_roots(value.num)) / Scalar(reduce_roots(value.den))
 
 
 def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:

@@ -20,9 +20,8 @@ from rbpsym.algebra.vector import Space, cartesian
 from rbpsym.derivation import theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane
+from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane, without_even_roots
 
 ALPHA, OMEGA, MASS, MOMENT = theory.ALPHA, theory.OMEGA, theory.MASS, theory.MOMENT
 COUNT = 3
@@ -59,7 +58,7 @@ class TheoryWorld:
 
     def _over_mass(self, integrand: Scalar, body: str) -> Scalar:
         """∫ f dm of a polynomial f in the place of the mass element. Raises Undecided for any other f."""
-        integrand = tidy(integrand)
+        integrand = without_even_roots(integrand)
         for index in {*integrand.num.atoms(), *integrand.den.atoms()}:
             if atoms.symbol_name(index) is None and any(atom_depends(index, name) for name in ("xi", "eta")):
                 raise Undecided("the integrand over the body is no polynomial in the place of the mass element")

@@ -59,12 +59,12 @@ def simulate(
     drift = None if integral is None else _drift([bench.known(s).of(integral) for s in states])
     found = errors.relative()
     worst = max([*found.values(), drift or 0.0], default=0.0)
-    return SimulationReport(worst, found, drift, len(states) + RANDOM_STATES)
+    return SimulationReport(float(worst), {k: float(v) for k, v in found.items()}, drift, len(states) + RANDOM_STATES)
 
 
 def _drift(values: Sequence[float]) -> float:
     scale = max(map(abs, values), default=0.0) or 1.0
-    return (max(values) - min(values)) / scale if values else 0.0
+    return float((max(values) - min(values)) / scale) if values else 0.0
 
 
 class _Errors:

@@ -1,0 +1,93 @@
+"""Lecture notes: a derivation, or a whole course, as a document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
+from rbpsym.document.chapters import chapter_sections
+from rbpsym.document.model import Document, Inlines, Section, Text, words
+from rbpsym.document.notes_checks import checks_section, results_section
+from rbpsym.document.notes_lessons import lesson_sections
+from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.words import Words
+from rbpsym.notation.glyphs import Notation, notation_for
+
+DETAILS: Mapping[str, int] = {"brief": 1, "standard": 2, "full": 3}
+
+
+def notes(derivation: Derivation, language: str = "en", detail: str = "standard") -> Document:
+    """The notes of one problem."""
+    problem = derivation.study.problem
+    said = Words(language, problem)
+    return Document(
+        words(said.title(problem.title)), tuple(problem_sections(derivation, language, detail, "", 1)),
+        source=words(problem.source), language=language, notation=notation_of(derivation),
+    )
+
+
+def notation_of(derivation: Derivation, more: Mapping[str, str] | None = None) -> Notation:
+    """How names are printed: the problem's own notation, then the course's."""
+    problem = derivation.study.problem
+    names = {q.name for q in problem.parameters} | {c.name for c in problem.coordinates}
+    return notation_for(names, {**problem.notation, **(more or {})})
+
+
+def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int) -> list[Section]:
+    """All sections of a problem; `prefix` keeps its labels apart from those of other problems."""
+    said = Words(language, derivation.study.problem, prefix, shown_steps(derivation, detail))
+    return [
+        statement_section(derivation, said, level),
+        *chapter_sections(derivation, said, level),
+        results_section(derivation, said, level),
+        checks_section(derivation, said, level),
+    ]
+
+
+def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
+    """Ids of the steps that are shown at a level of detail."""
+    level = DETAILS[detail]
+    kept = (s for s in derivation.steps if s.level <= level or s.is_result or (level == 1 and s.rule in BRIEF))
+    return frozenset(step.id for step in kept)
+
+
+BRIEF = frozenset({"angular_momentum", "balance", "workless", "conservation", "combination"})
+
+
+def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "standard") -> Document:
+    """The notes of a course: theory, problems and comparisons in its order."""
+    course, sections = derived.course, []
+    said = Words(language)
+    for place, part in enumerate(course.parts, 1):
+        prefix = f"p{place}."
+        if part.kind == "problem":
+            derivation = derived.derivations[part.name]
+            sections.append(Section(words(said.title(derivation.study.problem.title)), (), prefix + "part", 1))
+            sections += problem_sections(derivation, language, detail, prefix, 2)
+        else:
+            sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)
+    notation = _common_notation(derived)
+    return Document(
+        words(said.title(course.title)), tuple(sections), words(said.title(course.subtitle) if course.subtitle else ""),
+        words(course.source), language, notation,
+    )
+
+
+def _about(derived: DerivedCourse, lesson: Lesson) -> Derivation | None:
+    """A problem whose bodies a lesson speaks of."""
+    return next((d for name, d in derived.derivations.items() if name in lesson.name), None)
+
+
+def _common_notation(derived: DerivedCourse) -> Notation:
+    """The notations of all problems together (they should agree on names that they share)."""
+    aliases: dict[str, str] = {}
+    names: set[str] = set()
+    for derivation in derived.derivations.values():
+        aliases |= derivation.study.problem.notation
+        names |= {q.name for q in derivation.study.problem.parameters}
+    return notation_for(names, {**aliases, **derived.course.notation})
+
+
+def plain(inlines: Inlines) -> str:
+    """The words of inlines that hold nothing else."""
+    return "".join(inline.text for inline in inlines if isinstance(inline, Text))

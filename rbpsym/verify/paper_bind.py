@@ -1,0 +1,117 @@
+"""Claims found again in a paper: by number and label, by label, by number, or by the formula itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from rbpsym.errors import RbpsymError
+from rbpsym.verify.claims_model import Claim, Meaning, Printed, Setting
+from rbpsym.verify.paper_macros import expanded
+from rbpsym.verify.paper_source import told_at
+from rbpsym.verify.paper_walk import Formula, Paper
+
+LIKENESS = 0.6
+NEAR = 40  # lines
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A formula of the paper with its claim; one of them may be missing."""
+
+    formula: Formula | None
+    claim: Claim | None
+
+
+def bound(paper: Paper, claims: Iterable[Claim]) -> list[Pair]:
+    """Formulas and claims in the order of the paper.
+
+    Displayed formulas and inline relations all occur; claims in words stand at their line.
+    """
+    claims, taken = list(claims), {}
+    for match in (_displayed, _inline, _changed):
+        for claim in claims:
+            if claim.id not in {c.id for c in taken.values()} and (formula := match(claim, paper, taken)) is not None:
+                taken[formula] = claim
+    found = [Pair(formula, taken.get(formula)) for formula in _asserting(paper)]
+    placed = {claim.id for claim in taken.values()}
+    found += [Pair(None, claim) for claim in claims if claim.id not in placed]
+    order = {claim.id: place for place, claim in enumerate(claims)}
+    return sorted(found, key=lambda pair: (_line(pair), order.get(pair.claim.id, -1) if pair.claim else -1))
+
+
+def _asserting(paper: Paper) -> Iterator[Formula]:
+    return (formula for formula in paper.formulas if formula.displayed or formula.is_relation)
+
+
+def _line(pair: Pair) -> int:
+    return pair.formula.line if pair.formula else pair.claim.line
+
+
+def _displayed(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """By number and label, else by label, else by number."""
+    if claim.printed is None or not (claim.number or claim.label):
+        return None
+    free = [formula for formula in paper.displayed if formula not in taken]
+    tests = (
+        lambda f: claim.number and f.number == claim.number and (not claim.label or claim.label in f.labels),
+        lambda f: claim.label and claim.label in f.labels,
+        lambda f: claim.number and not claim.label and f.number == claim.number,
+    )
+    return next((f for test in tests for f in free if test(f)), None)
+
+
+def _inline(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """The same formula, in the nearest line."""
+    if not _is_inline(claim):
+        return None
+    wanted = plain(claim.printed.latex)
+    same = [f for f in _asserting(paper) if f not in taken and plain(f.latex) == wanted]
+    return min(same, key=lambda f: abs(f.line - claim.line), default=None)
+
+
+def _changed(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """A formula near the claim's line that is much like it: it was changed."""
+    if not _is_inline(claim) or claim.says:
+        return None
+    wanted = plain(claim.printed.latex)
+    near = [f for f in _asserting(paper) if f not in taken and not f.displayed and abs(f.line - claim.line) <= NEAR]
+    ranked = [(SequenceMatcher(None, plain(f.latex), wanted).ratio(), f) for f in near]
+    likeness, formula = max(ranked, key=lambda item: item[0], default=(0.0, None))
+    return formula if likeness >= LIKENESS else None
+
+
+def _is_inline(claim: Claim) -> bool:
+    return claim.printed is not None and not claim.number and not claim.label
+
+
+def plain(latex: str) -> str:
+    """The formula without spacing and delimiters around the whole, to compare it."""
+    latex = re.sub(r"\\(?:left|right|,|;|!|:|nonumber)(?![A-Za-z])|[\s~]|[.,;]\s*$", "", latex)
+    while latex[:1] == "(" and latex[-1:] == ")" and latex.count("(") == 1:
+        latex = latex[1:-1]
+    return latex
+
+
+def printed(formula: Formula, paper: Paper) -> Printed:
+    """The formula of the paper with its macros put in. Raises ReadError told in its line."""
+    try:
+        latex = expanded(formula.latex, paper.macros)
+    except RbpsymError as error:
+        raise told_at(error, paper.text, formula.offset) from None
+    if not formula.displayed:
+        latex = re.sub(r"^\s*(?:\\left)?\((.*)(?:\\right)?\)\s*$", r"\1", latex) if _wraps(latex) else latex
+    return Printed(latex.replace(r"\right", "") if latex.count(r"\left") != latex.count(r"\right") else latex)
+
+
+def _wraps(latex: str) -> bool:
+    """Is the whole relation in one pair of parentheses?"""
+    return plain(latex) != re.sub(r"\\(?:left|right|,|;|!|:|nonumber)(?![A-Za-z])|[\s~]|[.,;]\s*$", "", latex)
+
+
+def of_problem(name: str, path: str, quantities: Iterable[str], latex_of) -> Setting:
+    """The setting of a problem without claims: its own names as they are printed."""
+    symbols = {latex_of(quantity): Meaning(quantity) for quantity in quantities}
+    return Setting(name, problem=path, symbols=symbols)
