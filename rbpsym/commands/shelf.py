@@ -8,21 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rbpsym.errors import ReadError
-from rbpsym.statement import library
+from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.source import did_you_mean
-
-
-COURSE = ".course"  # a course is called NAME.course.toml and stands beside the problems
-
-
-def course_files() -> dict[str, Path]:
-    """The files of the courses that ship, by name."""
-    return {name.removesuffix(COURSE): path for name, path in library.problem_files().items() if name.endswith(COURSE)}
-
-
-def problem_files() -> dict[str, Path]:
-    """The files of the problems that ship, by name."""
-    return {name: path for name, path in library.problem_files().items() if not name.endswith(COURSE)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,8 +62,13 @@ def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> 
 
 
 def kind_of_file(path: Path, kinds: tuple[str, ...]) -> str:
-    """What a file of one's own holds: a course is called NAME.course.toml."""
-    return "course" if "course" in kinds and path.stem.endswith(COURSE) else kinds[-1]
+    """What a file of one's own holds: a course has parts."""
+    if "course" not in kinds:
+        return kinds[-1]
+    try:
+        return "course" if "part" in tomllib.loads(path.read_text(encoding="utf-8")) else kinds[-1]
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError):
+        return kinds[-1]  # the loader of problems says what is wrong
 
 
 def missing(name: str, shelves: Mapping[str, Mapping[str, Path]], kinds: tuple[str, ...]) -> ReadError:

@@ -192,7 +192,7 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """Values along the motion, integrals carried out; else the rates of both sides."""
-    x, y = (_carried_out(v, question) for v in (a, b))
+    x, y = (carried_out(v, question) for v in (a, b))
     if x is not None and y is not None:
         found = _differ(x, y, question)
         if found.is_refuted:
@@ -224,7 +224,7 @@ def _is_speed(index: int) -> bool:
     return bool(name) and name.endswith(("_dot", "_ddot"))
 
 
-def _carried_out(value: Scalar, question: Question) -> Scalar | None:
+def carried_out(value: Scalar, question: Question) -> Scalar | None:
     """The value along the motion with every work and integral in closed form; None if one has none."""
     images: dict[str, Scalar] = {}
     for name, power in question.motion.ledger.items():

@@ -13,6 +13,7 @@ from rbpsym.verify.paper_macros import expanded
 from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 
+_WRAPPED = re.compile(r"\s*(?:\\left\s*)?\(([^()]*=[^()]*|[^()]*\\approx[^()]*?)(?:\\right\s*)?\)\s*")
 LIKENESS = 0.6
 NEAR = 40  # lines
 
@@ -101,14 +102,8 @@ def printed(formula: Formula, paper: Paper) -> Printed:
         latex = expanded(formula.latex, paper.macros)
     except RbpsymError as error:
         raise told_at(error, paper.text, formula.offset) from None
-    if not formula.displayed:
-        latex = re.sub(r"^\s*(?:\\left)?\((.*)(?:\\right)?\)\s*$", r"\1", latex) if _wraps(latex) else latex
-    return Printed(latex.replace(r"\right", "") if latex.count(r"\left") != latex.count(r"\right") else latex)
-
-
-def _wraps(latex: str) -> bool:
-    """Is the whole relation in one pair of parentheses?"""
-    return plain(latex) != re.sub(r"\\(?:left|right|,|;|!|:|nonumber)(?![A-Za-z])|[\s~]|[.,;]\s*$", "", latex)
+    whole = _WRAPPED.fullmatch(latex)
+    return Printed(whole[1] if whole else latex)
 
 
 def of_problem(name: str, path: str, quantities: Iterable[str], latex_of) -> Setting:

@@ -61,7 +61,7 @@ class PaperChecker:
 
     def _without_claim(self, formula: Formula, setting: Setting | None) -> Result:
         name = formula.labels[0] if formula.labels else formula.number or f"line {formula.line}"
-        claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number, formula.line and "")
+        claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number)
         blank = Result(claim.id, formula.number, next(iter(formula.labels), ""), formula.line, formula.file,
                        formula.latex, Outcome.NOT_COMPUTED, True, detail=UNBOUND)
         if setting is None or not formula.displayed or not formula.is_relation:

@@ -1,0 +1,166 @@
+"""A quick look at a formula with floating-point numbers, to choose what is worth deciding; never a verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from hashlib import blake2b
+from typing import Any
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Space
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.numbers import number
+from rbpsym.notation import tree as t
+from rbpsym.verify.claims_decide import Question, carried_out
+
+Triple = tuple[float, float, float]
+Value = float | Triple
+TOLERANCE = 1e-8
+
+
+class Numbers(dict):
+    """A generic number for every name, the same each time."""
+
+    def __init__(self, seed: int, known: Mapping[str, float] = {}) -> None:  # noqa: B006
+        super().__init__(known)
+        self.seed = seed
+
+    def __missing__(self, name: str) -> float:
+        digest = blake2b(f"{self.seed} {name}".encode(), digest_size=4).digest()
+        self[name] = 0.4 + int.from_bytes(digest) / 2**32
+        return self[name]
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A state of the motion, in numbers; `known` are the values of names met so far."""
+
+    question: Question
+    numbers: Numbers
+    known: dict[t.Node, Value] = field(default_factory=dict)
+
+    def leaf(self, node: t.Sym | t.Vec) -> Value:
+        """The number or triple of a name. Raises ArithmeticError if it has none in closed form."""
+        if node not in self.known:
+            scope = self.question.ground.scope
+            found = scope.vectors.get(node.name) if isinstance(node, t.Vec) else scope.scalars.get(node.name)
+            self.known[node] = self._value(found, node.name)
+        return self.known[node]
+
+    def _value(self, found: Scalar | Space | None, name: str) -> Value:
+        if isinstance(found, Space):
+            return tuple(self._scalar(part) for part in found.components())
+        return math.pi if name == "pi" else self.numbers[name] if found is None else self._scalar(found)
+
+    def _scalar(self, found: Scalar) -> float:
+        done = carried_out(found, self.question)
+        if done is None:
+            raise ArithmeticError("no closed form")
+        return number(done, self.numbers)
+
+    def gap(self, relation: t.Chain) -> float | None:
+        """How far the sides are apart, relative to their size; None if that can't be said."""
+        try:
+            left, right = (_flat(value(node, self)) for node in relation.items)
+            size = max(*map(abs, left), *map(abs, right), 1e-30)
+            return max(abs(a - b) for a, b in zip(_wide(left, right), _wide(right, left), strict=True)) / size
+        except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
+            return None
+
+
+def _flat(found: Value) -> tuple[float, ...]:
+    return found if isinstance(found, tuple) else (found,)
+
+
+def _wide(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
+    return one if len(one) >= len(other) else one * len(other)
+
+
+def samples(question: Question, count: int = 2) -> list[Sample]:
+    """States in which the squares of the speeds are not negative."""
+    found = []
+    for seed in range(60):
+        numbers = Numbers(seed)
+        try:
+            roots = {f"{n}_dot": math.sqrt(number(s, numbers)) for n, s in question.motion.squares.items()}
+        except (ArithmeticError, ValueError):
+            continue
+        found.append(Sample(question, Numbers(seed, {**numbers, **roots})))
+        if len(found) == count:
+            break
+    return found
+
+
+def value(node: t.Node, at: Sample) -> Value:
+    """The number or triple of a formula without integrals."""
+    return VALUES[type(node)](node, at)
+
+
+def _sum(node: t.Add, at: Sample) -> Value:
+    parts = [value(term, at) for term in node.terms]
+    if any(isinstance(part, tuple) for part in parts):
+        rows = [part if isinstance(part, tuple) else (part,) * 3 for part in parts]
+        return tuple(map(math.fsum, zip(*rows, strict=True)))
+    return math.fsum(parts)
+
+
+def _product(node: t.Mul, at: Sample) -> Value:
+    factor, vector = 1.0, None
+    for part in node.factors:
+        found = value(part, at)
+        if isinstance(found, tuple):
+            vector = found
+        else:
+            factor *= found
+    return factor if vector is None else tuple(factor * x for x in vector)
+
+
+def _scaled(found: Value, factor: float) -> Value:
+    return tuple(factor * x for x in found) if isinstance(found, tuple) else factor * found
+
+
+def _cross(node: t.Cross, at: Sample) -> Triple:
+    (a, b, c), (x, y, z) = value(node.left, at), value(node.right, at)
+    return b * z - c * y, c * x - a * z, a * y - b * x
+
+
+def _dot(node: t.Dot, at: Sample) -> float:
+    return math.sumprod(value(node.left, at), value(node.right, at))
+
+
+def _power(node: t.Pow, at: Sample) -> float:
+    base, exponent = value(node.base, at), value(node.exponent, at)
+    return math.sumprod(base, base) if isinstance(base, tuple) else math.pow(base, exponent)
+
+
+def _absolute(node: t.Abs, at: Sample) -> float:
+    found = value(node.arg, at)
+    return math.hypot(*found) if isinstance(found, tuple) else abs(found)
+
+
+FUNCTIONS: Mapping[str, Callable[[float], float]] = {
+    "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan,
+    "exp": math.exp, "ln": math.log, "cot": lambda x: 1 / math.tan(x), "sec": lambda x: 1 / math.cos(x),
+    "csc": lambda x: 1 / math.sin(x),
+}
+UNITS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
+    t.Num: lambda node, at: float(node.value),
+    t.Sym: lambda node, at: at.leaf(node),
+    t.Vec: lambda node, at: at.leaf(node),
+    t.Unit: lambda node, at: UNITS[node.axis],
+    t.Add: _sum,
+    t.Neg: lambda node, at: _scaled(value(node.arg, at), -1.0),
+    t.Mul: _product,
+    t.Div: lambda node, at: _scaled(value(node.num, at), 1 / value(node.den, at)),
+    t.Pow: _power,
+    t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
+    t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
+    t.Abs: _absolute,
+    t.Group: lambda node, at: value(node.arg, at),
+    t.Cross: _cross,
+    t.Dot: _dot,
+}
