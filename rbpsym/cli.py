@@ -23,6 +23,7 @@ COMMANDS: dict[str, str] = {
     "notes": "rbpsym.commands.notes",
     "derive": "rbpsym.commands.derive",
     "solve": "rbpsym.commands.solve",
+    "check": "rbpsym.commands.check",
     "new": "rbpsym.commands.new",
 }
 

@@ -28,16 +28,18 @@ def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
 
 
 def is_inertia(poly: Poly, style: Style) -> bool:
-    """Whether the terms are moments of inertia, which a reader wants to see one by one."""
-    if not style.dimensions:
-        return False
+    """Whether the parameters of every term form a moment of inertia, which a reader wants to see one by one."""
+    return bool(style.dimensions) and all(_is_inertia_term(split(m, style)[0], style) for m in poly.terms)
+
+
+def _is_inertia_term(fixed: Monomial, style: Style) -> bool:
     total = NUMBER
-    for index, exponent in next(iter(poly.terms)):
+    for index, exponent in fixed:
         name = atoms.symbol_name(index)
-        if name is None or moves(index, style):
+        if name is None:
             return False
         total = total * style.dimensions.get(name, NUMBER) ** exponent
-    return total == MASS * LENGTH**2 and not any(moves(i, style) for i in poly.atoms())
+    return total == MASS * LENGTH**2
 
 
 def _common_powers(poly: Poly) -> Monomial:

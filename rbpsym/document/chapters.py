@@ -20,7 +20,12 @@ def chapter_sections(derivation: Derivation, said: Words, level: int) -> Iterato
         steps = [step for step in derivation.chapter(name) if step.id in said.shown]
         if steps:
             blocks = [*_intro(name, steps, derivation, said), *BLOCKS.get(name, _by_steps)(steps, derivation, said)]
-            yield Section(said.say(f"section.{name}"), tuple(blocks), f"{said.prefix}section.{name}", level)
+            yield Section(said.say(f"section.{_title(name, derivation)}"), tuple(blocks), f"{said.prefix}section.{name}", level)
+
+
+def _title(name: str, derivation: Derivation) -> str:
+    """The chapter on contacts is about forces along the motion where none is lost."""
+    return "along" if name == "contact" and not derivation.study.losses else name
 
 
 def _intro(name: str, steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -49,4 +49,11 @@ def _oracles(summary: dict, said: Words) -> Iterator:
     if summary["lagrange"]:
         yield said.say(f"checks.lagrange.{summary['lagrange']}")
     if summary["simulation"]:
-        yield said.say("checks.simulation", error=f"{summary['simulation']['max_relative_error']:.0e}")
+        yield said.say("checks.simulation", error=power_of_ten(summary["simulation"]["max_relative_error"]))
+
+
+def power_of_ten(value: float) -> str:
+    """A small number for reading: 3·10⁻¹²."""
+    digits, _, exponent = f"{value:.0e}".partition("e")
+    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{digits}·10{raised}"

@@ -81,9 +81,16 @@ def _equation(line) -> t.Node:
     return t.equation(t.add(t.mul(line.a, t.Sym("x")), t.mul(line.b, t.Sym("y"))), line.c)
 
 
-def _ends(element: Element) -> dict:
+def _ends(element: Element, said: Words) -> dict:
     first, second = element["between"]
-    return {"first": first.label, "second": second.label}
+    return {"first": _point(first, said), "second": _point(second, said)}
+
+
+def _point(ref: PointRef, said: Words) -> Inlines:
+    """A point in words: "the end of the rod", "the fixed point O"."""
+    if ref.body is None:
+        return said.say("point.fixed", point=t.Sym(ref.label) if ref.label.isidentifier() else ref.label)
+    return said.say("point.of", point=str(ref.point).replace("_", " "), body=said.body(ref.body))
 
 
 def _other(element: Element, problem: Problem, said: Words) -> dict:
@@ -93,11 +100,11 @@ def _other(element: Element, problem: Problem, said: Words) -> dict:
 SLOTS: Mapping[str, Callable[[Element, Problem, Words], dict]] = {
     "pivot": _pivot, "pin": _pair, "weld": _pair, "contact": _contact,
     "gravity": lambda e, p, w: {"g": e["g"]},
-    "spring": lambda e, p, w: {"stiffness": e["stiffness"], "natural": e["natural_length"], **_ends(e)},
-    "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e)},
+    "spring": lambda e, p, w: {"stiffness": e["stiffness"], "natural": e["natural_length"], **_ends(e, w)},
+    "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, w)},
     "torsion-spring": lambda e, p, w: {"stiffness": e["stiffness"]},
     "rotary-damper": lambda e, p, w: {"coefficient": e["coefficient"]},
-    "force": lambda e, p, w: {"point": e["on"].label},
+    "force": lambda e, p, w: {"point": _point(e["on"], w)},
     "couple": lambda e, p, w: {"couple": e["couple"], "body": w.body(e["on"])},
 }
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd, log2
+from math import gcd, lcm, log2
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, UNIT, Monomial, Poly
@@ -97,18 +97,22 @@ def _atom_size(index: int) -> Size:
 
 
 def _degree(poly: Poly) -> int:
-    """A bound on the degree: each root doubles it, each cosine multiplies it."""
-    degree = 1
+    """A bound on the degree: each root doubles it, all cosines lie in one real cyclotomic field."""
+    degree, order = 1, 1
     for index in all_atoms([Scalar(poly)]):
         found = atoms.atom(index)
         if found.kind == "root":
             degree *= 2
         elif found.kind in ("cos", "sin"):
-            degree *= _turn_degree(Fraction(found.arg.terms[PI_TERM]))
-    return degree
+            order = lcm(order, _order(found.kind, Fraction(found.arg.terms[PI_TERM])))
+    return degree * max(1, _totient(order) // 2)
 
 
-def _turn_degree(turns: Fraction) -> int:
-    """The degree of cos or sin of turns·π is at most φ(4·denominator)."""
-    n = 4 * turns.denominator
+def _order(kind: str, turns: Fraction) -> int:
+    """n where the number is cos(2πk/n)."""
+    angle = turns if kind == "cos" else Fraction(1, 2) - turns
+    return (angle / 2).denominator
+
+
+def _totient(n: int) -> int:
     return sum(1 for k in range(1, n + 1) if gcd(k, n) == 1)

@@ -9,6 +9,7 @@ satisfies the assumptions, at which both sides are computed rigorously.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import BARE, Scope, value, vector
@@ -28,7 +29,7 @@ from rbpsym.errors import LimitError, Undecided
 from rbpsym.notation.tree import Node
 
 PLAIN = frozenset({"symbol", "cos", "sin"})
-MOST_INEXACT = 8
+MOST_INEXACT = 12
 FIRST_POINTS, MOST_POINTS = 3, 60
 
 
@@ -104,7 +105,7 @@ def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Con
     plain = kinds <= PLAIN and not any(map(is_algebraic, all_atoms([difference])))
     how = "" if plain else _with_functions(difference, assumptions, deep=False)
     witness = None if how else find_witness(a, b, assumptions, domain, most=FIRST_POINTS)
-    if not how and witness is None and not plain:
+    if not how and witness is None and not plain and not all(map(is_algebraic, difference.atoms())):
         how = _with_functions(difference, assumptions, deep=True)
     if how:
         return proved(how, obligations(domain, assumptions))
@@ -140,22 +141,28 @@ def find_witness(
     for point in points([a, b, *(condition.value for condition in domain)], assumptions, most):
         if not all(holds_at(condition, point) for condition in domain):
             continue
-        found = _witness_at(point, a, b, differ)
-        if found is not None and found.is_exact:
-            return found
-        first, inexact = first or found, inexact + (found is not None)
+        sides = _sides(point, a, b)
+        if sides is None:
+            continue
+        exact = all(isinstance(side, Fraction) for side in sides)
+        if differ(*sides):
+            first = first or _witness(point, *sides)
+            if exact:
+                return _witness(point, *sides)
+        inexact += not exact
         if inexact >= MOST_INEXACT:
             break
     return first
 
 
-def _witness_at(point: Point, a: Scalar, b: Scalar, differ: Callable[[Number, Number], bool]) -> Witness | None:
+def _sides(point: Point, a: Scalar, b: Scalar) -> tuple[Number, Number] | None:
     try:
-        left, right = point.value(a), point.value(b)
+        return point.value(a), point.value(b)
     except enclosure.Outside:
         return None
-    if not differ(left, right):
-        return None
+
+
+def _witness(point: Point, left: Number, right: Number) -> Witness:
     circle = tuple((_angle(name, point.parts[name]), *pair) for name, pair in point.angles.items())
     return Witness(tuple(point.numbers.items()), circle, left, right)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import lcm
+from math import lcm, tan
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import Monomial, Poly
@@ -205,7 +205,7 @@ def _fractions(text: str) -> tuple[Fraction, ...]:
 
 
 POSITIVE = _fractions("1 2 3 4 5 1/2 6 7 3/2 8 9 1/3 10 12 1/10 13 15 20 100 1/100")
-REAL = _fractions("1 2 -1 3 -2 1/2 -3 4 -1/2 5 -5 7 1/3 -4 10 -10 1/10 -1/10 100 -100")
+REAL = _fractions("1 2 -1 3 -2 1/2 -3 4 -1/2 5 -5 7 1/3 -4 10 -10 1/10 -1/10 100 -100 0")
 TANGENTS = _fractions("1/3 1/2 2/5 1/4 2/3 -1/3 2 -1/2 3 -2 1/5 3/4 -1/4 3/7 -3 1/10 4/5 -4/5 1/20 9/10 5 -1/20")
 
 
@@ -247,10 +247,24 @@ def _pick(options: dict[str, list], parts: dict[str, int], k: int) -> Point:
 def _options(name: str, parts: int | None, assumptions: Assumptions) -> list:
     """Values of one name that its sign and its numeric bounds admit."""
     own = Assumptions({name: assumptions.sign_of(name)}, {name: _numeric(assumptions.range_of(name))})
+    inside = _inside(own.range_of(name))
     if parts:
-        return [c for c in CIRCLE if satisfies(Point({}, {name: c}, {name: parts}), name, own)]
+        circle = [*CIRCLE, *(_circle(_near(tan(float(x) / (2 * parts)))) for x in inside)]
+        return [c for c in circle if satisfies(Point({}, {name: c}, {name: parts}), name, own)]
     values = POSITIVE if assumptions.sign_of(name) == "positive" else REAL
-    return [v for v in values if satisfies(Point({name: v}), name, own)]
+    return [v for v in (*values, *inside) if satisfies(Point({name: v}), name, own)]
+
+
+def _inside(bounds: tuple) -> list[Fraction]:
+    """A fraction between numeric bounds, however close, or beyond the only one."""
+    found = [float(e.ends(Point({}).value(bound))[0]) for bound in bounds if bound is not None]
+    if len(found) == 2:
+        return [_near(sum(found) / 2), Fraction(sum(found) / 2).limit_denominator(10**6)]
+    return [_near(end + step) for end in found for step in (1, -1)]
+
+
+def _near(value: float) -> Fraction:
+    return Fraction(value).limit_denominator(30)
 
 
 def _numeric(bounds: tuple) -> tuple:

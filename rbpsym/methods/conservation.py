@@ -26,6 +26,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
         draft.skip(NAME, "skipped.not_conserved", forces=_dissipative(draft))
         return None
     _potentials(draft)
+    _splits(draft)
     _conserved(draft)
     _speeds(draft)
     return _acceleration(draft)
@@ -71,6 +72,26 @@ def _potentials(draft: Draft) -> None:
                   data={"forces": forces, "value": value}, force=t.Vec(name))
 
 
+def _splits(draft: Draft) -> None:
+    """How a conservative force shares its potential energy out: W_T + W_θ = -ΔU, half each if they are equal."""
+    from rbpsym.methods.work_energy import name_of
+
+    for name, value in energy.potentials(draft.study.system).items():
+        items = [i for i in draft.study.works if i.force == name and i.translational.parts and i.rotational.parts]
+        if value is None or not items or name not in {i.force for i in draft.study.works}:
+            continue
+        works = [t.Sym(name_of(draft, i, half)) for i in draft.study.works if i.force == name
+                 for half, word in (("T", "translational"), ("theta", "rotational")) if getattr(i, word).parts]
+        change = t.neg(t.Delta(t.Sym(draft.free(f"U_{name}"))))
+        equal = len(works) == 2 and items[0].translational.parts == items[0].rotational.parts
+        if equal:
+            statement = t.equation(*works, t.neg(t.mul(t.Div(t.ONE, t.TWO), change.arg)))
+        else:
+            statement = t.equation(t.add(*works), change)
+        draft.add(f"split.{name}", "work", statement, "energy.halves" if equal else "energy.split", force=t.Vec(name),
+                  premises=[f"potential.{name}", *(f"work.{i.force}.{i.on}" for i in items)], is_result=equal)
+
+
 def _conserved(draft: Draft) -> None:
     """E = T + U is constant."""
     letters = [t.Sym(draft.free("K"))]
@@ -88,8 +109,8 @@ def _conserved(draft: Draft) -> None:
 def _as_sum(draft: Draft) -> t.Node:
     """T + U with each part in its own form."""
     total = [draft.show(sum(draft.study.kinetic, NOTHING))]
-    if draft.study.potential is not None and draft.study.potential:
-        total.append(draft.show(draft.study.potential))
+    known = [v for v in energy.potentials(draft.study.system).values() if v]
+    total += [draft.show(sum(known, NOTHING), factor=True)] if len(known) == 1 else [draft.show(v, factor=True) for v in known]
     return t.add(*total)
 
 

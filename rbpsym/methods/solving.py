@@ -15,8 +15,8 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
     coefficient = derivative(left - right, name)
     rest = substitute(right - left, {name: NOTHING})
     if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
-        return draft.show(rest / coefficient)
-    return present_ratio(rest.num, coefficient.num, draft.study.style)
+        return draft.show(rest / coefficient, factor=True)
+    return present_ratio(rest.num, coefficient.num, draft.study.style, factor=coefficient.num.is_monomial())
 
 
 def _varies(coefficient: Scalar, draft: Draft) -> bool:

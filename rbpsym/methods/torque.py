@@ -73,8 +73,9 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     parts = [short((f.point - balance.where).cross(f.vector) + f.couple) for f in forces]
     shown = t.add(*(draft.show(part) for part in parts if part))
     draft.context.vectors[name] = Space(z=balance.right)
-    together = draft.show(balance.right)
-    items = [t.Vec(name), _along_k(shown)] + ([_along_k(together)] if together != shown and len(parts) > 1 else [])
+    together = draft.show(balance.right, factor=True)
+    shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
+    items = [t.Vec(name), _along_k(shown)] + ([_along_k(together)] if shorter and len(parts) > 1 else [])
     silent = [f for f, part in zip(forces, parts, strict=True) if not part and f.unknowns]
     return draft.add(
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}", "torque", t.equation(*items),
@@ -102,7 +103,7 @@ def _along_k(node: t.Node) -> t.Node:
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     """Rate of change of angular momentum = net torque."""
     premises = [net.id, *(f"momentum.{b}.{balance.label}" for b in balance.bodies), f"momentum.total.{balance.label}"]
-    statement = t.equation(_left(draft, balance), draft.show(balance.right))
+    statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
     return draft.add(f"balance.{'.'.join(balance.bodies)}", "balance", statement, f"torque.balance.{balance.kind}",
                      premises=premises, point=_point(draft, balance), bodies=_bodies(balance), net=StepRef(net.id),
                      data={"row": balance.row})
@@ -124,7 +125,7 @@ def _by_bodies(draft: Draft, balance: Balance) -> Step:
     """Body by body with the torque of the inner forces as an unknown, then added."""
     _name_inner_torques(draft, balance)
     steps = [_of_one(draft, balance, name) for name in balance.bodies]
-    statement = t.equation(draft.show(balance.left), draft.show(balance.right))
+    statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
     names = [t.Sym(n) for n in _inner_names(draft, balance)]
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}", "combination", statement, "torque.added", premises=[s.id for s in steps],
@@ -169,7 +170,7 @@ def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
 
 def _push(draft: Draft, balance: Balance) -> Step:
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(balance.label, draft.show_vector(balance.where))
-    statement = t.equation(draft.show(balance.left), draft.show(balance.right))
+    statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
     return draft.add(f"push.{balance.label}.{'.'.join(balance.bodies)}", "balance", statement, "torque.push",
                      bodies=_bodies(balance), axis=axis, data={"row": balance.row})
 

@@ -12,6 +12,7 @@ from rbpsym.equality.verdict import Kind, Verdict, all_of
 from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.text import to_text
 from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_ground import Ground, grounded
@@ -38,6 +39,13 @@ class Checker:
         expected = self._is_expected(claim, result)
         return replace(result, expected=expected, seconds=time.perf_counter() - begun)
 
+    def check_safely(self, claim: Claim, printed: Printed | None = None) -> Result:
+        """The result of a claim; a formula that can't be read is a result too."""
+        try:
+            return self.check(claim, printed)
+        except RbpsymError as error:
+            return unread(claim, str(error))
+
     def _is_expected(self, claim: Claim, result: Result) -> bool:
         right = not claim.right or result.right in ("PROVED", "DEFINITION")
         return right and result.outcome in EXPECTATIONS[claim.expect]
@@ -46,6 +54,7 @@ class Checker:
         blank = Result(
             claim.id, claim.number, claim.label, claim.line, "", printed.latex if printed else "", Outcome.NOT_COMPUTED,
             False, detail=claim.not_computed, says=claim.says, erratum=claim.erratum, note=claim.note,
+            declared=declared(claim),
         )
         if claim.not_computed or printed is None:
             return blank
@@ -69,13 +78,25 @@ class Checker:
         """The outcome of each relation that the formula asserts."""
         for relation in relations(node):
             link = decide(relation, ground, claim.holds)
-            if link.outcome is Outcome.REFUTED and self.diagnose:
+            if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
                 link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
-            yield link
+            yield replace(link, relation=to_text(relation))
 
     def _right(self, node: t.Node, claim: Claim, ground: Ground) -> str:
         found = [decide(relation, ground, claim.holds) for relation in relations(node)]
         return str(worst([link.outcome for link in found]))
+
+
+def unread(claim: Claim, why: str) -> Result:
+    """The result of a claim that can't be read."""
+    latex = claim.printed.latex if claim.printed else ""
+    return Result(claim.id, claim.number, claim.label, claim.line, "", latex, Outcome.UNREAD, False, detail=why,
+                  says=claim.says, erratum=claim.erratum, note=claim.note, declared=declared(claim))
+
+
+def declared(claim: Claim) -> tuple[str, int]:
+    """File and line of a claim in its claims file."""
+    return (claim.place.file, claim.place.line) if claim.place else ("", 0)
 
 
 def read(printed: Printed, words: Glossary) -> t.Node:

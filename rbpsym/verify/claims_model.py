@@ -89,7 +89,7 @@ class Claim:
 
 @dataclass(frozen=True, slots=True)
 class ClaimsFile:
-    """A claims file: the claims about one source, in its order."""
+    """A claims file: the claims about one source, in its order; `setting` for formulas without a claim."""
 
     name: str
     title: str
@@ -98,16 +98,17 @@ class ClaimsFile:
     claims: tuple[Claim, ...]
     file: str = field(default="", compare=False)
     content: str = field(default="", compare=False, repr=False)
+    setting: Setting | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Link:
     """One relation of a chain with its outcome.
 
-    how: by what it was proved; witness or reason: why not; diagnosis: what seems to be meant.
+    relation: its tree, or its text in a result. how: by what it was proved; witness or reason: why not; diagnosis: what seems to be meant.
     """
 
-    relation: Node
+    relation: Node | str
     outcome: Outcome
     how: str = ""
     detail: str = ""
@@ -116,7 +117,11 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What was found out about a claim; `right` is the outcome of the declared correct form."""
+    """What was found out about a claim, or (`kind` "derivation") about a whole derivation.
+
+    file and line: in the text; declared: file and line of the claim. right: the outcome of the
+    declared correct form of an erratum.
+    """
 
     id: str
     number: str
@@ -134,6 +139,8 @@ class Result:
     right: str = ""
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
+    kind: str = "claim"
+    declared: tuple[str, int] = field(default=("", 0), compare=False)
 
     @property
     def diagnosis(self) -> str:

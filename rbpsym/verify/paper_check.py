@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import Claim, Outcome, Result, Setting
 from rbpsym.verify.paper_bind import Pair, printed
 from rbpsym.verify.paper_source import told_at
@@ -21,10 +21,11 @@ UNBOUND = "no claim binds its symbols"
 
 @dataclass(frozen=True)
 class PaperChecker:
-    """Decides the pairs of a paper; `default` is the setting of formulas before the first claim."""
+    """Decides the pairs of a paper: claims by their checkers, the rest by `other` in the last setting or `default`."""
 
     paper: Paper
     checkers: dict[str, Checker]
+    other: Checker
     default: Setting | None = None
 
     def results(self, pairs: list[Pair]) -> Iterator[Result]:
@@ -46,13 +47,13 @@ class PaperChecker:
             own = replace(printed(formula, self.paper), place=None)
             found = self.checkers[claim.id].check(claim, own)
         except RbpsymError as error:
-            return _unread(claim, formula, self._told(error, formula))
-        return replace(found, line=formula.line, file=formula.file, number=formula.number or claim.number)
+            found = unread(claim, self._told(error, formula))
+        return replace(found, latex=formula.latex, line=formula.line, file=formula.file, number=formula.number or claim.number)
 
     def _only_claimed(self, claim: Claim) -> Result:
         """A claim in words, or one whose formula is not in the paper any more."""
         if claim.printed and not claim.says:
-            return _unread(claim, None, "the formula of this claim was not found in the text")
+            return unread(claim, "the formula of this claim was not found in the text")
         return replace(self.checkers[claim.id].check(claim), file=self.paper.text.origins[0][0])
 
     def _told(self, error: RbpsymError, formula: Formula) -> str:
@@ -70,16 +71,10 @@ class PaperChecker:
 
     def _tried(self, blank: Result, claim: Claim, formula: Formula) -> Result:
         """With the symbols of the formula before; a symbol that is unknown there makes it no claim."""
-        checker = next(iter(self.checkers.values()))
         try:
-            found = checker.check(claim, replace(printed(formula, self.paper), place=None))
+            found = self.other.check(claim, replace(printed(formula, self.paper), place=None))
         except RbpsymError as error:
             return replace(blank, detail=f"{UNBOUND}: {error.what}")
         return replace(found, id=blank.id, line=formula.line, file=formula.file, label=blank.label,
                        expected=found.outcome not in (Outcome.REFUTED, Outcome.UNDECIDED))
 
-
-def _unread(claim: Claim, formula: Formula | None, why: str) -> Result:
-    return Result(claim.id, claim.number, claim.label, formula.line if formula else claim.line,
-                  formula.file if formula else "", formula.latex if formula else claim.printed.latex,
-                  Outcome.UNREAD, False, detail=why, says=claim.says, erratum=claim.erratum, note=claim.note)

@@ -99,6 +99,10 @@ class _Bench:
         self.system, self.dynamics = system, dynamics
         self.base = sample(system.problem)
         self.mechanism = Mechanism(system.problem, self.base)
+        bodies = system.bodies.values()
+        self.places = [v for b in bodies for v in (b.center.x, b.center.y, b.pose.angle)]
+        self.speeds = [v for b in bodies for v in (b.velocity.x, b.velocity.y, b.omega)]
+        self.rates = [v for b in bodies for v in (b.acceleration.x, b.acceleration.y, b.alpha)]
         start = self.state(self._start())
         self.start = start
         self.laws = laws(self.mechanism, lambda where, speed: self.coordinates(where, speed, start).names)
@@ -121,11 +125,7 @@ class _Bench:
         """The state in maximal coordinates at given coordinates and speeds."""
         names = self._tied(names)
         known = Numbers(names)
-        where, speed = [], []
-        for body in self.system.bodies.values():
-            where += known.row((body.center.x, body.center.y, body.pose.angle))
-            speed += known.row((body.velocity.x, body.velocity.y, body.omega))
-        return _State(names, numpy.array(where), numpy.array(speed))
+        return _State(names, numpy.array(known.row(self.places)), numpy.array(known.row(self.speeds)))
 
     def _tied(self, names: dict[str, float]) -> dict[str, float]:
         """Coordinates that conditions tie are found by Newton's method; their speeds are not free."""
@@ -231,12 +231,9 @@ class _Bench:
         """Accelerations of all bodies and unknown forces at one state."""
         simulated, multipliers = self.accelerations(state.where, state.speed)
         known = Numbers({**state.names, **self._derived(state)})
-        for k, body in enumerate(self.system.bodies.values()):
-            derived = known.row((body.acceleration.x, body.acceleration.y, body.alpha))
-            for axis in (0, 1):
-                errors.note("accelerations", derived[axis], simulated[3 * k + axis])
-            if self.live[3 * k + 2]:
-                errors.note("angular accelerations", derived[2], simulated[3 * k + 2])
+        for k, value in enumerate(known.row(self.rates)):
+            if self.live[k]:
+                errors.note("angular accelerations" if k % 3 == 2 else "accelerations", value, simulated[k])
         for name, value in self.dynamics.reactions.items():
             errors.note("unknown forces", known.of(value), multipliers[name])
 

@@ -7,10 +7,13 @@ from rbpsym.algebra.poly import generator
 from rbpsym.algebra.present import atom_node
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import StepRef
+from rbpsym.derivation.step import FULL, STANDARD, StepRef
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss
 from rbpsym.notation import tree as t
+
+
+LONGEST = 60  # nodes of a formula that is worth showing in standard detail
 
 
 def write(draft: Draft) -> None:
@@ -20,8 +23,10 @@ def write(draft: Draft) -> None:
     if not along or not draft.study.squares:
         return
     for name, value in along.items():
-        draft.add(f"along.{name}", "substitution", t.equation(t.Sym(name), draft.show(value, factor=True)),
-                  "contact.along", premises=[f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)],
+        shown = draft.show(value, factor=True)
+        level = STANDARD if _is_contact(draft, name) or len(list(t.walk(shown))) <= LONGEST else FULL
+        draft.add(f"along.{name}", "substitution", t.equation(t.Sym(name), shown), level=level,
+                  phrase="contact.along", premises=[f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)],
                   force=t.Sym(name), sources=[StepRef(f"square.{n}") for n in draft.study.squares if draft.has(f"square.{n}")],
                   reaction=StepRef(f"reaction.{name}"), is_result=_is_contact(draft, name))
     for loss in draft.study.losses:
@@ -45,7 +50,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         if name == loss.force:
             continue
         there = short(substitute(value, loss.at))
-        letter = draft.define(draft.free(f"{name}_star"), there)
+        letter = draft.define(draft.free(f"{name}_end"), there)
         draft.add(f"at_loss.{loss.force}.{name}", "identity", t.equation(letter, draft.show(there, factor=True)),
                   "contact.other_force", premises=[f"along.{name}", f"loss.{loss.force}"], force=t.Sym(name), lost=t.Sym(loss.force))
 

@@ -1,0 +1,215 @@
+"""`rbpsym check`: derivations, claims and papers decided, formula by formula."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rbpsym.commands.arguments import ShelfName
+
+if TYPE_CHECKING:
+    from rbpsym.verify.claims_cache import Certificates
+    from rbpsym.verify.claims_model import Result
+
+FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
+TEXTS = (".tex", ".ltx", ".txt", ".latex")
+file_path = click.Path(dir_okay=False, path_type=Path)
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a run found: results in order, and remarks on labels of a text."""
+
+    results: list[Result] = field(default_factory=list)
+    remarks: list[tuple[str, int, str]] = field(default_factory=list)
+
+    @property
+    def exit_code(self) -> int:
+        """2 if something could not be read, 1 if a verdict is not as expected, else 0."""
+        if any(str(result.outcome) == "COULD NOT BE READ" for result in self.results):
+            return BAD_INPUT
+        return FINE if all(result.expected for result in self.results) else DOUBTFUL
+
+
+@click.command("check")
+@click.argument("names", metavar="[NAME|FILE]...", nargs=-1, type=ShelfName())
+@click.option("--problems", metavar="FILE", multiple=True, type=ShelfName(), help="Claims or problems that bind a paper's symbols.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
+@click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
+@click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
+@click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
+@click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number or label is this.")
+@click.option("--failures", is_flag=True, help="Show only what is not as expected.")
+@click.option("--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept.")
+@click.option("--no-cache", is_flag=True, help="Decide everything anew.")
+@click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
+def command(names, problems, as_json, junit, html, github, only, failures, cache, no_cache, simulation) -> int:
+    """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
+
+    \b
+    Examples:
+      rbpsym check                                    all that ships
+      rbpsym check my-problem.toml my-claims.toml     problems and claims of your own
+      rbpsym check PAPER.tex --problems claims.toml   a paper, with its symbols bound by claims
+      rbpsym check PAPER.tex --problems claims.toml --html report.html --junit report.xml --github
+
+    A problem is derived, and every step must be proved. A claims file says what the printed
+    symbols mean; a paper (LaTeX) is then walked in order. Where a formula is refuted, the
+    change that would make it true is told if it is a small one.
+
+    \b
+    Exit codes: 0 all as expected, 1 a verdict differs, 2 something could not be read.
+    """
+    from rbpsym.commands import reports
+    from rbpsym.commands.progress import Progress
+    from rbpsym.verify.claims_cache import Certificates, default_folder
+
+    certificates = Certificates.opened(None if no_cache else cache or default_folder())
+    with Progress("check") as progress:
+        found = everything(names, problems, certificates, simulation, progress)
+    certificates.store()
+    found = selected(found, only)
+    tell = reports.as_json if as_json else reports.as_table
+    click.echo(tell(found, failures), nl=False)
+    for path, write in ((junit, reports.as_junit), (html, reports.as_html)):
+        if path:
+            written(path, write(found))
+    if github:
+        click.echo(reports.as_annotations(found), nl=False)
+    return found.exit_code
+
+
+def written(path: Path, text: str) -> None:
+    """Write a report whole."""
+    from rbpsym.document.files import write_whole
+
+    write_whole(path, text)
+
+
+def selected(found: Found, word: str) -> Found:
+    """Only the results of one id, number or label."""
+    if not word:
+        return found
+    kept = [result for result in found.results if word in (result.id, result.number, result.label)]
+    if not kept:
+        raise click.UsageError(f"nothing here is called “{word}”.")
+    return Found(kept, found.remarks)
+
+
+def everything(names, problems, certificates: Certificates, simulation: bool, progress) -> Found:
+    """What all arguments give; without arguments, all that ships."""
+    texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
+    if problems and not texts:
+        raise click.UsageError("--problems belongs to a paper: rbpsym check PAPER.tex --problems FILE")
+    found = Found()
+    for name in texts:
+        progress.step(name)
+        one = paper(Path(name), problems, certificates)
+        found.results.extend(one.results)
+        found.remarks.extend(one.remarks)
+    for name in [name for name in names if name not in texts] or ([] if texts else shipped()):
+        progress.step(str(name))
+        found.results.extend(of_file(str(name), certificates, simulation))
+    return found
+
+
+def shipped() -> list[str]:
+    """The problems and claims files that ship."""
+    from rbpsym.statement.library import library_folder, problem_files
+
+    return [*(name for name in problem_files() if not name.endswith(".course")), *map(str, sorted((library_folder() / "claims").glob("*.toml")))]
+
+
+def of_file(name: str, certificates: Certificates, simulation: bool) -> Iterator[Result]:
+    """The results of a claims file, or of a problem's derivation."""
+    from rbpsym.verify.claims_loader import load_claims
+    from rbpsym.verify.claims_run import check_claims
+
+    path = found_file(name)
+    if is_claims(path):
+        yield from check_claims(load_claims(path), certificates)
+    else:
+        yield derivation(path, certificates, simulation)
+
+
+def found_file(name: str) -> Path:
+    """The file of a problem or claims file, by its path or its name in the library."""
+    from rbpsym.statement.library import find_problem, library_folder
+
+    beside = library_folder() / "claims" / f"{name}.toml"
+    path = Path(name)
+    return path if path.is_file() else beside if beside.is_file() else find_problem(name)
+
+
+def is_claims(path: Path) -> bool:
+    """Does the file hold claims? (A file that can't be read is left to the loader.)"""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return False
+    return any(line.split("#")[0].strip() == "[[claim]]" for line in text.splitlines())
+
+
+def paper(path: Path, problems, certificates: Certificates) -> Found:
+    """A paper, its symbols bound by claims files or, without any, by the names of problems."""
+    from rbpsym.verify.claims_loader import load_claims
+    from rbpsym.verify.claims_run import check_paper, names_of_problem
+
+    if not problems:
+        raise click.UsageError(f"which problems is {path.name} about? Add --problems with a claims file or a problem.")
+    paths = [found_file(name) for name in problems]
+    files = [load_claims(one) if is_claims(one) else names_of_problem(one) for one in paths]
+    return Found(*check_paper(path, files, certificates))
+
+
+def derivation(path: Path, certificates: Certificates, simulation: bool) -> Result:
+    """A problem derived: PROVED if every step is, and all methods and Lagrange's equations agree."""
+    from rbpsym.verify.claims_cache import digest
+
+    key = digest(certificates.engine, "derivation", str(simulation), path.read_bytes()) if certificates.folder else ""
+    known = certificates.get(key)
+    if known is not None:
+        return known
+    found = derived(path, simulation)
+    certificates.put(key, found)
+    return found
+
+
+def derived(path: Path, simulation: bool) -> Result:
+    """The result of a derivation that is made now."""
+    import time
+
+    from rbpsym.derive import derive
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.verify.claims_model import Outcome, Result, worst
+
+    begun = time.perf_counter()
+    made = derive(load_problem(path), simulation=simulation)
+    outcomes = [Outcome(str(verdict.kind)) for verdict in verdicts(made)]
+    summary = made.summary()
+    outcome = worst(outcomes)
+    detail = f"{summary['proved']} of {summary['steps']} steps proved; Lagrange: {summary['lagrange']}"
+    return Result(f"derivation: {made.study.problem.name}", "", "", 0, str(path), "", outcome, outcome is Outcome.PROVED,
+                  links=tuple(doubtful(made)), detail=detail, says=made.study.problem.title.get("en", ""),
+                  seconds=time.perf_counter() - begun, kind="derivation", declared=(str(path), 1))
+
+
+def verdicts(made) -> list:
+    """The verdicts on all steps and on the independent roads."""
+    roads = [*made.agreement.values(), *([made.lagrange] if made.lagrange else [])]
+    return [*(step.certificate.verdict for step in made.steps), *roads]
+
+
+def doubtful(made) -> Iterator:
+    """The steps that are not proved, as links."""
+    from rbpsym.notation.text import to_text
+    from rbpsym.verify.claims_model import Link, Outcome
+
+    for step in made.steps:
+        verdict = step.certificate.verdict
+        if not verdict.is_proved:
+            yield Link(to_text(step.statement), Outcome(str(verdict.kind)), detail=f"{step.id}: {verdict}")

@@ -1,0 +1,172 @@
+"""What a check found: a table for people, JSON, JUnit, annotations for GitHub, a page."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rbpsym.verify.claims_model import Outcome, Result
+
+if TYPE_CHECKING:
+    from rbpsym.commands.check import Found
+
+STYLES = {
+    Outcome.PROVED: "green", Outcome.DEFINITION: "green", Outcome.REFUTED: "red", Outcome.UNDECIDED: "yellow",
+    Outcome.NOT_COMPUTED: "dim", Outcome.UNREAD: "bold red",
+}
+SHORT = {Outcome.NOT_COMPUTED: "not computed", Outcome.UNREAD: "NOT READ"}
+
+
+def word(result: Result) -> str:
+    """The verdict in a word or two; an erratum that stays refuted says so."""
+    told = SHORT.get(result.outcome, str(result.outcome))
+    return f"{told} ({result.erratum or 'expected'})" if result.outcome is Outcome.REFUTED and result.expected else told
+
+
+def lines(result: Result) -> Iterator[str]:
+    """How it was proved, or the witness and what seems to be meant."""
+    if result.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+        yield result.how or result.detail
+    for link in result.links:
+        if link.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+            many = f"{link.relation}: " if len(result.links) > 1 else ""
+            yield f"{many}{link.detail or link.outcome}"
+    if not result.links and result.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+        yield result.detail
+    if result.diagnosis:
+        yield f"near miss: {result.diagnosis}"
+    if result.right:
+        yield f"right form: {result.right}"
+
+
+def name_of(result: Result) -> str:
+    """Number, or the id of what has none."""
+    return f"({result.number})" if result.number else result.id
+
+
+def totals(found: Found) -> dict[str, int]:
+    """How many results of each kind, and how many are not as expected."""
+    counted = Counter(str(result.outcome) for result in found.results)
+    unexpected = sum(not result.expected for result in found.results)
+    return {**{str(outcome): counted[str(outcome)] for outcome in Outcome}, "unexpected": unexpected}
+
+
+def summary(found: Found) -> str:
+    """The last line: counts, and whether all is as expected."""
+    counts = totals(found)
+    told = [f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"]
+    whole = "all as expected" if not counts["unexpected"] else f"{counts['unexpected']} NOT AS EXPECTED"
+    return f"{len(found.results)} checked: {', '.join(told)}; {whole}."
+
+
+def as_table(found: Found, failures: bool = False) -> str:
+    """A table for a terminal."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for column in ("No.", "Label", "Line", "Verdict", "How, witness, diagnosis"):
+        table.add_column(column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left")
+    for result in found.results:
+        if not (failures and result.expected):
+            style = STYLES[result.outcome] if result.outcome is not Outcome.REFUTED or not result.expected else "cyan"
+            mark = "" if result.expected else "✗ "
+            table.add_row(name_of(result), result.label, str(result.line or ""), Text(mark + word(result), style=style),
+                          Text("\n".join(lines(result))))
+    console = Console(highlight=False)
+    with console.capture() as capture:
+        if table.row_count:
+            console.print(table)
+        for file, line, remark in found.remarks:
+            console.print(Text(f"{file}:{line}: {remark}", style="yellow"))
+        console.print(Text(summary(found), style="bold"))
+    return capture.get()
+
+
+def record(result: Result) -> dict[str, Any]:
+    """One result as JSON has it."""
+    return {
+        "id": result.id, "kind": result.kind, "number": result.number, "label": result.label, "file": result.file,
+        "line": result.line, "latex": result.latex.strip(), "says": result.says, "outcome": str(result.outcome),
+        "expected": result.expected, "how": result.how, "detail": result.detail, "diagnosis": result.diagnosis,
+        "erratum": result.erratum, "right": result.right, "note": result.note,
+        "links": [{"relation": str(link.relation), "outcome": str(link.outcome), "how": link.how, "detail": link.detail,
+                   "diagnosis": link.diagnosis} for link in result.links],
+    }
+
+
+def as_json(found: Found, failures: bool = False) -> str:
+    """All results for programs."""
+    import json
+
+    kept = [result for result in found.results if not (failures and result.expected)]
+    remarks = [{"file": file, "line": line, "remark": remark} for file, line, remark in found.remarks]
+    whole = {"version": 1, "summary": totals(found), "results": [record(result) for result in kept], "remarks": remarks}
+    return json.dumps(whole, indent=2, ensure_ascii=False) + "\n"
+
+
+def as_junit(found: Found) -> str:
+    """A JUnit report: a test case a formula."""
+    from xml.etree import ElementTree as xml
+
+    failed = sum(not result.expected for result in found.results)
+    skipped = sum(result.outcome is Outcome.NOT_COMPUTED and result.expected for result in found.results)
+    suite = xml.Element("testsuite", name="rbpsym check", tests=str(len(found.results)), failures=str(failed), skipped=str(skipped))
+    for result in found.results:
+        case = xml.SubElement(suite, "testcase", classname=result.file or "claims", name=result.id, time=f"{result.seconds:.4f}")
+        told = printable("\n".join(lines(result)))
+        if not result.expected:
+            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(f"{result.latex}\n{told}")
+        elif result.outcome is Outcome.NOT_COMPUTED:
+            xml.SubElement(case, "skipped", message=told or "not a formula we compute")
+    xml.indent(suite)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + xml.tostring(suite, encoding="unicode") + "\n"
+
+
+def printable(text: str) -> str:
+    """The text without characters that XML can't hold."""
+    return "".join(char if char in "\n\t" or char.isprintable() else " " for char in text)
+
+
+def first(text: str) -> str:
+    """The first line."""
+    return text.split("\n", 1)[0]
+
+
+def as_annotations(found: Found) -> str:
+    """Workflow commands that put a note on the line of each formula that is not as expected."""
+    told = [annotation("error", *place(result), f"{name_of(result)} {word(result)}", "\n".join(lines(result)))
+            for result in found.results if not result.expected]
+    told += [annotation("warning", file, line, "label", remark) for file, line, remark in found.remarks]
+    return "".join(f"{one}\n" for one in told)
+
+
+def place(result: Result) -> tuple[str, int]:
+    """The line in the text, or that of the claim."""
+    return (result.file, result.line) if result.file and result.line else result.declared
+
+
+def annotation(level: str, file: str, line: int, title: str, message: str) -> str:
+    """One workflow command, what is special in it escaped."""
+    return f"::{level} file={escaped(file)},line={max(line, 1)},title={escaped(title)}::{escaped(message, whole=True)}"
+
+
+def escaped(text: str, whole: bool = False) -> str:
+    """Percent signs and line ends, and in a property also : and ,."""
+    marks = {"%": "%25", "\r": "%0D", "\n": "%0A", **({} if whole else {":": "%3A", ",": "%2C"})}
+    return "".join(marks.get(char, char) for char in text)
+
+
+def as_html(found: Found) -> str:
+    """A page: one row a formula, its LaTeX beside what was found."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    from rbpsym.document.resources import data_folder
+
+    loader = FileSystemLoader(data_folder("templates"))
+    shell = Environment(loader=loader, undefined=StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    rows = [{**record(result), "name": name_of(result), "word": word(result), "lines": list(lines(result)),
+             "kind": "unexpected" if not result.expected else result.outcome.name.lower()} for result in found.results]
+    return shell.get_template("check.html").render(rows=rows, summary=summary(found), remarks=found.remarks)

@@ -1,0 +1,101 @@
+"""A run over claims files and papers, with the certificates of earlier runs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from rbpsym.errors import RbpsymError
+from rbpsym.verify.claims_cache import Certificates, as_told, key_of
+from rbpsym.verify.claims_check import Checker, declared
+from rbpsym.verify.claims_model import Claim, ClaimsFile, Printed, Result, Setting
+from rbpsym.verify.claims_worlds import Worlds, problem_path
+
+
+@dataclass(frozen=True)
+class Remembering(Checker):
+    """A checker that asks the certificates first."""
+
+    cache: Certificates = field(default_factory=lambda: Certificates(None))
+    folder: Path = Path()
+
+    def check(self, claim: Claim, printed: Printed | None = None) -> Result:
+        """The result, remembered or found now."""
+        key = self._key(claim, printed)
+        known = self.cache.get(key) if key else None
+        if known is not None:
+            return replace(as_told(known, claim), declared=declared(claim))
+        found = super().check(claim, printed)
+        self.cache.put(key, found)
+        return found
+
+    def _key(self, claim: Claim, printed: Printed | None) -> str:
+        if self.cache.folder is None:
+            return ""
+        try:
+            return key_of(claim, printed, self._problems(claim.setting), self.cache.engine)
+        except (RbpsymError, OSError):
+            return ""
+
+    def _problems(self, setting: Setting) -> bytes:
+        """The content of the problem and of others that a phrase names."""
+        if not setting.problem:
+            return b""
+        phrases = (re.fullmatch(r".+ in ([\w./-]+)", meaning.phrase) for meaning in setting.symbols.values())
+        names = [setting.problem, *sorted({found[1] for found in phrases if found})]
+        return b"\0".join(problem_path(name, self.folder).read_bytes() for name in names)
+
+
+def checker(file: ClaimsFile, cache: Certificates) -> Remembering:
+    """The checker of a claims file."""
+    folder = Path(file.file).parent
+    return Remembering(Worlds(folder), _diagnosed, cache=cache, folder=folder)
+
+
+def _diagnosed(relation, claim: Claim, ground) -> str:
+    from rbpsym.verify.diagnosis import diagnosis
+
+    return diagnosis(relation, claim, ground)
+
+
+def check_claims(file: ClaimsFile, cache: Certificates, progress: Callable[[str], None] = lambda name: None) -> Iterator[Result]:
+    """The results of all claims of a file."""
+    own = checker(file, cache)
+    for claim in file.claims:
+        progress(claim.id)
+        yield own.check_safely(claim)
+
+
+def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) -> tuple[list[Result], list[Result]]:
+    """(the results of a paper in its order, remarks on its labels as results)."""
+    from rbpsym.verify.paper_bind import bound
+    from rbpsym.verify.paper_check import PaperChecker
+    from rbpsym.verify.paper_walk import read_paper
+
+    paper, files = read_paper(path), list(files)
+    checkers = {claim.id: own for file in files for own in [checker(file, cache)] for claim in file.claims}
+    claims = [claim for file in files for claim in file.claims]
+    default = claims[0].setting if claims else files[0].setting
+    found = list(PaperChecker(paper, checkers, checker(files[0], cache), default).results(bound(paper, claims)))
+    return found, list(paper.remarks)
+
+
+def names_of_problem(path: Path) -> ClaimsFile:
+    """A problem without claims: its own names are what the printed symbols mean."""
+    from rbpsym.notation.glyphs import notation_for
+    from rbpsym.notation.latex import to_latex
+    from rbpsym.notation.tree import Sym
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.verify.claims_model import Meaning
+
+    problem = load_problem(path)
+    moving = [coordinate.name for coordinate in problem.coordinates]
+    names = [quantity.name for quantity in problem.parameters] + moving
+    names += [f"{name}_{dots}" for name in moving for dots in ("dot", "ddot")]
+    names += [element.name for element in problem.constraints if element.kind == "contact"]
+    notation = notation_for(names, problem.notation)
+    symbols = {to_latex(Sym(name), notation): Meaning(name) for name in names}
+    setting = Setting(problem.name, problem=str(path.resolve()), symbols=symbols)
+    return ClaimsFile(problem.name, "", "", "", (), str(path), setting=setting)
