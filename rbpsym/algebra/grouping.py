@@ -18,7 +18,8 @@ def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
         [(m, c)] = poly.terms.items()
         return c, m, ONE
     if is_inertia(poly, style):
-        return 1, UNIT, poly
+        common = split(_common_powers(poly), style)[1]
+        return 1, common, poly.scaled(1, inverse(common)) if common else poly
     common = _common_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
     coefficient = common_coefficient(rest, style)

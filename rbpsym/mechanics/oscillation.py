@@ -8,7 +8,7 @@ curvature makes it unstable.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
@@ -107,6 +107,8 @@ def _frequencies(stiffness: Matrix, inertia: Matrix, assumptions: Assumptions) -
     """The non-zero roots λ of det(K - λ M) that have a closed form, factor by factor."""
     unknown = symbol(LAMBDA)
     size = range(len(stiffness))
+    if all(is_zero(matrix[i][j]) for matrix in (stiffness, inertia) for i in size for j in size if i != j):
+        return _distinct(short(stiffness[k][k] / inertia[k][k]) for k in size if not is_zero(stiffness[k][k]))
     matrix = tuple(tuple(stiffness[i][j] - unknown * inertia[i][j] for j in size) for i in size)
     try:
         whole = determinant(matrix)
@@ -115,6 +117,14 @@ def _frequencies(stiffness: Matrix, inertia: Matrix, assumptions: Assumptions) -
             found += _roots_of(Scalar(factor), assumptions)
     except RbpsymError:
         return ()
+    return tuple(found)
+
+
+def _distinct(values: Iterable[Scalar]) -> tuple[Scalar, ...]:
+    found: list[Scalar] = []
+    for value in values:
+        if not any(is_zero(value - other) for other in found):
+            found.append(value)
     return tuple(found)
 
 

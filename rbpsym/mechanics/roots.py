@@ -8,7 +8,7 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import is_zero, normal, shorten
-from rbpsym.algebra.poly import Poly, inverse
+from rbpsym.algebra.poly import Poly, generator, inverse
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.algebra.sympy_bridge import factors
 
@@ -22,7 +22,19 @@ def numerator_factors(value: Scalar) -> list[Poly]:
         return []
     low = tuple((i, min(0, *(dict(m).get(i, 0) for m in poly.terms))) for i in poly.atoms())
     cleared = poly.scaled(1, inverse(tuple(item for item in sorted(low) if item[1])))
+    content, powers = cleared.content()
+    rest = cleared.scaled(1, inverse(powers))
+    if _is_irreducible(rest):
+        return [generator(index) for index, _ in powers] + ([rest] if len(rest) > 1 else [])
     return [factor for factor, _ in factors(cleared)[1]]
+
+
+def _is_irreducible(poly: Poly) -> bool:
+    """One term, or a x + B with a single term a (that has no factor in common with B, since the content is out)."""
+    if len(poly) < 2:
+        return True
+    parts = (poly.by_power(index) for index in poly.atoms())
+    return any(set(part) == {0, 1} and len(part[1]) == 1 for part in parts)
 
 
 def zeros(value: Scalar, name: str) -> list[Scalar]:

@@ -7,13 +7,56 @@ from rbpsym.statement.kinds import Field, Kind, registry
 
 _COMPONENTS = (("{name}_x", FORCE), ("{name}_y", FORCE))
 
+_TORQUE = DIMENSIONS["torque"]
+_LINE = Field("line", "line", "the line that is touched, as an equation in x and y: “y = 0”", default="")
+_SIDE = Field(
+    "side",
+    "choice",
+    "side to which the force pushes: of a line, positive is where the left side of the equation is the greater "
+    "one; of a circle, outside or inside; auto: where the body is",
+    default="auto",
+    choices=("auto", "positive", "negative", "outside", "inside"),
+)
+_CURVE = (
+    Field("of", "body", "the body to which the line belongs, x and y being its own; absent: it is fixed", default=""),
+    Field("circle", "point", "instead of a line: the centre of the circle that is touched", default=""),
+    Field(
+        "radius",
+        "expression",
+        "radius of that circle; absent: that of the round body whose centre it is",
+        LENGTH,
+        default="",
+        sign="positive",
+    ),
+)
+_FRICTION = Field("friction", "name", "name of the force of friction", default="f_{name}")
+_SLIDING = (
+    Field("coefficient", "expression", "coefficient of kinetic friction; absent: smooth", NUMBER, default=""),
+    Field(
+        "slip",
+        "choice",
+        "the sense in which it slips, seen with the normal upwards: forward is to the right; auto: as at the start",
+        default="auto",
+        choices=("auto", "forward", "backward"),
+    ),
+    _FRICTION,
+)
+_LIMIT = Field(
+    "limit", "expression", "coefficient of static friction; absent: as much as is needed", NUMBER, default=""
+)
+_POINT = Field("point", "point", "the point that touches")
+_ROUND = Field("body", "body", "the round body that touches")
+_RIM = Field("rim", "expression", "radius at which it touches; absent: its own", LENGTH, default="", sign="positive")
+_NORMAL, _ROUGH = ("{name}", FORCE), ("{friction}", FORCE)
+_TIME_PLACE = "a function of the time t"
+
 CONSTRAINTS: dict[str, Kind] = registry(
     Kind(
         "pivot",
         "a point of a body is held at a fixed place, free to turn there",
         (
             Field("point", "point", "the point that is held"),
-            Field("at", "pair", "where it is held; absent: where the body's pose puts it", LENGTH, default=""),
+            Field("at", "pair", "where it is held; absent: where the body's pose puts it", LENGTH, default="", may_use="time"),
         ),
         unknowns=_COMPONENTS,
     ),
@@ -42,19 +85,79 @@ CONSTRAINTS: dict[str, Kind] = registry(
     ),
     Kind(
         "contact",
-        "a point of a body touches a smooth fixed line; the force is normal to the line",
+        "a point touches a line or a circle and may slide along it; the force is normal to the curve",
+        (_POINT, _LINE, _SIDE, *_CURVE, *_SLIDING),
+        unknowns=(_NORMAL,),
+    ),
+    Kind(
+        "guide",
+        "a point is led by a smooth slot along a line or a circle; the force may push to both sides",
+        (Field("point", "point", "the point that is led"), _LINE, *_CURVE),
+        aliases=("slot",),
+        unknowns=(_NORMAL,),
+    ),
+    Kind(
+        "slider",
+        "a body slides along a line without turning; the force is normal to the line, a couple keeps the angle",
         (
-            Field("point", "point", "the point that touches"),
-            Field("line", "line", "the line, as an equation in x and y: “y = 0”"),
-            Field(
-                "side",
-                "choice",
-                "side of the line to which the force pushes: positive is where the left "
-                "side of the equation is the greater one; auto: where the body is",
-                default="auto",
-                choices=("auto", "positive", "negative"),
-            ),
+            Field("point", "point", "the point that is on the line"),
+            _LINE,
+            _SIDE,
+            _CURVE[0],
+            *_SLIDING,
+            Field("couple", "name", "name of the unknown couple", default="tau_{name}"),
         ),
-        unknowns=(("{name}", FORCE),),
+        unknowns=(_NORMAL, ("{couple}", _TORQUE)),
+    ),
+    Kind(
+        "touch",
+        "a round body touches a line or a circle and may slide along it",
+        (_ROUND, _LINE, _SIDE, *_CURVE, _RIM, *_SLIDING),
+        unknowns=(_NORMAL,),
+    ),
+    Kind(
+        "rolling",
+        "a round body rolls on a line or a circle without slipping: a normal force and static friction",
+        (_ROUND, _LINE, _SIDE, *_CURVE, _RIM, _FRICTION, _LIMIT),
+        unknowns=(_NORMAL, _ROUGH),
+    ),
+    Kind(
+        "sticking",
+        "a point touches a rough line or circle and does not slip: a normal force and static friction",
+        (_POINT, _LINE, _SIDE, *_CURVE, _FRICTION, _LIMIT),
+        unknowns=(_NORMAL, _ROUGH),
+    ),
+    Kind(
+        "string",
+        "a massless inextensible string, taut between its ends and round pulleys and drums; it pulls",
+        (
+            Field(
+                "path",
+                "path",
+                "what it joins, from end to end: points, and round bodies with the sense in which it runs round "
+                "them: “cw pulley”, “ccw drum”",
+            ),
+            Field("length", "expression", "length between two points; absent: as at the start", LENGTH, default=""),
+        ),
+        aliases=("rope",),
+    ),
+    Kind(
+        "prescribed",
+        "a point is driven along a direction: its place is a given function of time; an unknown force drives it",
+        (
+            Field("point", "point", "the point that is driven"),
+            Field("along", "pair", "unit vector of the direction", NUMBER, default=["1", "0"]),
+            Field("distance", "expression", f"place along the direction, {_TIME_PLACE}", LENGTH, may_use="time"),
+        ),
+        unknowns=(_NORMAL,),
+    ),
+    Kind(
+        "prescribed-angle",
+        "a body is turned: its angle is a given function of time; an unknown couple drives it",
+        (
+            Field("body", "body", "the body that is turned"),
+            Field("angle", "expression", f"its angle, {_TIME_PLACE}", NUMBER, may_use="time"),
+        ),
+        unknowns=(("{name}", _TORQUE),),
     ),
 )

@@ -59,6 +59,25 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
+class Turn:
+    """A place on the path of a string: a point (radius 0), or a circle that it runs round.
+
+    `sense` is 1 if it runs counter-clockwise round the circle, -1 if clockwise, 0 for a point.
+    Where it `grips`, the string moves with the rim (or the point); else it slides freely.
+    """
+
+    center: PointRef
+    radius: Node
+    sense: int = 0
+    grips: bool = True
+
+    @property
+    def body(self) -> str | None:
+        """The body to which the place belongs; None if it is fixed."""
+        return self.center.body
+
+
+@dataclass(frozen=True, slots=True)
 class Range:
     """One variable of a mass element with its bounds (the inner ones may depend on outer ones)."""
 
@@ -146,7 +165,7 @@ class Element:
 
     Values by field kind: "expression" Node; "pair" (Node, Node); "point" PointRef; "points"
     (PointRef, PointRef); "line" Line; "body" name; "bodies" tuple of names; "two bodies"
-    two names, one may be "ground"; "choice"/"name" str; what was left out, None. Defaults are
+    two names, one may be "ground"; "path" a tuple of Turn; "choice"/"name" str; what was left out, None. Defaults are
     filled in. `place` is where it stands in the file.
     """
 

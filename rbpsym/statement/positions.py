@@ -7,7 +7,6 @@ keys and list positions: `("bodies", "rod", "center", 0)`.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from dataclasses import dataclass, field
 
 from rbpsym.errors import Place
@@ -20,9 +19,8 @@ _ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
 
 def place_at(file: str, text: str, offset: int, width: int = 1) -> Place:
     """The place of the character at `offset` of `text`."""
-    starts = [0, *(i + 1 for i, char in enumerate(text) if char == "\n")]
-    line = bisect_right(starts, min(offset, len(text)))
-    start = starts[line - 1]
+    line = text.count("\n", 0, offset) + 1
+    start = text.rfind("\n", 0, offset) + 1
     content = "".join(char if char.isprintable() else " " for char in text[start:].split("\n", 1)[0])
     return Place(file, line, offset - start + 1, content, max(1, min(width, len(content) - offset + start)))
 

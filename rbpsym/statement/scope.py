@@ -15,6 +15,7 @@ from rbpsym.statement.signs import sign_of
 from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
 
 ORIGIN: Pair = (Num(0), Num(0))
+CLOCK = "t"
 
 
 @dataclass(frozen=True)
@@ -39,11 +40,11 @@ class Scope:
     @property
     def all(self) -> dict[str, Dimension]:
         """Every name with its dimension."""
-        return {**self.parameters, **self.coordinates, **self.speeds, **self.variables}
+        return {CLOCK: TIME, **self.parameters, **self.coordinates, **self.speeds, **self.variables}
 
     def role(self, name: str) -> str:
-        """What a name is: "parameter", "coordinate" or "speed"."""
-        roles = {"parameter": {**self.parameters, **self.variables}, "coordinate": self.coordinates}
+        """What a name is: "parameter", "coordinate", "speed" or "time"."""
+        roles = {"parameter": {**self.parameters, **self.variables}, "coordinate": self.coordinates, "time": (CLOCK,)}
         return next((role for role, names in roles.items() if name in names), "speed")
 
     def with_variables(self, variables: Mapping[str, Dimension]) -> Scope:
@@ -51,7 +52,13 @@ class Scope:
         return replace(self, variables=variables)
 
 
-_FORBIDDEN = {"parameters": ("coordinate", "speed"), "coordinates": ("speed",), "speeds": ()}
+_FORBIDDEN = {
+    "parameters": ("time", "coordinate", "speed"),
+    "time": ("coordinate", "speed"),
+    "coordinates": ("speed",),
+    "speeds": (),
+}
+_MAY_USE = {"time": "parameters and the time t"}
 
 
 def text_of(item: Item, what: str) -> str:
@@ -110,7 +117,7 @@ def _check_names(node: Node, scope: Scope, what: str, may_use: str) -> None:
             raise _at(part, f"unknown symbol “{part.name}” in {what}", did_you_mean(part.name, scope.all, "declared"))
         role = scope.role(part.name)
         if role in _FORBIDDEN[may_use]:
-            raise _at(part, f"{what} must not depend on “{part.name}”, a {role}", f"it may be made of {may_use}.")
+            raise _at(part, f"{what} must not depend on “{part.name}”, a {role}", f"it may be made of {_MAY_USE.get(may_use, may_use)}.")
 
 
 def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) -> None:

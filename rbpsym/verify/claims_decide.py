@@ -14,12 +14,15 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.integration import definite
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import compare, find_witness, scalars_equal
+from rbpsym.equality.constants import is_algebraic
+from rbpsym.equality.decide import PLAIN, compare, cross_difference, find_witness, scalars_equal
 from rbpsym.equality.domain import Condition
+from rbpsym.equality.points import all_atoms
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import RbpsymError
@@ -94,7 +97,16 @@ def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 
 def _are_same(a: Scalar, b: Scalar, question: Question) -> bool:
+    """Whether equality is PROVED; no witness is looked for where the normal form says no."""
+    gap = cross_difference(a, b)
+    if not is_zero(gap) and _is_plain(gap):
+        return False
     return scalars_equal(a, b, question.motion.assumptions).is_proved
+
+
+def _is_plain(value: Scalar) -> bool:
+    """Is the normal form that of a field, in which only 0 is zero?"""
+    return all(atoms.atom(index).kind in PLAIN and not is_algebraic(index) for index in all_atoms([value]))
 
 
 def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:

@@ -29,8 +29,9 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A scalar condition that the force or couple called `multiplier` keeps."""
+    """A scalar condition of the constraint `name` that the force or couple `multiplier` keeps."""
 
+    name: str
     multiplier: str
     at: Callable[[State, State], Row]
 
@@ -45,17 +46,17 @@ def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
 
         return row
 
-    return [Kept(f"{name}_x", along(1.0, 0.0)), Kept(f"{name}_y", along(0.0, 1.0))]
+    return [Kept(name, f"{name}_x", along(1.0, 0.0)), Kept(name, f"{name}_y", along(0.0, 1.0))]
 
 
-def _turning(first: int, second: int, offset: float, name: str) -> Kept:
+def _turning(first: int, second: int, offset: float, element: Element) -> Kept:
     """φ_second - φ_first = offset; the couple is on the second."""
     def row(where: State, speed: State) -> Row:
         ends = [(k, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
         value = sum(sign * where[3 * k + 2] for k, sign in ends) - offset
         return Row(value, [(3 * k + 2, sign) for k, sign in ends], 0.0)
 
-    return Kept(name, row)
+    return Kept(element.name, element["couple"], row)
 
 
 def _touching(spot: Spot, normal: tuple[float, float], height: float, name: str) -> Kept:
@@ -65,7 +66,7 @@ def _touching(spot: Spot, normal: tuple[float, float], height: float, name: str)
         value, bias = (normal[0] * p[0] + normal[1] * p[1] for p in (at.place, at.bias))
         return Row(value - height, at.along(*normal), bias)
 
-    return Kept(name, row)
+    return Kept(name, name, row)
 
 
 def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
@@ -87,7 +88,7 @@ def _pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
 def _weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     first, second = _ends(element, mechanism)
     offset = _weld_angle(element, mechanism, first, second, start)
-    return [*_meeting(first, second, element.name), _turning(first.body, second.body, offset, element["couple"])]
+    return [*_meeting(first, second, element.name), _turning(first.body, second.body, offset, element)]
 
 
 def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spot, start: State) -> float:
