@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import click
 
 from rbpsym.commands.arguments import detail_option, name_argument
+
+if TYPE_CHECKING:
+    from rbpsym.derivation.step import Derivation
+    from rbpsym.document.model import Document
 
 METHODS = ("all", "torque", "newton-euler", "work-energy", "energy")
 CHAPTERS = {
@@ -36,6 +41,7 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool) ->
     """
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.shelf import found
+    from rbpsym.commands.solve import exit_code
     from rbpsym.derive import derive
     from rbpsym.statement.loader import load_problem
 
@@ -43,59 +49,42 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool) ->
     with Progress(f"deriving {name}"):
         derivation = derive(load_problem(path), simulation=simulation)
     click.echo("\n".join(lines(derivation, detail, method, lang)))
-    from rbpsym.commands.solve import exit_code
-
     return exit_code(derivation.summary())
 
 
-MARKS = {"PROVED": ("✓", "green"), "REFUTED": ("✗", "red"), "UNDECIDED": ("?", "yellow")}
-
-
-def lines(derivation, detail: str, method: str, language: str) -> Iterator[str]:
+def lines(derivation: Derivation, detail: str, method: str, language: str) -> Iterator[str]:
     """The chapters with their steps, then what was proved."""
     from rbpsym.commands.solve import verdict_line
-    from rbpsym.document.chapters import ORDER
-    from rbpsym.document.notes import notation_of, shown_steps
-    from rbpsym.document.words import Words
+    from rbpsym.commands.terminal import terminal_lines
 
-    said = Words(language, derivation.study.problem, "", shown_steps(derivation, detail))
-    notation, numbers = notation_of(derivation), {}
-    yield click.style(said.title(derivation.study.problem.title), bold=True)
-    for chapter in ORDER:
-        steps = [s for s in derivation.chapter(chapter) if s.id in said.shown]
-        if steps and (method == "all" or chapter in CHAPTERS[method]):
-            yield ""
-            yield click.style(_plain(said.say(f"section.{chapter}"), notation, numbers), bold=True, underline=True)
-            for step in steps:
-                yield from step_lines(step, said, notation, numbers)
+    document = document_of(derivation, detail, method, language)
+    yield from terminal_lines(document, {step.id: step.certificate.verdict for step in derivation.steps})
     yield ""
-    yield from (_plain(said.say(s.phrase, **s.slots), notation, numbers) for s in derivation.skipped)
+    yield from reasons(derivation, method, language)
     yield verdict_line(derivation.summary())
 
 
-def step_lines(step, said, notation, numbers: dict[str, int]) -> Iterator[str]:
-    """The sentence of a step, then its formula with verdict and number."""
-    from rbpsym.document.chapters import known_key
-    from rbpsym.notation.text import to_text
+def document_of(derivation: Derivation, detail: str, method: str, language: str) -> Document:
+    """The chapters of one road, or of all of them, as a document."""
+    from rbpsym.document.chapters import chapter_sections
+    from rbpsym.document.model import Document, words
+    from rbpsym.document.notes import notation_of, shown_steps
+    from rbpsym.document.words import Words
 
-    numbers[step.id] = len(numbers) + 1
-    key = known_key(step.phrase, said)
-    sentence = _plain(said.say(key, **step.slots), notation, numbers).strip() if key else ""
-    if sentence:
-        yield f"  {sentence}"
-    mark, color = MARKS[str(step.certificate.verdict.kind)]
-    for row in to_text(step.statement, notation).splitlines():
-        yield f"    {click.style(mark, fg=color)} {click.style(row.strip(), bold=step.is_result)}  ({numbers[step.id]})"
-        mark = " "
-    if step.certificate.verdict.reason or step.certificate.verdict.witness:
-        yield f"      {step.certificate.verdict.reason or step.certificate.verdict.witness}"
+    problem = derivation.study.problem
+    of_method = {step.id for step in derivation.steps if method == "all" or step.chapter in CHAPTERS[method]}
+    said = Words(language, problem, "", shown_steps(derivation, detail) & of_method)
+    sections = tuple(chapter_sections(derivation, said, 1))
+    return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation))
 
 
-def _plain(inlines, notation, numbers: dict[str, int]) -> str:
-    """The inlines as text; references by number."""
-    from rbpsym.document.model import Ref
+def reasons(derivation: Derivation, method: str, language: str) -> Iterator[str]:
+    """Why a method does not apply."""
+    from rbpsym.document.notes import notation_of
+    from rbpsym.document.words import Words
     from rbpsym.document.writers.plain_text import plain_text
 
-    return "".join(
-        f"({numbers.get(i.label, '…')})" if isinstance(i, Ref) else plain_text((i,), notation) for i in inlines
-    )
+    said, notation = Words(language, derivation.study.problem), notation_of(derivation)
+    for skipped in derivation.skipped:
+        if method in ("all", skipped.method):
+            yield plain_text(said.say(skipped.phrase, **skipped.slots), notation, language)

@@ -110,16 +110,60 @@ def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]
     if margin and margin + max(map(least, rights)) > column:
         yield from sum_lines(EMPTY, left, column)
         left, margin = EMPTY, INDENT
+    yield from with_short_ends(left, rights, column - margin)
+
+
+def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[Line]:
+    """A line for each side of a chain; a very short one ("= 0") goes on with the line before."""
+    held: Line | None = None
     for right in rights:
-        yield from sum_lines(left, right, column - margin)
+        if held and width(right) <= SHORT and held.width + width(right) <= room:
+            held = Line(held.left, b.Row((*flat(held.right), *flat(right))), held.indent)
+            continue
+        if held:
+            yield held
+        *before, held = sum_lines(left, right, room)
+        yield from before
         left = EMPTY
+    if held:
+        yield held
+
+
+SHORT = 3.0
 
 
 def sum_lines(left: b.Box, right: b.Box, room: float) -> Iterator[Line]:
     """A line, or several if its right side is a sum that is too long for the room."""
-    groups = [right] if width(right) <= room else list(packed(terms(right), room - INDENT))
+    groups = [right] if width(right) <= room else list(packed(opened(right, room), room - INDENT))
     yield Line(left, groups[0])
     yield from (Line(EMPTY, group, True) for group in groups[1:])
+
+
+def opened(box: b.Box, room: float) -> tuple[b.Row, ...]:
+    """The terms of a sum; one that is too wide is cut within its longest parentheses."""
+    return tuple(piece for term in terms(box) for piece in (cut(term) if width(term) > room - INDENT else (term,)))
+
+
+def cut(term: b.Row) -> tuple[b.Row, ...]:
+    """A term cut at the signs within its longest parentheses, the term itself if there are none."""
+    items = [part for item in term.items for part in spelled(item)]
+    fences = [k for k, item in enumerate(items) if isinstance(item, b.Fence) and len(terms(item.body)) > 1]
+    if not fences:
+        return (term,)
+    place = max(fences, key=lambda k: width(items[k]))
+    fence = items[place]
+    first, *middle, last = terms(fence.body)
+    before = b.Row((*items[:place], b.Fence(fence.opening, first, "", fence.tall)))
+    after = b.Row((b.Fence("", last, fence.closing, fence.tall), *items[place + 1 :]))
+    return before, *middle, after
+
+
+def spelled(item: b.Box) -> tuple[b.Box, ...]:
+    """A long sum over a denominator as one over the denominator times the sum."""
+    if isinstance(item, b.Fraction) and len(terms(item.num)) > 2:
+        one = b.Fraction(b.Letter("1", "number"), item.den)
+        return one, b.Times(), b.Fence("(", item.num, ")", b.is_tall(item.num))
+    return (item,)
 
 
 def flat(box: b.Box) -> Iterator[b.Box]:
@@ -143,7 +187,7 @@ def terms(box: b.Box) -> tuple[b.Row, ...]:
 
 def least(box: b.Box) -> float:
     """The width that a side can be broken down to."""
-    return max(map(width, terms(box)), default=0.0) + INDENT
+    return max((width(piece) for term in terms(box) for piece in cut(term)), default=0.0) + INDENT
 
 
 def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
@@ -183,8 +227,10 @@ def reason_fits(block: Display, notation: Notation, column: float) -> bool:
 
 
 def is_wordy(block: Table, place: int, notation: Notation) -> bool:
-    """Does a column hold words that should wrap?"""
-    return any(text_width(row[place], notation) > 12 for row in block.rows)
+    """Does a column hold words that should wrap? (Formulas never do.)"""
+    return any(
+        isinstance(inline, Text) and len(inline.text) > 26 for row in block.rows for inline in row[place]
+    )
 
 
 def table_width(block: Table, notation: Notation) -> float:

@@ -75,6 +75,7 @@ class Display:
     """A formula on lines of its own: a chain, a system or an expression.
 
     `reason` is printed beside it (or below where there is no room); a boxed one is a result.
+    References to the labels in `also` show its number too.
     """
 
     node: Node
@@ -83,6 +84,7 @@ class Display:
     boxed: bool = False
     reason: Inlines | None = None
     number: str = ""
+    also: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

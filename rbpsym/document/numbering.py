@@ -25,6 +25,7 @@ class Counters:
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
         self.marks: dict[str, str] = {}
+        self.targets: dict[str, str] = {}
 
     def next(self, kind: str) -> str:
         """The next number of a kind."""
@@ -38,6 +39,12 @@ class Counters:
         if label:
             self.marks[label] = mark
 
+    def label_also(self, labels: tuple[str, ...], target: str, mark: str) -> None:
+        """Remember further labels of the block that is labelled `target`."""
+        for label in labels:
+            self.label(label, mark)
+            self.targets[label] = target
+
 
 def number_display(block: Display, counters: Counters) -> Display:
     """The display with its equation number; a labelled one is always numbered."""
@@ -45,6 +52,7 @@ def number_display(block: Display, counters: Counters) -> Display:
         return block
     number = counters.next("equation")
     counters.label(block.label, f"({number})")
+    counters.label_also(block.also, block.label, f"({number})")
     return replace(block, number=number, numbered=True)
 
 
@@ -98,30 +106,30 @@ def number_section(section: Section, counters: Counters) -> Section:
     return replace(section, number=number, blocks=number_blocks(section.blocks, counters))
 
 
-def resolve(part: object, marks: Mapping[str, str]) -> object:
+def resolve(part: object, counters: Counters) -> object:
     """The same part of a document with each Ref's mark filled in."""
     if isinstance(part, Ref):
-        return resolve_ref(part, marks)
+        return resolve_ref(part, counters)
     if isinstance(part, tuple):
-        return tuple(resolve(item, marks) for item in part)
+        return tuple(resolve(item, counters) for item in part)
     if is_dataclass(part) and type(part).__module__.endswith("document.model"):
         values = {item.name: getattr(part, item.name) for item in fields(part)}
-        return type(part)(**{name: resolve(value, marks) for name, value in values.items()})
+        return type(part)(**{name: resolve(value, counters) for name, value in values.items()})
     return part
 
 
-def resolve_ref(ref: Ref, marks: Mapping[str, str]) -> Ref:
+def resolve_ref(ref: Ref, counters: Counters) -> Ref:
     """The reference with its mark. Raises DocumentError if nothing has that label."""
-    if ref.label not in marks:
+    if ref.label not in counters.marks:
         raise DocumentError(f"nothing in the document is labelled “{ref.label}”")
-    return replace(ref, mark=marks[ref.label])
+    return Ref(counters.targets.get(ref.label, ref.label), counters.marks[ref.label])
 
 
 def numbered(document: Document) -> Document:
     """The document with all numbers given and all references resolved."""
     counters = Counters()
     sections = tuple(number_section(section, counters) for section in document.sections)
-    return resolve(replace(document, sections=sections), counters.marks)
+    return resolve(replace(document, sections=sections), counters)
 
 
 def parts(value: object) -> Iterator[object]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import reduce_roots, shorten
-from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.normal import shorten
+from rbpsym.algebra.poly import ONE, UNIT, Poly, accumulate
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.errors import StatementError
@@ -80,7 +81,25 @@ def tidy(value: Scalar) -> Scalar:
     """Even powers of roots and sums of squares of sine and cosine worked out."""
     if value.den is not ONE:
         return quotient(shorten(value.num), value.den)
-    return Scalar(shorten(reduce_roots(value.num)))
+    return Scalar(shorten(_without_even_roots(value.num)))
+
+
+def _without_even_roots(poly: Poly) -> Poly:
+    """√x² = x, and 1/√x = √x/x where x is one term; the value stays the same."""
+    for index in sorted(poly.atoms()):
+        found = atoms.atom(index)
+        if found.kind == "root" and found.arg.den is ONE:
+            poly = _without_powers_of(poly, index, found.arg.num)
+    return poly
+
+
+def _without_powers_of(poly: Poly, index: int, radicand: Poly) -> Poly:
+    parts, result = poly.by_power(index), []
+    for power, part in parts.items():
+        half = power // 2 if power > 0 or radicand.is_monomial() else 0
+        left = power - 2 * half
+        result.append((1, (part * radicand**half).scaled(1, ((index, left),) if left else UNIT)))
+    return accumulate(result) if parts.keys() - {0, 1} else poly
 
 
 def _has_given_part(shape: Shape) -> bool:

@@ -112,6 +112,10 @@ def _radical(box: b.Radical) -> str:
 
 
 def _fence(box: b.Fence) -> str:
+    if box.opening and not box.closing:
+        return f"lr(\\{box.opening} {render(box.body)})"
+    if box.closing in (")", "]") and not box.opening:
+        return f"lr({render(box.body)} \\{box.closing})"
     return _FENCES[box.opening](render(box.body))
 
 

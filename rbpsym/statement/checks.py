@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from rbpsym.errors import StatementError
 from rbpsym.notation.tree import Node, names
-from rbpsym.quantities import Dimension
+from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.model import Body, Coordinate, Element, Line, Problem
 from rbpsym.statement.names import fault_of_name, twice
+from rbpsym.statement.paths import tensions
 from rbpsym.statement.signs import compare_numbers
 from rbpsym.statement.source import Table, did_you_mean
 
@@ -24,6 +25,8 @@ def check_problem(problem: Problem, table: Table) -> None:
 
 def unknowns_of(element: Element) -> dict[str, Dimension]:
     """Names and dimensions of the unknown forces and couples that a constraint brings in."""
+    if element.kind == "string":
+        return dict.fromkeys(tensions(element), FORCE)
     values = {**element.values, "name": element.name}
     return {text.format(**values): dimension for text, dimension in CONSTRAINTS[element.kind].unknowns}
 
@@ -174,9 +177,9 @@ def _elements(problem: Problem) -> list[str]:
 def _same_contact(problem: Problem, table: Table) -> None:
     """One point against one line once."""
     seen: dict[tuple[str, str], str] = {}
-    for element in (element for element in problem.constraints if element.kind == "contact"):
+    for element in (e for e in problem.constraints if e.kind == "contact" and e["line"] is not None):
         line: Line = element["line"]
-        key = element["point"].label, line.label
+        key = element["point"].label, f"{line.label} of {element['of']}"
         if key in seen:
             raise StatementError(
                 f"contact “{element.name}” says again what “{seen[key]}” says",

@@ -146,8 +146,8 @@ CONSTRAINTS: dict[str, Kind] = registry(
         "a point is driven along a direction: its place is a given function of time; an unknown force drives it",
         (
             Field("point", "point", "the point that is driven"),
-            Field("along", "pair", "unit vector of the direction", NUMBER, default=["1", "0"]),
             Field("distance", "expression", f"place along the direction, {_TIME_PLACE}", LENGTH, may_use="time"),
+            Field("along", "pair", "unit vector of the direction", NUMBER, default=["1", "0"]),
         ),
         unknowns=(_NORMAL,),
     ),

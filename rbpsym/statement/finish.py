@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rbpsym.errors import StatementError
 from rbpsym.notation.tree import ZERO, names
+from rbpsym.statement.curves import CURVE_RULES
 from rbpsym.statement.model import Body, Element, Pair, PointRef
 from rbpsym.statement.scope import Scope
 from rbpsym.statement.signs import multiple_of_pi
@@ -160,5 +161,5 @@ _RULES: Mapping[str, tuple[Callable, ...]] = {
     "pivot": (_on_a_body("point"), _pivot_place),
     "pin": (_no_fixed_place, _joins_two),
     "weld": (_joins_two, _no_particle, _weld_angle),
-    "contact": (_on_a_body("point"),),
+    **CURVE_RULES,
 }

@@ -37,7 +37,7 @@ HOW = {
     "identity": "identity",
     "motion": "on the motion",
     "start": "along the motion from the start",
-    "rates": "equal at the start, equal rates",
+    "rates": "equal at the start and in rate",
     "constant": "its rate vanishes on the motion",
 }
 

@@ -150,7 +150,7 @@ class Result:
     @property
     def how(self) -> str:
         """By what the links were proved."""
-        return ", ".join(dict.fromkeys(link.how for link in self.links if link.how))
+        return ", ".join(dict.fromkeys(way for link in self.links if link.how for way in link.how.split(", ")))
 
 
 ORDER = (Outcome.UNREAD, Outcome.REFUTED, Outcome.UNDECIDED, Outcome.NOT_COMPUTED, Outcome.PROVED, Outcome.DEFINITION)

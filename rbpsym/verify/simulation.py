@@ -1,257 +1,248 @@
 """The simulation oracle: the statement integrated in maximal coordinates, with multipliers.
 
-Nothing of the symbolic solution is used in it: every body has its own x, y and φ, each
-constraint is a condition on accelerations with its unknown force as multiplier (index one), and
-the motion is integrated by an eighth-order method. The derived accelerations, unknown forces,
-squares of speeds and the first integral are then compared with it, state by state.
+Every body has its own x, y and φ; each constraint is a condition on accelerations with its
+unknown force as multiplier; all of it is built from the statement, nothing of the symbolic
+solution is used in it. The derived accelerations, unknown forces, squares of speeds, works and
+the first integral are then compared with it: at generic states, along a motion from a generic
+state, and along the motion from the declared start.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
-import numpy
+import numpy as np
 
-from rbpsym.algebra.calculus import derivative
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import System
+from rbpsym.mechanics.work import ForceWork
 from rbpsym.verify.simulation_bodies import Mechanism
 from rbpsym.verify.simulation_forces import laws
 from rbpsym.verify.simulation_joints import conditions
+from rbpsym.verify.simulation_motion import Equations, duration, trajectory
 from rbpsym.verify.simulation_numbers import Numbers
+from rbpsym.verify.simulation_placement import Placement
+from rbpsym.verify.simulation_start import Conditions, Start, idle_angles, start_state
 
-DURATION, STATES, RANDOM_STATES = 0.5, 20, 12
-RTOL, ATOL = 1e-12, 1e-13
+GENERIC_STATES = 8
+FAINT = 1e-2
 
 
 @dataclass(frozen=True)
 class SimulationReport:
     """Largest relative differences; `errors` by quantity, `drift` of the first integral (None: none).
 
-    A difference is relative to the largest value that the quantities of its kind (all
-    accelerations, all unknown forces) have along the motion.
+    A difference is relative to the largest value of the quantity along the motion (or to a
+    hundredth of the largest of its kind, if that is more). `freedom` is the number of degrees of
+    freedom that the numerical conditions leave.
     """
 
     max_relative_error: float
     errors: Mapping[str, float] = field(default_factory=dict)
     drift: float | None = None
     states: int = 0
+    freedom: int = 0
+
+
+@dataclass(frozen=True)
+class Derived:
+    """The symbolic results that are put to the test."""
+
+    system: System
+    dynamics: Dynamics
+    integral: Scalar | None
+    squares: Mapping[str, Scalar]
+    along: Mapping[str, Scalar]
+    works: Mapping[tuple[str, str, bool], Scalar]
 
 
 def simulate(
     system: System, dynamics: Dynamics, *, integral: Scalar | None = None,
     squares: Mapping[str, Scalar] | None = None, along: Mapping[str, Scalar] | None = None,
+    works: Iterable[ForceWork] = (),
 ) -> SimulationReport:
-    """Runs the simulation from the declared start and compares. Raises NotApplicable for unknown kinds."""
-    bench = _Bench(system, dynamics)
-    errors = _Errors()
-    for state in bench.random_states():
-        bench.compare(state, errors)
-    states = bench.trajectory()
-    for state in states:
-        bench.compare(state, errors)
-        bench.compare_motion(state, errors, squares or {}, along or {})
-    drift = None if integral is None else _drift([bench.known(s).of(integral) for s in states])
-    found = errors.relative()
-    worst = max([*found.values(), drift or 0.0], default=0.0)
-    return SimulationReport(float(worst), {k: float(v) for k, v in found.items()}, drift, len(states) + RANDOM_STATES)
+    """Runs the simulation and compares. Raises NotApplicable, with a sentence, for a kind of
+    constraint or interaction that the simulation does not know, or a start that can't be found."""
+    derived = Derived(system, dynamics, integral, squares or {}, along or {}, _known_works(works))
+    bench = _Bench(derived)
+    bench.compare_generic_states()
+    bench.compare_motion(bench.generic, from_start=False)
+    declared = bench.declared_start()
+    if declared is not None:
+        bench.compare_motion(declared, from_start=True)
+    return bench.report()
 
 
-def _drift(values: Sequence[float]) -> float:
-    scale = max(map(abs, values), default=0.0) or 1.0
-    return float((max(values) - min(values)) / scale) if values else 0.0
+def _known_works(works: Iterable[ForceWork]) -> dict[tuple[str, str, bool], Scalar]:
+    """Values of works that are known, by (force, body, whether rotational)."""
+    halves = [((item.force, item.on, turning), half.value)
+              for item in works for turning, half in ((False, item.translational), (True, item.rotational))]
+    return {key: value for key, value in halves if value is not None}
 
 
 class _Errors:
-    """Largest differences and largest values by kind of quantity."""
+    """Largest differences and largest values of quantities, by kind and name."""
 
     def __init__(self) -> None:
-        self.difference: dict[str, float] = {}
-        self.scale: dict[str, float] = {}
+        self.difference: dict[tuple[str, str], float] = {}
+        self.scale: dict[tuple[str, str], float] = {}
 
-    def note(self, kind: str, derived: float, simulated: float) -> None:
-        self.difference[kind] = max(self.difference.get(kind, 0.0), abs(derived - simulated))
-        self.scale[kind] = max(self.scale.get(kind, 0.0), abs(simulated), abs(derived))
+    def note(self, kind: str, name: str, derived: float, simulated: float) -> None:
+        """One comparison (a value that is no number counts as infinitely wrong)."""
+        key, gap = (kind, name), abs(derived - simulated)
+        self.difference[key] = max(self.difference.get(key, 0.0), gap if gap == gap else np.inf)
+        self.scale[key] = max(self.scale.get(key, 0.0), abs(simulated))
 
     def relative(self) -> dict[str, float]:
-        return {kind: value / self.scale[kind] if self.scale[kind] > 1e-9 else value
-                for kind, value in self.difference.items()}
-
-
-@dataclass(frozen=True)
-class _State:
-    """Coordinates and speeds by name, and the same state in maximal coordinates."""
-
-    names: Mapping[str, float]
-    where: Any
-    speed: Any
+        """Relative difference by quantity."""
+        largest: dict[str, float] = {}
+        for (kind, _), scale in self.scale.items():
+            largest[kind] = max(largest.get(kind, 0.0), scale)
+        return {
+            f"{kind} {name}": float(gap / (max(self.scale[kind, name], FAINT * largest[kind]) or 1.0))
+            for (kind, name), gap in self.difference.items()
+        }
 
 
 class _Bench:
-    """The mechanism, and the symbolic side to be compared with it."""
+    """A mechanism, states to try it at, and the comparison with what was derived."""
 
-    def __init__(self, system: System, dynamics: Dynamics) -> None:
-        self.system, self.dynamics = system, dynamics
-        self.base = sample(system.problem)
-        self.mechanism = Mechanism(system.problem, self.base)
-        bodies = system.bodies.values()
-        self.places = [v for b in bodies for v in (b.center.x, b.center.y, b.pose.angle)]
-        self.speeds = [v for b in bodies for v in (b.velocity.x, b.velocity.y, b.omega)]
-        self.rates = [v for b in bodies for v in (b.acceleration.x, b.acceleration.y, b.alpha)]
-        start = self.state(self._start())
-        self.start = start
-        self.laws = laws(self.mechanism, lambda where, speed: self.coordinates(where, speed, start).names)
-        self.conditions = conditions(self.mechanism, list(start.where))
-        self.masses = numpy.array(self.mechanism.masses)
-        self.live = self.masses > 0
+    def __init__(self, derived: Derived) -> None:
+        self.derived, self.errors, self.drifts, self.states = derived, _Errors(), [], 0
+        problem = derived.system.problem
+        self.sample = sample(problem)
+        mechanism = Mechanism(problem, self.sample)
+        self.placement, idle = Placement(mechanism), idle_angles(mechanism)
+        guess = self._coordinates({})
+        kept = conditions(mechanism, self._poses(guess).tolist())
+        self.conditions = Conditions(self.placement, kept, idle)
+        self.generic = self._start({}, _speeds(derived.system, 0.7))
+        reader = self.placement.reader(self.generic.q)
+        self.equations = Equations(mechanism, laws(mechanism, reader), kept, idle)
+        self.account = {key: k for k, key in enumerate(derived.works)}
 
-    def _start(self) -> dict[str, float]:
-        """The declared start; the middle of the range and a generic speed where none is declared."""
-        names = dict(self.base)
-        for k, coordinate in enumerate(self.system.independent):
-            start = self.system.scope.start
-            if coordinate in start:
-                names[coordinate] = number(start[coordinate], self.base)
-            speed = start.get(f"{coordinate}_dot")
-            names[f"{coordinate}_dot"] = 0.3 - 0.2 * k if speed is None else number(speed, self.base)
+    # --- states
+
+    def _coordinates(self, changed: Mapping[str, float]) -> dict[str, float]:
+        """Numbers for the coordinates; dependent ones as the system has them (a first guess)."""
+        names = {**self.sample, **changed}
+        names |= {n: number(v, names) for n, v in self.derived.system.dependent.items() if n not in changed}
         return names
 
-    def state(self, names: dict[str, float]) -> _State:
-        """The state in maximal coordinates at given coordinates and speeds."""
-        names = self._tied(names)
-        known = Numbers(names)
-        return _State(names, numpy.array(known.row(self.places)), numpy.array(known.row(self.speeds)))
+    def _poses(self, names: Mapping[str, float]) -> np.ndarray:
+        """A first guess of the places of the bodies; the conditions then correct it."""
+        known, bodies = Numbers(names), self.derived.system.bodies.values()
+        return np.array(known.row(v for b in bodies for v in (b.center.x, b.center.y, b.pose.angle)))
 
-    def _tied(self, names: dict[str, float]) -> dict[str, float]:
-        """Coordinates that conditions tie are found by Newton's method; their speeds are not free."""
-        free = [n for n in self.system.coordinates if n not in self.system.independent]
-        for _ in range(50 if self.system.implicit else 0):
-            known = Numbers(names)
-            values = numpy.array(known.row(c.value for c in self.system.implicit))
-            if numpy.abs(values).max() < 1e-14:
-                break
-            slopes = [known.row(derivative(c.value, n) for n in free) for c in self.system.implicit]
-            step = numpy.linalg.lstsq(numpy.array(slopes), values, rcond=None)[0]
-            names = {**names, **{n: names[n] - d for n, d in zip(free, step, strict=True)}}
-        return names
+    def _start(self, changed: Mapping[str, float], rates: Mapping[str, float], held: Iterable[str] = ()) -> Start:
+        names = self._coordinates(changed)
+        return start_state(self.conditions, names, rates, self._poses(names), tuple(held))
 
-    def known(self, state: _State) -> Numbers:
-        """Values at a state."""
-        return Numbers(state.names)
+    def declared_start(self) -> Start | None:
+        """The state from which the author lets it start, None if it is not declared in full."""
+        known, system = self.derived.system.scope.start, self.derived.system
+        if not all(name in known and f"{name}_dot" in known for name in system.independent):
+            return None
+        places = {name: number(known[name], self.sample) for name in system.coordinates if name in known}
+        rates = {name: number(known[f"{name}_dot"], self.sample) for name in system.independent}
+        return self._start(places, rates, places)
 
-    def accelerations(self, where, speed):
-        """(A of all bodies, multipliers by name): M A = F + Gᵀ λ, G A = -bias."""
-        where, speed = list(where), list(speed)
-        load = numpy.zeros(len(where))
-        for law in self.laws:
-            for item in law(where, speed):
-                load[3 * item.body : 3 * item.body + 3] += (item.x, item.y, item.torque)
-        rows = [kept.at(where, speed) for kept in self.conditions]
-        gradient = numpy.zeros((len(rows), len(where)))
-        for k, row in enumerate(rows):
-            for column, entry in row.entries:
-                gradient[k, column] += entry
-        return self._solve(load, gradient, numpy.array([row.bias for row in rows]))
+    def compare_generic_states(self) -> None:
+        """Accelerations and unknown forces at states all over the place."""
+        source, system = np.random.default_rng(20201), self.derived.system
+        for _ in range(GENERIC_STATES):
+            shift = {n: self.sample[n] + 0.2 * source.uniform(-1, 1) for n in system.independent}
+            self._compare_start(self._start(shift, {n: source.uniform(-1.5, 1.5) for n in system.independent}))
 
-    def _solve(self, load, gradient, bias):
-        """The linear system of accelerations and multipliers; a particle has no rotation."""
-        live, count = self.live, len(bias)
-        size = int(live.sum())
-        whole = numpy.zeros((size + count, size + count))
-        whole[:size, :size] = numpy.diag(self.masses[live])
-        whole[:size, size:] = -gradient[:, live].T
-        whole[size:, :size] = gradient[:, live]
-        try:
-            found = numpy.linalg.solve(whole, numpy.concatenate([load[live], -bias]))
-        except numpy.linalg.LinAlgError:
-            raise NotApplicable("the multipliers of the simulation are not determined at the start") from None
-        result = numpy.zeros(len(live))
-        result[live] = found[:size]
-        return result, dict(zip((kept.multiplier for kept in self.conditions), found[size:], strict=True))
+    def _compare_start(self, start: Start) -> None:
+        self._compare(start.where, start.speed, start.q)
 
-    def random_states(self) -> list[_State]:
-        """Generic states: coordinates near the middle of their ranges, speeds of both signs."""
-        source, found = numpy.random.default_rng(20201), []
-        for _ in range(RANDOM_STATES):
-            names = dict(self.base)
-            for name in self.system.independent:
-                names[name] += 0.2 * source.uniform(-1, 1)
-                names[f"{name}_dot"] = source.uniform(-1.5, 1.5)
-            found.append(self.state(names))
-        return found
+    # --- comparison
 
-    def trajectory(self) -> list[_State]:
-        """States along the motion from the start."""
-        from scipy.integrate import solve_ivp
+    def compare_motion(self, start: Start, *, from_start: bool) -> None:
+        """Along the motion from a state; from the declared start also what depends on position alone."""
+        first = self.equations.at(start.where, start.speed)
+        time = duration(start.speed, first.gained, self.placement.mechanism.reach())
+        account = self.account if from_start else {}
+        done = trajectory(self._rate(account), np.concatenate([start.where, start.speed, np.zeros(len(account))]), time)
+        q, energies, size = start.q, [], self.equations.size
+        for state in done:
+            q, known, values = self._compare(state[:size], state[size : 2 * size], q)
+            if self.derived.integral is not None:
+                energies.append((known.of(self.derived.integral), self.equations.kinetic_energy(state[size : 2 * size])))
+            if from_start:
+                self._compare_positions(known, values, state[2 * size :])
+        self.drifts.append(_drift(energies))
 
-        size, start = len(self.start.where), self.start
+    def _rate(self, account: Mapping[tuple[str, str, bool], int]):
+        """d/dt of (X, V, works)."""
+        size, equations = self.equations.size, self.equations
 
-        def rate(time, both):
-            return numpy.concatenate([both[size:], self.accelerations(both[:size], both[size:])[0]])
+        def rate(time: float, state: np.ndarray) -> np.ndarray:
+            where, speed = state[:size], state[size : 2 * size]
+            balance = equations.at(where, speed)
+            return np.concatenate([speed, balance.gained, equations.powers(speed, balance, account)])
 
-        times = numpy.linspace(0.0, DURATION, STATES + 1)[1:]
-        found = solve_ivp(rate, (0.0, DURATION), numpy.concatenate([start.where, start.speed]), method="DOP853",
-                          t_eval=times, rtol=RTOL, atol=ATOL)
-        if not found.success:
-            raise NotApplicable("the simulation did not reach its end: " + str(found.message))
-        states, last = [], start
-        for both in found.y.T:
-            last = self.coordinates(both[:size], both[size:], last)
-            states.append(last)
-        return states
+        return rate
 
-    def coordinates(self, where, speed, near: _State) -> _State:
-        """The coordinates and speeds that belong to a state in maximal coordinates, by Newton's method."""
-        names, where, speed = dict(near.names), numpy.asarray(where), numpy.asarray(speed)
-        for _ in range(30):
-            here = self.state(names)
-            gap = where - here.where
-            if numpy.abs(gap).max() < 1e-13:
-                break
-            step = numpy.linalg.lstsq(self._slopes(names), gap, rcond=None)[0]
-            names = {**here.names, **{n: here.names[n] + d for n, d in zip(self.system.independent, step, strict=True)}}
-        speeds = numpy.linalg.lstsq(self._slopes(names), speed, rcond=None)[0]
-        names |= {f"{n}_dot": u for n, u in zip(self.system.independent, speeds, strict=True)}
-        return _State(self._tied(names), where, speed)
+    def _compare(self, where: np.ndarray, speed: np.ndarray, near: Sequence[float]):
+        """q̈ and the unknown forces at one state; returns (q, derived numbers, simulated forces)."""
+        balance, placement = self.equations.at(where, speed), self.placement
+        x, v = where.tolist(), speed.tolist()
+        q, rates = placement.state(x, v, near)
+        gained = dict(zip(placement.names, placement.accelerations(q, rates, x, v, balance.gained), strict=True))
+        known = self._derived_numbers(placement.numbers(q, rates))
+        for name in self.derived.system.independent:
+            self.errors.note("acceleration", name, known.names[f"{name}_ddot"], gained[name])
+        forces = dict(zip((item.multiplier for item in self.equations.kept), balance.multipliers, strict=True))
+        for name, value in self.derived.dynamics.reactions.items():
+            self.errors.note("force", name, known.of(value), forces[name])
+        self.states += 1
+        return q, known, forces
 
-    def _slopes(self, names: dict[str, float]):
-        """∂X/∂q = ∂V/∂q̇, column by column."""
-        columns = []
-        for name in self.system.independent:
-            unit = {**names, **{f"{n}_dot": float(n == name) for n in self.system.independent}}
-            columns.append(self.state(unit).speed)
-        return numpy.array(columns).T
+    def _derived_numbers(self, names: dict[str, float]) -> Numbers:
+        """Coordinates, speeds and the derived accelerations, from M q̈ = f where there are no formulas."""
+        known, dynamics = Numbers(names), self.derived.dynamics
+        wanted = self.derived.system.accelerations
+        if dynamics.accelerations is not None:
+            found = known.row(dynamics.accelerations[name] for name in wanted)
+        else:
+            matrix = np.array([known.row(row) for row in dynamics.mass_matrix])
+            found = np.linalg.solve(matrix, np.array(known.row(dynamics.forcing))).tolist()
+        return Numbers({**names, **dict(zip(wanted, found, strict=True))})
 
-    def compare(self, state: _State, errors: _Errors) -> None:
-        """Accelerations of all bodies and unknown forces at one state."""
-        simulated, multipliers = self.accelerations(state.where, state.speed)
-        known = Numbers({**state.names, **self._derived(state)})
-        for k, value in enumerate(known.row(self.rates)):
-            if self.live[k]:
-                errors.note("angular accelerations" if k % 3 == 2 else "accelerations", value, simulated[k])
-        for name, value in self.dynamics.reactions.items():
-            errors.note("unknown forces", known.of(value), multipliers[name])
+    def _compare_positions(self, known: Numbers, forces: Mapping[str, float], works: np.ndarray) -> None:
+        """Squares of speeds, unknown forces and works as functions of position."""
+        for name, value in self.derived.squares.items():
+            self.errors.note("square of speed", name, known.of(value), known.names[f"{name}_dot"] ** 2)
+        for name, value in self.derived.along.items():
+            self.errors.note("force along the motion", name, known.of(value), forces[name])
+        for key, done in zip(self.account, works, strict=True):
+            name, body, turning = key
+            half = "rotational" if turning else "translational"
+            self.errors.note("work", f"{name} on {body}, {half}", known.of(self.derived.works[key]), float(done))
 
-    def _derived(self, state: _State) -> dict[str, float]:
-        """Values of q̈: by the formulas, or from M q̈ = f where there are none."""
-        known, names = Numbers(state.names), self.system.accelerations
-        if self.dynamics.accelerations is not None:
-            return dict(zip(names, known.row(self.dynamics.accelerations[n] for n in names), strict=True))
-        matrix = numpy.array([known.row(row) for row in self.dynamics.mass_matrix])
-        found = numpy.linalg.solve(matrix, numpy.array(known.row(self.dynamics.forcing)))
-        return dict(zip(names, found, strict=True))
+    def report(self) -> SimulationReport:
+        """All of it. A number of degrees of freedom other than the derived one counts as infinitely wrong."""
+        found = self.errors.relative()
+        if self.generic.freedom != len(self.derived.system.independent):
+            found["degrees of freedom"] = np.inf
+        drift = max(self.drifts, default=0.0) if self.derived.integral is not None else None
+        worst = max([*found.values(), drift or 0.0], default=0.0)
+        return SimulationReport(float(worst), found, drift, self.states, self.generic.freedom)
 
-    def compare_motion(self, state: _State, errors: _Errors, squares: Mapping[str, Scalar], along: Mapping[str, Scalar]) -> None:
-        """Squares of speeds and forces as functions of position, on the way from the start."""
-        known = self.known(state)
-        for name, value in squares.items():
-            errors.note(f"{name}_dot squared", known.of(value), state.names[f"{name}_dot"] ** 2)
-        if along:
-            _, multipliers = self.accelerations(state.where, state.speed)
-            for name, value in along.items():
-                errors.note("forces along the motion", known.of(value), multipliers[name])
+
+def _speeds(system: System, first: float) -> dict[str, float]:
+    """Generic speeds of both signs, none of them zero."""
+    return {name: first * (-0.8) ** k for k, name in enumerate(system.independent)}
+
+
+def _drift(energies: Sequence[tuple[float, float]]) -> float:
+    """How much the first integral varies, relative to its size or to the kinetic energy."""
+    values = [value for value, _ in energies]
+    scale = max((max(abs(value), kinetic) for value, kinetic in energies), default=0.0) or 1.0
+    return float((max(values) - min(values)) / scale) if values else 0.0

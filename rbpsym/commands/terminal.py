@@ -1,0 +1,131 @@
+"""A document in the terminal: prose wrapped, formulas in Unicode, tables drawn, one function a block."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from textwrap import wrap
+
+import click
+
+from rbpsym.document.model import (
+    Block,
+    Callout,
+    Display,
+    Document,
+    FigureBlock,
+    Inlines,
+    ItemList,
+    Paragraph,
+    Section,
+    Table,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.text import to_text
+from rbpsym.notation.tree import Chain, System
+
+MARKS: Mapping[Kind, tuple[str, str]] = {PROVED: ("✓", "green"), REFUTED: ("✗", "red"), UNDECIDED: ("?", "yellow")}
+WIDEST = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Screen:
+    """Where a document is shown: how names are drawn, the width, and what became of each check."""
+
+    notation: Notation
+    language: str = "en"
+    verdicts: Mapping[str, Verdict] = field(default_factory=dict)
+    width: int = WIDEST
+
+    def text(self, inlines: Inlines) -> str:
+        """Inlines as one line of text."""
+        return " ".join(plain_text(inlines, self.notation, self.language).split())
+
+
+def terminal_lines(document: Document, verdicts: Mapping[str, Verdict]) -> Iterator[str]:
+    """The lines of a document; `verdicts` by the label of a formula put a mark before it."""
+    document = numbered(document)
+    width = min(shutil.get_terminal_size((WIDEST, 24)).columns, WIDEST)
+    screen = Screen(document.notation, document.language, verdicts, max(width, 40))
+    yield click.style(screen.text(document.title), bold=True)
+    for section in document.sections:
+        yield from _section(section, screen)
+
+
+def _section(section: Section, screen: Screen) -> Iterator[str]:
+    yield ""
+    yield click.style(screen.text(section.title), bold=True, underline=True)
+    for block in section.blocks:
+        yield from BLOCKS[type(block)](block, screen)
+
+
+def _paragraph(block: Paragraph, screen: Screen) -> Iterator[str]:
+    text = screen.text(block.inlines)
+    yield from (f"  {row}" for row in wrap(text, screen.width - 2, break_long_words=False, break_on_hyphens=False))
+
+
+def _display(block: Display, screen: Screen) -> Iterator[str]:
+    verdict = screen.verdicts.get(block.label)
+    mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
+    rows = _rows(block, screen)
+    number = f"({block.number})" if block.number else ""
+    last = f"{rows[-1]:<{max(screen.width - 6 - len(number) - 1, 0)}} {number}".rstrip()
+    for row in [*rows[:-1], last]:
+        yield f"    {click.style(mark, fg=color)} {click.style(row, bold=block.boxed)}"
+        mark = " "
+    if block.reason:
+        yield f"      ({screen.text(block.reason)})"
+    if verdict and not verdict.is_proved:
+        yield from (f"      {row}" for row in wrap(str(verdict), screen.width - 6))
+
+
+def _rows(block: Display, screen: Screen) -> list[str]:
+    """The formula in one line, or a chain that is too long in one line a link."""
+    line = to_text(block.node, screen.notation)
+    if isinstance(block.node, System) or (isinstance(block.node, Chain) and len(line) > screen.width - 12):
+        line = to_text(block.node, screen.notation, aligned=True)
+    return line.splitlines()
+
+
+def _table(block: Table, screen: Screen) -> Iterator[str]:
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table as Drawn
+    from rich.text import Text
+
+    drawn = Drawn(box=SIMPLE_HEAD, pad_edge=False)
+    sides = {"l": "left", "c": "center", "r": "right"}
+    for head, side in zip(block.header, block.columns, strict=True):
+        drawn.add_column(Text(screen.text(head)), justify=sides[side], overflow="fold")
+    for row in block.rows:
+        drawn.add_row(*(Text(screen.text(cell)) for cell in row))
+    console = Console(width=screen.width - 4, color_system=None, highlight=False)
+    with console.capture() as capture:
+        console.print(drawn)
+    yield from (f"    {line}".rstrip() for line in capture.get().strip("\n").splitlines())
+
+
+def _figure(block: FigureBlock, screen: Screen) -> Iterator[str]:
+    yield from (f"  {row}" for row in wrap(block.alt, screen.width - 2))
+
+
+def _items(block: ItemList, screen: Screen) -> Iterator[str]:
+    for place, item in enumerate(block.items, 1):
+        first = f"  {place}. " if block.ordered else "  · "
+        yield from wrap(screen.text(item), screen.width, initial_indent=first, subsequent_indent=" " * len(first))
+
+
+def _callout(block: Callout, screen: Screen) -> Iterator[str]:
+    yield f"  {click.style(screen.text(block.title), bold=True)}"
+    for inner in block.blocks:
+        yield from BLOCKS[type(inner)](inner, screen)
+
+
+BLOCKS: Mapping[type, Callable[[Block, Screen], Iterator[str]]] = {
+    Paragraph: _paragraph, Display: _display, Table: _table, FigureBlock: _figure, ItemList: _items,
+    Callout: _callout,
+}  # fmt: skip

@@ -1,0 +1,157 @@
+"""What a constraint on a curve must say: one curve, a body that can touch it, and a way to touch it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rbpsym.errors import StatementError
+from rbpsym.notation.tree import add, neg
+from rbpsym.statement.model import Body, Element
+from rbpsym.statement.paths import round_size, runs
+from rbpsym.statement.scope import Scope
+from rbpsym.statement.signs import sign_of
+
+_SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
+
+
+def _error(element: Element, what: str, instead: str) -> StatementError:
+    return StatementError(f"{element.kind} “{element.name}” {what}", instead=instead, place=element.place)
+
+
+def _with(element: Element, **values: object) -> Element:
+    return replace(element, values={**element.values, **values})
+
+
+def toucher(element: Element) -> str | None:
+    """The body that touches (None: a fixed point touches)."""
+    return element["body"] if "body" in element.values else element["point"].body
+
+
+def curve_body(element: Element) -> str | None:
+    """The body to which the curve belongs; None if it is fixed."""
+    circle = element.values.get("circle")
+    return circle.body if circle is not None else element["of"]
+
+
+def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A line or a circle, not both, and the words that go with it."""
+    circle = element.values.get("circle")
+    if (element["line"] is None) == (circle is None):
+        found = "touches nothing" if circle is None else "has both a line and a circle"
+        raise _error(element, found, 'write line = "y = 0", or circle = "O" and radius = "R".')
+    what = "line" if circle is None else "circle"
+    if element.values.get("side", "auto") not in _SIDES[what]:
+        raise _error(
+            element, f"has the side “{element['side']}”, which a {what} hasn't", f"write one of: {', '.join(_SIDES[what])}."
+        )
+    if circle is not None and element["of"] is not None:
+        raise _error(element, "has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
+    return element
+
+
+def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """The radius of the circle: stated, or that of the round body whose centre it is."""
+    circle = element.values.get("circle")
+    if circle is None:
+        if element.values.get("radius") is not None:
+            raise _error(element, "has a radius, but touches a line", "remove it (the radius of the body is “rim”).")
+        return element
+    own = round_size(bodies[circle.body]) if circle.body and circle.point in ("center", "cm") else None
+    if element["radius"] is None and own is None:
+        raise _error(element, f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
+    return element if element["radius"] is not None else _with(element, radius=own)
+
+
+def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """What touches must be able to move against the curve."""
+    first, second = toucher(element), curve_body(element)
+    if first == second:
+        what = "joins a fixed point to a fixed curve" if first is None else f"lets “{first}” touch itself"
+        raise _error(element, what, "name the point of one body, and a curve that is fixed or belongs to another.")
+    return element
+
+
+def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """The radius at which a round body touches."""
+    body = bodies[element["body"]]
+    own = round_size(body)
+    if element["rim"] is None and own is None:
+        cure = "give it the shape disk, ring, ball, shell or annulus" + (
+            "." if body.shape.kind == "particle" else ', or say at which radius it touches: rim = "R"'
+        )
+        raise _error(element, f"needs a round body, but “{body.name}” ({body.shape.kind}) has no radius", cure)
+    if "center" not in body.points:
+        raise _error(element, f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }.")
+    if body.shape.kind == "particle":
+        raise _error(element, f"can't turn “{body.name}”, a particle", "give it the shape disk, ring or ball.")
+    return element if element["rim"] is not None else _with(element, rim=own)
+
+
+def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """Inside a circle there is room for smaller bodies only."""
+    if element.values.get("circle") is None or element["side"] != "inside":
+        return element
+    left = sign_of(add(element["radius"], neg(element["rim"])), scope.signs)
+    if left in (0, -1) or element["radius"] == element["rim"]:
+        raise _error(element, "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.')
+    return element
+
+
+def slides(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A sense of slip goes with friction."""
+    if element["slip"] != "auto" and element["coefficient"] is None:
+        raise _error(element, "says which way it slips, but has no friction", 'add coefficient = "mu"')
+    return element
+
+
+def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A slider keeps the angle of a body: a particle has none."""
+    name = element["point"].body
+    if name is None or bodies[name].shape.kind == "particle":
+        raise _error(element, "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".')
+    return element
+
+
+def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """Two neighbours on the path are different things; something can move; a length is between points."""
+    path = element["path"]
+    for first, second in zip(path, path[1:], strict=False):
+        if first.body == second.body and (first.body is not None or first.center == second.center):
+            raise _error(element, f"runs from “{first.center.label}” to itself", "name the next body or point on its way.")
+    if all(turn.body is None for turn in path):
+        raise _error(element, "joins only fixed places", "let it end at a point of a body.")
+    if element["length"] is not None and (len(path) != 2 or any(turn.sense for turn in path)):
+        raise _error(element, "has a length, but is no straight piece between two points", "remove the length.")
+    for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:
+        if turn.sense and not turn.grips:
+            raise _error(element, f"ends on the smooth circle about “{turn.center.label}”", "let it end at a point or on a drum.")
+    return element
+
+
+def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """The driven point belongs to a body."""
+    if element["point"].body is None:
+        raise _error(element, f"drives “{element['point'].label}”, a fixed place", "name a point of a body.")
+    return element
+
+
+def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """The driven body has an angle."""
+    if bodies[element["body"]].shape.kind == "particle":
+        raise _error(element, f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
+    return element
+
+
+_ON_CURVE = (one_curve, circle_size, two_bodies)
+CURVE_RULES = {
+    "contact": (*_ON_CURVE, slides),
+    "guide": _ON_CURVE,
+    "slider": (has_angle, one_curve, two_bodies, slides),
+    "touch": (*_ON_CURVE, rim_size, room, slides),
+    "rolling": (*_ON_CURVE, rim_size, room),
+    "sticking": _ON_CURVE,
+    "string": (string_path,),
+    "prescribed": (unit_direction,),
+    "prescribed-angle": (can_turn,),
+}

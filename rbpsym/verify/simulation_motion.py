@@ -1,0 +1,115 @@
+"""The equations of a mechanism in maximal coordinates, and its motion by an eighth-order method.
+
+M A = F + Gᵀ λ with G A = -bias: the conditions are differentiated twice (index one), their
+unknown forces are the multipliers λ. Nothing of the symbolic solution is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from rbpsym.errors import NotApplicable
+from rbpsym.verify.simulation_bodies import Mechanism
+from rbpsym.verify.simulation_forces import Law, Load
+from rbpsym.verify.simulation_joints import Kept, Row
+
+RTOL, ATOL = 1e-11, 1e-13
+STEPS = 20
+
+
+@dataclass(frozen=True)
+class Balance:
+    """What the equations say at a state: accelerations of the bodies, multipliers, loads, rows."""
+
+    gained: np.ndarray
+    multipliers: np.ndarray
+    loads: list[Load]
+    rows: list[Row]
+
+
+class Equations:
+    """Accelerations and multipliers of a mechanism at any state."""
+
+    def __init__(self, mechanism: Mechanism, laws: list[Law], kept: list[Kept], idle: list[int]) -> None:
+        self.mechanism, self.laws, self.kept = mechanism, laws, kept
+        self.masses = np.array(mechanism.masses)
+        self.masses[idle] = 1.0  # the angle of a particle that nothing turns: any number does
+        self.size = len(self.masses)
+
+    def at(self, where: np.ndarray, speed: np.ndarray) -> Balance:
+        """Raises NotApplicable where the constraints leave a force undetermined."""
+        where, speed = where.tolist(), speed.tolist()
+        loads = [load for law in self.laws for load in law(where, speed)]
+        rows = [item.at(where, speed) for item in self.kept]
+        try:
+            found = np.linalg.solve(self._matrix(rows), self._right(loads, rows))
+        except np.linalg.LinAlgError:
+            raise NotApplicable("the simulation can't tell the unknown forces apart at this state") from None
+        return Balance(found[: self.size], found[self.size :], loads, rows)
+
+    def _matrix(self, rows: list[Row]) -> np.ndarray:
+        size = self.size
+        matrix = np.zeros((size + len(rows), size + len(rows)))
+        matrix[range(size), range(size)] = self.masses
+        for k, row in enumerate(rows, size):
+            for column, entry in row.entries:
+                matrix[k, column] += entry
+                matrix[column, k] -= entry
+        return matrix
+
+    def _right(self, loads: list[Load], rows: list[Row]) -> np.ndarray:
+        right = [0.0] * self.size + [-row.bias for row in rows]
+        for load in loads:
+            k = 3 * load.body
+            right[k] += load.x
+            right[k + 1] += load.y
+            right[k + 2] += load.torque
+        return np.array(right)
+
+    def kinetic_energy(self, speed: np.ndarray) -> float:
+        """Σ ½ M V² + ½ I_cm ω²."""
+        return 0.5 * float(self.masses @ (speed * speed))
+
+    def powers(self, speed: np.ndarray, balance: Balance, account: dict[tuple[str, str, bool], int]) -> np.ndarray:
+        """Power of every force on every body, F·V_cm and τ_cm ω apart, in the order of `account`."""
+        found = np.zeros(len(account))
+        for name, column, push in self._pushes(balance):
+            key = (name, self.mechanism.problem.body_names[column // 3], column % 3 == 2)
+            if key in account:
+                found[account[key]] += push * speed[column]
+        return found
+
+    def _pushes(self, balance: Balance) -> Iterator[tuple[str, int, float]]:
+        """(force, column of X, its component there)."""
+        for load in balance.loads:
+            for axis, push in enumerate((load.x, load.y, load.torque)):
+                yield load.name, 3 * load.body + axis, push
+        for item, row, multiplier in zip(self.kept, balance.rows, balance.multipliers, strict=True):
+            for column, entry in row.entries:
+                yield item.name, column, entry * multiplier
+
+
+def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:
+    """A time in which the fastest body turns by about 0.4, or goes as far in terms of `reach`."""
+    scale = np.tile([1 / reach, 1 / reach, 1.0], len(gained) // 3)
+    speed, gain = (float(np.abs(values * scale).max(initial=0.0)) for values in (where_rate, gained))
+    if speed < 1e-9 and gain < 1e-9:
+        return 0.1
+    return min(2.0, 0.8 / (speed + (speed * speed + 0.8 * gain) ** 0.5))
+
+
+def trajectory(rate: Callable[[float, np.ndarray], np.ndarray], start: np.ndarray, time: float) -> list[np.ndarray]:
+    """The states at the ends of all steps of DOP853 (Hairer, Nørsett, Wanner II.5), the start first."""
+    from scipy.integrate import DOP853
+
+    solver = DOP853(rate, 0.0, start, time, rtol=RTOL, atol=ATOL, max_step=time / STEPS)
+    found = [start]
+    while solver.status == "running":
+        message = solver.step()
+        if solver.status == "failed":
+            raise NotApplicable(f"the simulation did not reach its end: {message}")
+        found.append(solver.y.copy())
+    return found

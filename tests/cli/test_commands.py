@@ -1,0 +1,106 @@
+"""The commands as a user calls them: output, exit codes, sentences."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+
+from rbpsym.cli import main
+from rbpsym.statement.library import course_files, problem_files
+
+
+def run(*args):
+    return CliRunner().invoke(main, list(args), catch_exceptions=False)
+
+
+def process(*args):
+    return subprocess.run([sys.executable, "-m", "rbpsym", *args], capture_output=True, text=True, check=False)
+
+
+def test_list_names_everything_that_ships():
+    text = process("list").stdout
+    assert all(name in text for name in [*problem_files(), *course_files()])
+    found = json.loads(process("list", "--json").stdout)
+    assert {p["name"] for p in found["problems"]} == set(problem_files())
+
+
+@pytest.mark.parametrize("args", [("--help",), ("list",), ("solve", "--help"), ("notes", "--help")])
+def test_help_and_list_are_light(args):
+    code = (
+        "import sys; sys.argv = ['rbpsym', *sys.argv[1:]]\n"
+        "from rbpsym.cli import main\n"
+        "try:\n    main()\nexcept SystemExit as end:\n    assert not end.code, end.code\n"
+        "heavy = {'sympy', 'numpy', 'scipy', 'jinja2', 'rich', 'typst'} & set(sys.modules)\n"
+        "assert not heavy, heavy\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code, *args], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_solve_json_is_the_contract():
+    done = process("solve", "sliding-ladder", "--json", "--no-simulation")
+    assert done.returncode == 0, done.stderr
+    answer = json.loads(done.stdout)
+    assert answer["accelerations"]["theta"] == "-3*g/(4*ell)*cos(theta)"
+    assert answer["verdicts"]["simulation"] is None
+
+
+def test_solve_in_short_and_with_simulation():
+    done = process("solve", "sliding-ladder")
+    assert done.returncode == 0
+    assert "steps proved" in done.stdout and "simulation agrees" in done.stdout
+
+
+@pytest.mark.parametrize("method", ["all", "torque", "newton-euler", "work-energy", "energy"])
+@pytest.mark.parametrize("detail", ["brief", "standard", "full"])
+def test_derive_shows_proved_steps(method, detail):
+    done = run("derive", "rod-and-disk-free", "--method", method, "--detail", detail)
+    assert done.exit_code == 0
+    assert "✓" in done.output and "✗" not in done.output
+
+
+def test_notes_are_written_whole(tmp_path):
+    done = process("notes", "sliding-ladder", "--format", "html,tex,md", "--no-simulation", "-o", str(tmp_path / "new"))
+    assert done.returncode == 0, done.stderr
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {f"sliding-ladder.{e}" for e in ("html", "tex", "md")}
+
+
+BROKEN = 'title = "x"\n[parameters]\nM = "mass: m"\n[bodies.rod]\nshape = "rood"\n'
+
+
+@pytest.mark.parametrize("command", [("solve",), ("derive",), ("notes", "-o", "out")])
+def test_a_broken_file_gets_a_sentence_and_exit_2(command, tmp_path):
+    file = tmp_path / "broken.toml"
+    file.write_text(BROKEN)
+    done = subprocess.run([sys.executable, "-m", "rbpsym", command[0], str(file), *command[1:]], cwd=tmp_path,
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "broken.toml:5" in done.stderr and "rod" in done.stderr and "Traceback" not in done.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["broken.toml"]
+
+
+def test_an_unknown_name_is_met_with_the_nearest():
+    done = process("solve", "sliding-lader")
+    assert done.returncode == 2 and "sliding-ladder" in done.stderr
+
+
+def test_an_unknown_command_and_option():
+    assert process("solv", "x").returncode == 2
+    assert process("solve", "sliding-ladder", "--nonsense").returncode == 2
+
+
+def test_new_writes_a_problem_that_works(tmp_path):
+    done = process("new", "my-problem", "-o", str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    assert process("solve", str(tmp_path / "my-problem.toml"), "--json", "--no-simulation").returncode == 0
+    assert process("new", "my-problem", "-o", str(tmp_path)).returncode == 2
+
+
+def test_an_error_of_the_statement_exits_2(tmp_path):
+    text = problem_files()["sliding-ladder"].read_text() + '\n[constraints.extra]\ntype = "contact"\npoint = "ladder.start"\nline = "y = 0"\n'
+    file = tmp_path / "twice.toml"
+    file.write_text(text)
+    done = process("solve", str(file), "--json")
+    assert done.returncode == 2 and "N_f" in done.stderr and "extra" in done.stderr

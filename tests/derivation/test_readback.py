@@ -1,0 +1,29 @@
+"""Law 2: the LaTeX of every step, read back by our own reader, passes the checkers of the step."""
+
+from dataclasses import replace
+
+from rbpsym.derivation.rules import certify
+from rbpsym.document.notes import notation_of
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.latex_reader import read_latex
+
+ALWAYS = {"O", "C", "t", "r"}
+
+
+class _Derived:
+    def __init__(self, study):
+        self.study = study
+
+
+def test_what_is_printed_is_what_was_proved(draft):
+    notation = notation_of(_Derived(draft.study))
+    wrong = []
+    for step in draft.steps:
+        text = to_latex(step.statement, notation)
+        variables = {node.var for node in t.walk(step.statement) if isinstance(node, t.Integral)}
+        back = read_latex(text, t.names(step.statement) | ALWAYS | variables, notation=notation)
+        verdict = certify(draft.context, replace(step, statement=back)).verdict
+        if not verdict.is_proved:
+            wrong.append((step.id, text, verdict))
+    assert not wrong
