@@ -39,7 +39,7 @@ class Rbpsym(click.Group):
         """The command of that name, imported now."""
         return import_module(COMMANDS[cmd_name]).command if cmd_name in COMMANDS else None
 
-    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple:
         """The command that the first argument names; an unknown one is met with the nearest."""
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
             from rbpsym.statement.source import did_you_mean

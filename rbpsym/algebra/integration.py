@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, split_factor, substitute
+from rbpsym.algebra.normal import without_even_roots
 from rbpsym.algebra.poly import ONE, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, Scalar, generator_of, lift, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
@@ -30,7 +31,7 @@ def antiderivative(value: Scalar, name: str) -> Scalar | None:
     if value.den is not ONE and depends_on(Scalar(value.den), name):
         return None
     groups: dict[Monomial, dict[Monomial, Fraction | int]] = {}
-    for m, c in value.num.terms.items():
+    for m, c in without_even_roots(value.num).terms.items():
         free, bound = split_factor(m, name)
         groups.setdefault(bound, {})[free] = c
     total = NOTHING

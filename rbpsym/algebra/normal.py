@@ -199,6 +199,24 @@ def _without_root_powers(poly: Poly, index: int) -> Poly:
     return accumulate(result)
 
 
+def without_even_roots(poly: Poly) -> Poly:
+    """√x² = x, and 1/√x = √x/x where x is one term; unlike `reduce_roots`, the value stays the same."""
+    for index in sorted(poly.atoms()):
+        found = atoms.atom(index)
+        if found.kind == "root" and found.arg.den is ONE:
+            poly = _without_even_powers(poly, index, found.arg.num)
+    return poly
+
+
+def _without_even_powers(poly: Poly, index: int, radicand: Poly) -> Poly:
+    parts, result = poly.by_power(index), []
+    for power, part in parts.items():
+        half = power // 2 if power > 0 or radicand.is_monomial() else 0
+        left = power - 2 * half
+        result.append((1, (part * radicand**half).scaled(1, ((index, left),) if left else UNIT)))
+    return accumulate(result) if parts.keys() - {0, 1} else poly
+
+
 def number(value: int | Fraction) -> Scalar:
     """A number as a Scalar."""
     return Scalar(constant(value))

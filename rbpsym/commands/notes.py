@@ -38,7 +38,7 @@ def command(
     from rbpsym.commands.shelf import found
 
     kind, path = found(name)
-    document, fine = _course(path, lang, detail, simulation) if kind == "course" else _problem(path, lang, detail, simulation)
+    document, fine = {"course": _course, "problem": _problem}[kind](path, lang, detail, simulation)
     for file in _written(document, path.stem, formats, engine, output):
         click.echo(str(file))
     return 0 if fine else 1

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from rbpsym.commands.arguments import name_argument
+from rbpsym.commands.columns import columns, padded
 
-DOUBTFUL = 1
+if TYPE_CHECKING:
+    from rbpsym.statement.model import Problem
+
+FINE, DOUBTFUL = 0, 1
+FUNCTIONS = {"sin", "cos", "tan", "sqrt", "asin", "acos", "atan", "exp", "log", "ln", "pi"}
+CLOSE = 1e-8  # relative error that a simulation may have
 
 
 @click.command("solve")
@@ -28,57 +36,114 @@ def command(name: str, as_json: bool, simulation: bool) -> int:
     In JSON, expressions are text that Python and sympy read: `**`, `sin`, `cos`, `sqrt`; the speed
     of a coordinate theta is `theta_dot`. What has no closed form is null.
     """
-    answer = _answer(name, simulation)
+    problem, answer = _answer(name, simulation)
     if as_json:
         import json
 
         click.echo(json.dumps(answer, indent=2, ensure_ascii=False))
     else:
-        click.echo("\n".join(lines(answer)))
+        click.echo("\n".join(lines(answer, problem)))
     return exit_code(answer["verdicts"])
 
 
-def _answer(name: str, simulation: bool) -> dict[str, Any]:
+def _answer(name: str, simulation: bool) -> tuple[Problem, dict[str, Any]]:
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.shelf import found
     from rbpsym.solve import solve
     from rbpsym.statement.loader import load_problem
 
     _, path = found(name, ("problem",))
+    problem = load_problem(path)
     with Progress(f"deriving {name}"):
-        return solve(load_problem(path), simulation=simulation)
+        return problem, solve(problem, simulation=simulation)
 
 
 def exit_code(verdicts: Mapping[str, Any]) -> int:
     """0 if all is proved and the roads agree, 1 if not."""
     doubtful = verdicts["refuted"] or verdicts["undecided"] or not verdicts["methods_agree"]
-    return DOUBTFUL if doubtful or verdicts["lagrange"] == "REFUTED" else 0
+    simulation = verdicts["simulation"] or {"max_relative_error": 0.0}
+    apart = not simulation["max_relative_error"] <= CLOSE  # also if it is not a number
+    return DOUBTFUL if doubtful or apart or verdicts["lagrange"] not in ("PROVED", None) else FINE
 
 
-def lines(answer: Mapping[str, Any]) -> Iterator[str]:
-    """The results in short."""
-    yield click.style(answer["problem"], bold=True)
-    for title, key in (("accelerations", "accelerations"), ("squares of speeds", "speed_squared"),
-                       ("unknown forces", "reactions"), ("forces along the motion", "reactions_along_motion")):
-        yield from table(title, answer[key])
-    yield from table("energy", {"kinetic": answer["kinetic_energy"]["total"], "potential": answer["potential_energy"]})
-    yield from _conditions(answer)
+def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
+    """The results in short, as a textbook prints them."""
+    drawn = Drawn(problem)
+    yield click.style(drawn.title, bold=True)
+    speeds = {f"{name}_dot**2": value for name, value in (answer["speed_squared"] or {}).items()}
+    accelerations = {f"{name}_ddot": value for name, value in (answer["accelerations"] or {}).items()}
+    energies = {"K": answer["kinetic_energy"]["total"], "U": answer["potential_energy"]}
+    for title, values in (
+        ("moments of inertia", {f"I_{name}": value for name, value in answer["moments_of_inertia"].items()}),
+        ("accelerations", accelerations),
+        ("squares of speeds", speeds),
+        ("unknown forces", answer["reactions"]),
+        ("unknown forces along the motion", answer["reactions_along_motion"]),
+        ("energy", energies),
+    ):
+        yield from table(title, values, drawn)
+    yield from _equilibria(answer, drawn)
+    yield from _conditions(answer, drawn)
     yield ""
     yield verdict_line(answer["verdicts"])
 
 
-def table(title: str, values: Mapping[str, str | None] | None) -> Iterator[str]:
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """How the infix text of an answer is printed: with the letters of the problem."""
+
+    problem: Problem
+
+    @property
+    def title(self) -> str:
+        """The problem's title."""
+        return self.problem.title.get("en") or self.problem.name
+
+    def formula(self, text: str) -> str:
+        """A formula in Unicode; text that our reader does not know stays as it is."""
+        from rbpsym.errors import RbpsymError
+        from rbpsym.notation.glyphs import Notation
+        from rbpsym.notation.infix import read_infix
+        from rbpsym.notation.text import to_text
+
+        words = set(re.findall(r"[A-Za-z]\w*", text)) - FUNCTIONS
+        try:
+            return to_text(read_infix(text, dict.fromkeys(words)), Notation(self.problem.notation))
+        except RbpsymError:
+            return text
+
+
+def table(title: str, values: Mapping[str, str | None] | None, drawn: Drawn) -> Iterator[str]:
     """One group of results."""
-    known = {name: value for name, value in (values or {}).items() if value is not None}
+    known = {drawn.formula(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
+    width = max(map(columns, known), default=0)
     if known:
         yield click.style(title, dim=True)
-        yield from (f"  {name} = {value}" for name, value in known.items())
+        yield from (f"  {padded(name, width)} = {value}" for name, value in known.items())
 
 
-def _conditions(answer: Mapping[str, Any]) -> Iterator[str]:
+def _places(values: Mapping[str, str], drawn: Drawn) -> str:
+    return ", ".join(f"{drawn.formula(name)} = {drawn.formula(value)}" for name, value in values.items())
+
+
+STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
+
+
+def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+    if answer["equilibria"]:
+        yield click.style("equilibria", dim=True)
+    for item in answer["equilibria"]:
+        squares = ", ".join(drawn.formula(value) for value in item["frequencies_squared"])
+        told = f"; squares of frequencies: {squares}" if squares and item["stable"] else ""
+        yield f"  {_places(item['at'], drawn)}: {STABLE[item['stable']]}{told}"
+
+
+def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+    if answer["conditions"]:
+        yield click.style("loss of contact", dim=True)
     for item in answer["conditions"]:
-        place = ", ".join(f"{n} = {v}" for n, v in (item["at"] or {}).items())
-        yield f"  contact {item['force']} is lost " + (f"at {place}" if place else f"where {item['vanishes']} = 0")
+        where = f"at {_places(item['at'], drawn)}" if item["at"] else f"where {drawn.formula(item['vanishes'])} = 0"
+        yield f"  {drawn.formula(item['force'])} vanishes {where}"
 
 
 def verdict_line(verdicts: Mapping[str, Any]) -> str:

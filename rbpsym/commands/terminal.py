@@ -9,6 +9,7 @@ from textwrap import wrap
 
 import click
 
+from rbpsym.commands.columns import columns, padded
 from rbpsym.document.model import (
     Block,
     Callout,
@@ -73,7 +74,7 @@ def _display(block: Display, screen: Screen) -> Iterator[str]:
     mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
     rows = _rows(block, screen)
     number = f"({block.number})" if block.number else ""
-    last = f"{rows[-1]:<{max(screen.width - 6 - len(number) - 1, 0)}} {number}".rstrip()
+    last = f"{padded(rows[-1], screen.width - 7 - len(number))} {number}".rstrip()
     for row in [*rows[:-1], last]:
         yield f"    {click.style(mark, fg=color)} {click.style(row, bold=block.boxed)}"
         mark = " "
@@ -86,7 +87,7 @@ def _display(block: Display, screen: Screen) -> Iterator[str]:
 def _rows(block: Display, screen: Screen) -> list[str]:
     """The formula in one line, or a chain that is too long in one line a link."""
     line = to_text(block.node, screen.notation)
-    if isinstance(block.node, System) or (isinstance(block.node, Chain) and len(line) > screen.width - 12):
+    if isinstance(block.node, System) or (isinstance(block.node, Chain) and columns(line) > screen.width - 12):
         line = to_text(block.node, screen.notation, aligned=True)
     return line.splitlines()
 

@@ -231,7 +231,18 @@ def _of_logarithm(reading: Reading, arg: Scalar) -> Poly:
 
 
 def _logarithm(factor: Poly) -> Poly:
+    """ln |factor|; of a root half that of the radicand, of an exponential its argument."""
+    found = atoms.atom(next(iter(factor.atoms()))) if _is_generator(factor) else None
+    if found is not None and found.kind == "exp" and found.arg.den is ONE:
+        return found.arg.num
+    if found is not None and found.kind == "root":
+        number = found.arg.number()
+        return _logarithm(found.arg.num if number is None else constant(number)).scaled(Fraction(1, 2))
     return generator(atoms.intern("ln", Scalar(factor)))
+
+
+def _is_generator(factor: Poly) -> bool:
+    return factor.is_monomial() and len(next(iter(factor.terms))) == 1
 
 
 def primes(value: Fraction) -> dict[int, int]:

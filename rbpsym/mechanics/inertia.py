@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import shorten
-from rbpsym.algebra.poly import ONE, UNIT, Poly, accumulate
+from rbpsym.algebra.normal import shorten, without_even_roots
+from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.errors import StatementError
@@ -38,12 +37,17 @@ def inertia(body: Body) -> Inertia:
         return _assembled(shape, body.mass)
     zeroth, x, y, second = (total_moment(shape.elements, power) for power in POWERS)
     mass = scalar(body.mass) if body.mass is not None else zeroth
-    return _about_center(mass, x / mass, y / mass, second)
+    return _about_center(mass, (x, y), second)
 
 
-def _about_center(mass: Scalar, x: Scalar, y: Scalar, second: Scalar) -> Inertia:
-    """Steiner's theorem: I_cm = I_origin - M d²."""
-    x, y = tidy(x), tidy(y)
+def _about_center(mass: Scalar, first: tuple[Scalar, Scalar], second: Scalar) -> Inertia:
+    """From ∫ x dm and ∫ y dm, and by Steiner's theorem I_cm = I_origin - M d².
+
+    A body without mass has the origin of its frame for a centre; no equation depends on which.
+    """
+    if not mass:
+        return Inertia(NOTHING, NOTHING, NOTHING, NOTHING, NOTHING)
+    x, y = (tidy(value / mass) for value in first)
     return Inertia(mass, x, y, tidy(second - mass * (x * x + y * y)), second)
 
 
@@ -81,25 +85,7 @@ def tidy(value: Scalar) -> Scalar:
     """Even powers of roots and sums of squares of sine and cosine worked out."""
     if value.den is not ONE:
         return quotient(shorten(value.num), value.den)
-    return Scalar(shorten(_without_even_roots(value.num)))
-
-
-def _without_even_roots(poly: Poly) -> Poly:
-    """√x² = x, and 1/√x = √x/x where x is one term; the value stays the same."""
-    for index in sorted(poly.atoms()):
-        found = atoms.atom(index)
-        if found.kind == "root" and found.arg.den is ONE:
-            poly = _without_powers_of(poly, index, found.arg.num)
-    return poly
-
-
-def _without_powers_of(poly: Poly, index: int, radicand: Poly) -> Poly:
-    parts, result = poly.by_power(index), []
-    for power, part in parts.items():
-        half = power // 2 if power > 0 or radicand.is_monomial() else 0
-        left = power - 2 * half
-        result.append((1, (part * radicand**half).scaled(1, ((index, left),) if left else UNIT)))
-    return accumulate(result) if parts.keys() - {0, 1} else poly
+    return Scalar(shorten(without_even_roots(value.num)))
 
 
 def _has_given_part(shape: Shape) -> bool:
@@ -112,9 +98,8 @@ def _assembled(shape: Shape, mass: Node | None) -> Inertia:
         return Inertia(scalar(mass), NOTHING, NOTHING, scalar(shape.given_moment))
     pieces = [_piece(part) for part in shape.parts]
     total = sum((m for m, *_ in pieces), NOTHING)
-    x, y = (sum((p[0] * p[k] for p in pieces), NOTHING) / total for k in (1, 2))
-    second = sum((p[3] for p in pieces), NOTHING)
-    return _about_center(total, x, y, second)
+    x, y = (sum((p[0] * p[k] for p in pieces), NOTHING) for k in (1, 2))
+    return _about_center(total, (x, y), sum((p[3] for p in pieces), NOTHING))
 
 
 def _piece(part: PlacedShape) -> tuple[Scalar, Scalar, Scalar, Scalar]:

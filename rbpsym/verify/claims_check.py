@@ -6,10 +6,12 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space
+from rbpsym.equality.points import names_of
 from rbpsym.equality.verdict import Kind, Verdict, all_of
-from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
@@ -72,7 +74,7 @@ class Checker:
         names = {name for node in (*nodes, *given) for name in used_names(node)}
         ground = grounded(setting, words, self.world(setting), names)
         ground = replace(ground, defined=self.memory.setdefault(setting.name, {}))
-        return replace(ground, given=tuple(gap for node in given for gap in _gaps(node, ground)))
+        return replace(ground, premises=premises(given, ground)) if given else ground
 
     def links(self, node: t.Node, claim: Claim, ground: Ground) -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
@@ -120,12 +122,34 @@ def relations(node: t.Node) -> Iterator[t.Chain]:
             yield t.Chain((left, right), (op,))
 
 
-def _gaps(node: t.Node, ground: Ground) -> Iterator[Scalar]:
-    """left - right of given relations."""
-    for relation in relations(node):
-        left, right = (valued(item, ground) for item in relation.items)
-        if not isinstance(left, Space):
-            yield left - right
+def premises(given: list[t.Node], ground: Ground) -> dict[str, Scalar]:
+    """What the given relations make of one quantity each. Raises ReadError if they can't be solved for one.
+
+    A work that is given to be zero has the power zero.
+    """
+    found: dict[str, Scalar] = {}
+    for relation in (relation for node in given for relation in relations(node)):
+        question = d.Question(ground)
+        gap = valued(relation.items[0], ground) - valued(relation.items[1], ground)
+        moving = any(depends_on(gap, name) for name in (*ground.motion.ledger, *ground.motion.starts))
+        gap = substitute(question.seen(question.rate(gap) if moving else gap, "motion"), found)
+        name = next((name for name in _free_names(gap, ground) if _is_linear(gap, name)), None)
+        if name is None:
+            raise ReadError("what is given can't be solved for one quantity", place=None)
+        slope = derivative(gap, name)
+        found[name] = -(substitute(gap, {name: NOTHING}) / slope)
+    return found
+
+
+def _free_names(gap: Scalar, ground: Ground) -> list[str]:
+    """The names that may be solved for: forces of the theory, then constants."""
+    rates = ground.motion.scope.rates
+    return [name for name in names_of([gap]) if name not in rates and not name.endswith(("_dot", "_ddot"))]
+
+
+def _is_linear(gap: Scalar, name: str) -> bool:
+    slope = derivative(gap, name)
+    return bool(slope) and not depends_on(slope, name)
 
 
 def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:
@@ -174,7 +198,7 @@ def _second(relation: t.Chain, op: str, question: d.Question) -> Verdict:
     phrases = ground.world.shared
     bounds = {key: world.bound(_phrase_of(found, phrases)) for key, found in ground.bounds.items()}
     other = Ground(world, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
-    if ground.given:
+    if ground.premises:
         return Verdict(Kind.PROVED, how="from what is given")
     left, right = relation.items
     return d.RELATIONS[op](valued(left, other), valued(right, other), op, d.Question(other, "", False))

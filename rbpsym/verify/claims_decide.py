@@ -89,8 +89,6 @@ def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
     for depth in question.depths:
         if _are_same(question.seen(a, depth), question.seen(b, depth), question):
             return proved(HOW[depth])
-    if _follows(a, b, question):
-        return proved("from what is given")
     if _by_rates(a, b, question):
         return proved(HOW["rates"])
     return _refuted(a, b, question) if question.witnesses else undecided("not proved")
@@ -120,19 +118,6 @@ def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
 def _is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
     rate = question.rate(value)
     return any(_are_same(question.seen(rate, depth), NOTHING, question) for depth in depths)
-
-
-def _follows(a: Scalar, b: Scalar, question: Question) -> bool:
-    """The difference is plus or minus one that is given to be zero, or grows at the same rate from zero."""
-    gap = a - b
-    for given in question.ground.given:
-        for other in (given, -given):
-            if _are_same(gap, other, question):
-                return True
-            begins = _are_same(question.begin(gap), NOTHING, question)
-            if begins and _is_constant(gap - other, question, question.depths):
-                return True
-    return False
 
 
 def constant_value(value: Scalar, question: Question) -> Verdict:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import Scope
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import Scalar, symbol
@@ -24,12 +26,15 @@ class Ground:
     glossary: Glossary
     bounds: Mapping[tuple[str, bool], Bound] = field(default_factory=dict)
     defined: dict[str, Scalar | Space] = field(default_factory=dict)
-    given: tuple[Scalar, ...] = ()
+    premises: Mapping[str, Scalar] = field(default_factory=dict)
 
-    @property
+    @cached_property
     def motion(self) -> Motion:
-        """What is true of the motion."""
-        return self.world.motion
+        """What is true of the motion, what is given included."""
+        motion = self.world.motion
+        if not self.premises:
+            return motion
+        return replace(motion, moved=lambda value: substitute(motion.moved(value), self.premises))
 
     def kind(self, name: str) -> str:
         """What kind of meaning a scalar or vector name has ("value" for a name that is defined by now)."""

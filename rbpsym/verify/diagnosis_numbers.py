@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from hashlib import blake2b
 from typing import Any
 
+from rbpsym.algebra.evaluate import value as exact_value
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.errors import RbpsymError
@@ -17,7 +18,7 @@ from rbpsym.verify.claims_decide import Question, carried_out
 
 Triple = tuple[float, float, float]
 Value = float | Triple
-TOLERANCE = 1e-8
+TOLERANCE, SMALL = 1e-8, 1e-4
 
 
 class Numbers(dict):
@@ -49,6 +50,10 @@ class Sample:
             self.known[node] = self._value(found, node.name)
         return self.known[node]
 
+    def exact(self, node: t.Node) -> Value:
+        """The number or triple of a derivative or change. Raises RbpsymError if it has no value."""
+        return self._value(exact_value(node, self.question.ground.scope), "")
+
     def _value(self, found: Scalar | Space | None, name: str) -> Value:
         if isinstance(found, Space):
             return tuple(self._scalar(part) for part in found.components())
@@ -64,7 +69,7 @@ class Sample:
         """How far the sides are apart, relative to their size; None if that can't be said."""
         try:
             left, right = (_flat(value(node, self)) for node in relation.items)
-            size = max(*map(abs, left), *map(abs, right), 1e-30)
+            size = max(*map(abs, left), *map(abs, right), SMALL)
             return max(abs(a - b) for a, b in zip(_wide(left, right), _wide(right, left), strict=True)) / size
         except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
             return None
@@ -94,8 +99,9 @@ def samples(question: Question, count: int = 2) -> list[Sample]:
 
 
 def value(node: t.Node, at: Sample) -> Value:
-    """The number or triple of a formula without integrals."""
-    return VALUES[type(node)](node, at)
+    """The number or triple of a formula; what is no plain algebra is computed exactly first."""
+    rule = VALUES.get(type(node))
+    return rule(node, at) if rule else at.exact(node)
 
 
 def _sum(node: t.Add, at: Sample) -> Value:

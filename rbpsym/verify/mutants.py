@@ -34,8 +34,8 @@ def mutants(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
             if other not in seen:
                 seen.add(other)
                 yield other
-    for other in _replaced_zero(relation, ground):
-        yield other
+    yield from _replaced_zero(relation)
+    yield from _spoiled(relation, ground)
 
 
 def _signs(relation: t.Chain) -> Iterator[t.Chain]:
@@ -116,7 +116,17 @@ RULES: tuple[Callable[[t.Chain], Iterator[t.Chain]], ...] = (
     _signs, _functions, _exponents, _dropped, _crossed, _limits, _reversed, _symbols, _numbers, _multiplied)
 
 
-def _replaced_zero(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
+def _spoiled(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
+    """A side times a power of something that moves."""
+    for place, node in enumerate(relation.items):
+        if isinstance(node, t.Word) or node == t.ZERO:
+            continue
+        for name in ground.motion.scope.start:
+            for exponent in range(1, 11):
+                yield put(relation, (("items", place),), t.mul(t.power(t.Sym(name), exponent), node))
+
+
+def _replaced_zero(relation: t.Chain) -> Iterator[t.Chain]:
     """Something else in place of a 0, in multiples of what the setting knows."""
     if t.ZERO not in relation.items:
         return
@@ -132,10 +142,25 @@ def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
     question = Question(ground, depth)
     looks = samples(question, 3)
     try:
+        if (varying := _side_of_constant(relation, ground)) is not None:
+            return _varies(varying, ground, question)
         ready = t.Chain(tuple(prepared(item, ground) for item in relation.items), relation.ops)
         return any(_fails(ready, look) for look in looks) or _drifts(relation, ground, question)
     except (RbpsymError, ArithmeticError, ValueError, KeyError, TypeError):
         return False
+
+
+def _side_of_constant(relation: t.Chain, ground: Ground) -> t.Node | None:
+    """The side that is said to be constant."""
+    for one, other in (relation.items, relation.items[::-1]):
+        if isinstance(one, t.Word) or (isinstance(one, t.Sym) and ground.kind(one.name) == "constant"):
+            return other
+    return None
+
+
+def _varies(node: t.Node, ground: Ground, question: Question) -> bool:
+    rate = question.seen(question.rate(valued(node, ground)), "motion")
+    return bool(rate) and abs(number(rate, Numbers(7))) > DIFFERENT
 
 
 def _fails(relation: t.Chain, look: Sample) -> bool:

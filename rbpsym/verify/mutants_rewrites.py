@@ -27,6 +27,8 @@ def _by_parts(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
     for path, node in sites(relation):
         if not path or is_in_exponent(path) or _is_kept(path, node):
             continue
+        if isinstance(node, t.Fn) and isinstance(node.arg, t.Sym) and ground.generator(node.arg.name) is None:
+            continue
         for rule in PARTS.get(type(node), ()):
             for other in rule(node):
                 yield put(relation, path, other)

@@ -131,10 +131,17 @@ def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
     """One row of a table."""
     kinds = [f'{tag} scope="col"' if tag == "th" else tag] * len(cells)
     inner = "".join(
-        f'<{kind} class="{letter}">{page.inlines(cell)}</{tag}>'
+        f'<{kind} class="{letter}">{content(cell, page)}</{tag}>'
         for kind, letter, cell in zip(kinds, columns, cells, strict=True)
     )
     return f"<tr>{inner}</tr>"
+
+
+def content(cell: tuple, page: Page) -> str:
+    """A cell; a formula alone in it stands in display style."""
+    found = page.inlines(cell)
+    alone = len(cell) == 1 and isinstance(cell[0], Math)
+    return found.replace("<math ", '<math displaystyle="true" ', 1) if alone else found
 
 
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:

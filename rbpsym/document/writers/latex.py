@@ -53,7 +53,16 @@ HEADINGS = {1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
 def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
     heading = f"{HEADINGS[min(part.level, 3)]}{{{page.inlines(part.title)}}}{anchor(part.label)}"
-    return f"{heading}\n\n{page.blocks(part.blocks)}".rstrip()
+    return f"{heading}\n\n{blocks(part.blocks, page)}".rstrip()
+
+
+def blocks(parts: tuple, page: Page) -> str:
+    """Blocks below each other; a paragraph and the formula that it leads to are one for TeX."""
+    found = ""
+    for block, before in zip(parts, (None, *parts[:-1]), strict=False):
+        joint = "" if before is None else "\n" if page.is_lead(before, block) else "\n\n"
+        found += joint + page.show(block)
+    return found
 
 
 def anchor(label: str) -> str:
@@ -119,11 +128,25 @@ def with_reason(block: Display, content: str, page: Page) -> str:
 def table(block: Table, page: Page) -> str:
     """A table with three rules; columns of words wrap, and what is still too wide is shrunk."""
     lines = [" & ".join(map(page.inlines, block.header)) + r" \\ \midrule"]
-    lines += [" & ".join(map(page.inlines, row)) + r" \\" for row in block.rows]
+    lines += [f"{' & '.join(cell(c, page) for c in row)}{strut(row, page)} \\\\" for row in block.rows]
     rules = "\n".join([r"\toprule", *lines, r"\bottomrule"])
     caption = rf"\caption{{{page.inlines(block.caption)}}}" if block.caption else ""
     head = f"\\begin{{table}}[!ht]\\centering\n{caption}{anchor(block.label)}"
     return f"{head}\n{tabular(block, rules, page)}\n\\end{{table}}"
+
+
+def cell(inlines: tuple, page: Page) -> str:
+    """A cell; a formula alone in it stands in display style."""
+    if len(inlines) != 1 or not isinstance(inlines[0], Math):
+        return page.inlines(inlines)
+    return rf"$\displaystyle {to_latex(inlines[0].node, page.notation)}$"
+
+
+def strut(row: tuple, page: Page) -> str:
+    """What keeps the lines of a row with tall formulas apart."""
+    nodes = [part.node for inlines in row for part in inlines if isinstance(part, Math)]
+    tall = any(breaking.node_height(node, page.notation) > 1.6 for node in nodes)
+    return r"\tallrow" if tall else ""
 
 
 def tabular(block: Table, rules: str, page: Page) -> str:
@@ -161,7 +184,7 @@ def item_list(block: ItemList, page: Page) -> str:
 def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or latex_text(page.word(f"callout.{block.kind}"))
-    return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{page.blocks(block.blocks)}\n\\end{{callout}}"
+    return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{blocks(block.blocks, page)}\n\\end{{callout}}"
 
 
 LATEX: Mapping[type, Print] = {

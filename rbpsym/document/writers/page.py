@@ -6,7 +6,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from rbpsym.document.model import Block, Document, DocumentError, Inlines, Section
+from rbpsym.document.model import (
+    Block,
+    Display,
+    Document,
+    DocumentError,
+    Inlines,
+    Paragraph,
+    Section,
+)
 from rbpsym.document.phrases import plain
 from rbpsym.document.resources import data_folder
 from rbpsym.notation.glyphs import Notation
@@ -41,6 +49,10 @@ class Page:
     def blocks(self, blocks: tuple[Block, ...], between: str = "\n\n") -> str:
         """Blocks below each other."""
         return between.join(map(self.show, blocks))
+
+    def is_lead(self, block: Block, after: Block | None) -> bool:
+        """Does a paragraph lead to the formula below it, so that no page may end between them?"""
+        return isinstance(block, Paragraph) and isinstance(after, Display)
 
     def word(self, key: str, **slots: object) -> str:
         """A phrase that is only text, in the document's language, unescaped."""

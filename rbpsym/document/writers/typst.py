@@ -51,7 +51,16 @@ def section(part: Section, page: Page) -> str:
     """A heading with its number and what stands under it."""
     number = typst_string(part.number)
     heading = f"#section({part.level}, {number})[{page.inlines(part.title)}]{anchor(part.label)}"
-    return f"{heading}\n\n{page.blocks(part.blocks)}".rstrip()
+    return f"{heading}\n\n{blocks(part.blocks, page)}".rstrip()
+
+
+def blocks(parts: tuple, page: Page) -> str:
+    """Blocks below each other; a paragraph stays with the formula that it leads to."""
+    found = []
+    for block, after in zip(parts, (*parts[1:], None), strict=False):
+        shown = page.show(block)
+        found.append(f"#lead[{shown}]" if page.is_lead(block, after) else shown)
+    return "\n\n".join(found)
 
 
 def anchor(label: str) -> str:
@@ -127,7 +136,14 @@ ALIGN = {"l": "left", "c": "center", "r": "right"}
 
 def cells(row: tuple, page: Page) -> str:
     """The cells of a row as content blocks."""
-    return ", ".join(f"[{page.inlines(cell)}]" for cell in row)
+    return ", ".join(f"[{cell_content(cell, page)}]" for cell in row)
+
+
+def cell_content(cell: tuple, page: Page) -> str:
+    """A cell; a formula alone in it stands in display style and is never broken."""
+    if len(cell) != 1 or not isinstance(cell[0], Math):
+        return page.inlines(cell)
+    return f"#cell({spoken(cell[0].node, page)}, ${to_typst(cell[0].node, page.notation)}$);"
 
 
 def figure(block: FigureBlock, page: Page) -> str:
@@ -149,7 +165,7 @@ def item_list(block: ItemList, page: Page) -> str:
 def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or typst_text(page.word(f"callout.{block.kind}"))
-    return f"#callout({typst_string(block.kind)}, [{title}])[\n{page.blocks(block.blocks)}\n]"
+    return f"#callout({typst_string(block.kind)}, [{title}])[\n{blocks(block.blocks, page)}\n]"
 
 
 TYPST: Mapping[type, Print] = {

@@ -1,0 +1,180 @@
+"""Contacts of points and round bodies with lines and circles, fixed or belonging to a body.
+
+The normal n is the unit vector from the curve to what touches it; N n pushes on the toucher, -N n
+on the body that bears the curve. Forward is to the right as seen with the normal upwards: the
+tangent is n turned clockwise. Friction that holds is counted positive uphill on a fixed line
+that slopes, else forward; kinetic friction μN acts against the slip.
+Kleppner & Kolenkow 2.5 and 7.6; Meriam & Kraige, Dynamics, 6/4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Vector
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.lines import components, normal
+from rbpsym.mechanics.system import Force, rotated
+from rbpsym.statement.curves import curve_body, toucher
+from rbpsym.statement.model import Element, PointRef
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """`place` of contact, `normal` there, `gap` (vanishes while they touch); `on` touches `by`."""
+
+    place: Vector
+    normal: Vector
+    gap: Scalar
+    on: str | None
+    by: str | None
+
+    @property
+    def forward(self) -> Vector:
+        """The tangent: the normal turned clockwise."""
+        return -self.normal.turned()
+
+
+def touching_point(element: Element) -> PointRef:
+    """The point that touches, or the centre of the round body that does."""
+    if "body" in element.values:
+        return PointRef(f"{element['body']}.center", element["body"], "center")
+    return element["point"]
+
+
+def rim_of(element: Element) -> Scalar:
+    """Radius of what touches; 0 for a point."""
+    return scalar(element["rim"]) if element.values.get("rim") is not None else NOTHING
+
+
+def meeting(element: Element, geometry: Geometry) -> Meeting:
+    """How the two meet in the given poses."""
+    return (_on_circle if element.values.get("circle") is not None else _on_line)(element, geometry)
+
+
+# --- lines
+
+
+def _on_line(element: Element, geometry: Geometry) -> Meeting:
+    here, height, across = _line(element, geometry)
+    side = _side_of_line(element, geometry, across)
+    rim, up = rim_of(element), across * side
+    return Meeting(here - up * rim if rim else here, up, height * side - rim, toucher(element), curve_body(element))
+
+
+def _line(element: Element, geometry: Geometry) -> tuple[Vector, Scalar, Vector]:
+    """(what touches, its height over the line, the line's own unit normal)."""
+    here = geometry.where(touching_point(element))
+    return here, *_height(element, geometry, here)
+
+
+def _height(element: Element, geometry: Geometry, here: Vector) -> tuple[Scalar, Vector]:
+    line, body = element["line"], element["of"]
+    a, b, c = components(line)
+    if body is None:
+        return a * here.x + b * here.y - c, normal(line)
+    across = rotated(a, b, geometry.angle(body))
+    return across.dot(here - geometry.origin(body)) - c, across
+
+
+def _side_of_line(element: Element, geometry: Geometry, across: Vector) -> int:
+    """Stated; else where the body is; else so that the force on a body pushes upwards."""
+    side = element.values.get("side", "positive")
+    if side != "auto":
+        return 1 if side == "positive" else -1
+    on, way = (toucher(element), 1) if toucher(element) else (curve_body(element), -1)
+    height, _ = _height(element, geometry, geometry.center(on))
+    return way * geometry.sign(height) or way * geometry.sign(across.y) or 1
+
+
+# --- circles
+
+
+def _on_circle(element: Element, geometry: Geometry) -> Meeting:
+    here, middle = geometry.where(touching_point(element)), geometry.where(element["circle"])
+    side = _side_of_circle(element, geometry, middle)
+    radius, rim = scalar(element["radius"]), rim_of(element)
+    reach, apart = radius + rim * side, (here - middle).settled()
+    up = apart * (reach.inverse() * side)
+    return Meeting(here - up * rim if rim else here, up, apart.dot(apart) - reach * reach, toucher(element), curve_body(element))
+
+
+def _side_of_circle(element: Element, geometry: Geometry, middle: Vector) -> int:
+    """Stated; else -1 (inside) if the centre of mass of what touches is inside."""
+    side = element.values.get("side", "outside")
+    if side != "auto":
+        return 1 if side == "outside" else -1
+    body = toucher(element)
+    apart = (geometry.center(body) if body else geometry.where(element["point"])) - middle
+    radius = scalar(element["radius"])
+    return geometry.sign(apart.dot(apart) - radius * radius) or 1
+
+
+# --- forces
+
+
+def _pair(element: Element, name: str, met: Meeting, vector: Vector, couple: Scalar, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
+    """The force on what touches, and the opposite one on the body of the curve."""
+    ends = ((met.on, met.by, vector, couple), (met.by, met.on, -vector, -couple))
+    label = touching_point(element).label if "point" in element.values else element["body"]
+    return tuple(
+        Force(name, on, by or "ground", met.place, push, turn, unknowns, where=label)
+        for on, by, push, turn in ends if on is not None
+    )
+
+
+def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    """N along the normal; with kinetic friction against the slip if there is a coefficient."""
+    met, name = meeting(element, geometry), element.name
+    turn, names = NOTHING, (name,)
+    if "couple" in element.values:
+        turn, names = symbol(element["couple"]), (name, element["couple"])
+    found = _pair(element, name, met, met.normal * symbol(name), turn, names)
+    if element.values.get("coefficient") is None:
+        return found
+    drag = met.forward * (scalar(element["coefficient"]) * symbol(name) * -_slip(element, geometry, met))
+    return (*found, *_pair(element, element["friction"], met, drag, NOTHING, (name,)))
+
+
+def _slip(element: Element, geometry: Geometry, met: Meeting) -> int:
+    """1 if what touches slips forward over the curve, -1 if backward."""
+    if element["slip"] != "auto":
+        return 1 if element["slip"] == "forward" else -1
+    slip = slip_speed(geometry, met)
+    found = geometry.sign(slip)
+    if not found:
+        raise StatementError(
+            f"{element.kind} “{element.name}” has kinetic friction, but at the start nothing slips there",
+            instead='say which way it will slip, slip = "forward" or "backward" (forward: to the right, seen with '
+            'the normal upwards), or let it roll or stick: type = "rolling".',
+            place=element.place,
+        )
+    return found
+
+
+def slip_speed(geometry: Geometry, met: Meeting) -> Scalar:
+    """Speed of the toucher over the curve at the contact, forward positive."""
+    return met.forward.dot(geometry.velocity(met.on, met.place) - geometry.velocity(met.by, met.place))
+
+
+def holding_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    """N along the normal and static friction along the tangent, both unknown."""
+    met, name = meeting(element, geometry), element.name
+    along = met.forward * _uphill(element, geometry, met)
+    grip = element["friction"]
+    return (
+        *_pair(element, name, met, met.normal * symbol(name), NOTHING, (name,)),
+        *_pair(element, grip, met, along * symbol(grip), NOTHING, (grip,)),
+    )
+
+
+def _uphill(element: Element, geometry: Geometry, met: Meeting) -> int:
+    """-1 if forward is downhill on a fixed line, else 1."""
+    if element["line"] is None or met.by is not None or met.on is None:
+        return 1
+    rise = met.forward.y
+    return -1 if not is_zero(rise) and geometry.sign(rise) < 0 else 1
