@@ -1,60 +1,173 @@
-"""Writes docs/statement.md from the registries; `make docs` runs it, a test says whether it is up to date."""
+"""Writes the reference pages of docs/ from the code itself; `make docs` runs it, a test runs it too.
+
+`*.intro.md` are written by hand; what follows them comes from the registries, from the files in
+`examples/`, and from what rbpsym says when it is run.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
+from rbpsym import errors
+from rbpsym.errors import RbpsymError
 from rbpsym.quantities import DIMENSIONS
+from rbpsym.statement import SHAPES, load_problem, load_text
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Field, Kind
-from rbpsym.statement.shapes import SHAPES
+from rbpsym.statement.kinds import Field, Kind, ShapeKind
 
 HERE = Path(__file__).parent
+EXAMPLES = HERE / "examples"
+REGISTRIES: Mapping[str, tuple[str, Mapping[str, Kind]]] = {
+    "shapes": ("shape", SHAPES), "interactions": ("type", INTERACTIONS), "constraints": ("type", CONSTRAINTS),
+}  # fmt: skip
 
 
-def page() -> str:
-    """The whole reference."""
-    intro = (HERE / "statement.intro.md").read_text(encoding="utf-8")
-    parts = [intro.rstrip(), *_kinds("Shapes", SHAPES, "shape"), *_kinds("Interactions", INTERACTIONS, "type"),
-             *_kinds("Constraints", CONSTRAINTS, "type"), *_dimensions()]
+def intro(name: str) -> str:
+    """The part of a page that is written by hand."""
+    return (HERE / f"{name}.intro.md").read_text(encoding="utf-8").rstrip()
+
+
+# --- statement.md
+
+
+def statement_page() -> str:
+    """Every kind with its keys, its points or unknowns, and an example."""
+    parts = [intro("statement")]
+    for section, (key, kinds) in REGISTRIES.items():
+        parts += [f"\n## {section.capitalize()}\n", f"Chosen by the key `{key}`.\n"]
+        for kind in kinds.values():
+            parts += kind_part(section, key, kind)
+    parts += ["## Dimensions\n", ", ".join(f"`{name}`" for name in DIMENSIONS) + "."]
     return "\n".join(parts) + "\n"
 
 
-def _kinds(title: str, kinds: Mapping[str, Kind], key: str) -> Iterator[str]:
-    yield f"\n## {title}\n"
-    yield f"Chosen by the key `{key}`.\n"
-    for kind in kinds.values():
-        yield from _kind(kind)
-
-
-def _kind(kind: Kind) -> Iterator[str]:
-    names = ", ".join(f"`{name}`" for name in (kind.name, *kind.aliases))
-    yield f"### {names}\n"
+def kind_part(section: str, key: str, kind: Kind) -> Iterator[str]:
+    """One kind."""
+    yield "### " + ", ".join(f"`{name}`" for name in (kind.name, *kind.aliases)) + "\n"
     yield kind.meaning[0].upper() + kind.meaning[1:] + ".\n"
     if kind.fields:
         yield "| key | what it is | dimension | if absent |\n|---|---|---|---|"
-        yield from (_row(field) for field in kind.fields)
+        yield from map(key_row, kind.fields)
         yield ""
-    points = [name for name, *_ in getattr(kind, "points", ())]
-    if points:
-        yield "Points: " + ", ".join(f"`{name}`" for name in (*points, "cm")) + ".\n"
-    if getattr(kind, "unknowns", ()):
-        yield "Unknown: " + ", ".join(f"`{text.replace(chr(123) + 'name' + chr(125), 'NAME')}` ({dim})" for text, dim in kind.unknowns) + ".\n"
+    if isinstance(kind, ShapeKind):
+        yield from shape_part(kind)
+    if kind.unknowns:
+        yield "Unknown: " + ", ".join(f"`{named(text)}` ({dimension})" for text, dimension in kind.unknowns) + ".\n"
+    yield from example_part(section, key, kind)
 
 
-def _row(field: Field) -> str:
+def named(text: str) -> str:
+    """A template over the name of an element, for people."""
+    return text.replace("{name}", "NAME").replace("{", "").replace("}", "")
+
+
+def key_row(field: Field) -> str:
+    """One key of a kind."""
     choices = f" ({', '.join(field.choices)})" if field.choices else ""
-    absent = "must be given" if field.default is None else "may be left out" if field.default == "" else f"`{field.default}`"
+    absent = {None: "must be given", "": "may be left out"}
+    default = absent[field.default] if field.default in (None, "") else f"`{named(str(field.default))}`"
     dimension = "" if field.dimension is None else str(field.dimension)
-    return f"| `{field.name}` | {field.meaning}{choices} | {dimension} | {absent} |".replace("{name}", "NAME")
+    return f"| `{field.name}` | {field.meaning}{choices} | {dimension} | {default} |"
 
 
-def _dimensions() -> Iterator[str]:
-    yield "\n## Dimensions\n"
-    yield ", ".join(f"`{name}`" for name in DIMENSIONS) + "."
+def shape_part(kind: ShapeKind) -> Iterator[str]:
+    """Points with their places in the frame of the body, and the moment of inertia that is derived."""
+    places = [f"`{name}` ({x}, {y})" for name, x, y in kind.points]
+    yield "Points: " + ", ".join([*places, "`cm`"]) + ".\n"
+    if kind.element and kind.name != "particle":
+        yield f"Moment of inertia about `cm`, as derived for the example: {moment(kind.name)}.\n"
 
+
+def moment(name: str) -> str:
+    """The moment of inertia of the body of a shape's example."""
+    from rbpsym.algebra.present import present
+    from rbpsym.mechanics.study import Study
+    from rbpsym.notation.text import to_text
+
+    study = Study(load_problem(EXAMPLES / "shapes" / f"{name}.toml"))
+    return to_text(present(study.system.bodies["body"].moment, study.style))
+
+
+def example_part(section: str, key: str, kind: Kind) -> Iterator[str]:
+    """The table of a kind in its example, and where the whole of it is."""
+    path = EXAMPLES / section / f"{kind.name}.toml"
+    text = path.read_text(encoding="utf-8")
+    tables = re.split(r"\n\n(?=\[)", text.rstrip())
+    own = next(table for table in tables if re.search(rf'^{key} *= *"{re.escape(kind.name)}"', table, re.M))
+    yield f"```toml\n{own}\n```\n"
+    yield f"All of it: [{path.relative_to(HERE)}]({path.relative_to(HERE)}).\n"
+
+
+# --- errors.md
+
+SPOILT: tuple[tuple[str, str, str], ...] = (
+    ("A key that does not exist", 'length = "ell"', 'lenght = "ell"'),
+    ("A name that nobody declared", 'length = "ell"', 'length = "2*el"'),
+    ("A formula that does not end", '"ell*cos(phi)"', '"ell*cos(phi"'),
+    ("A wrong dimension", 'length = "ell"', 'length = "M + ell"'),
+    ("A length where an angle belongs", '"pi - phi"', '"pi - ell"'),
+    ("A point that the shape does not have", '"rod.start"', '"rod.tip"'),
+    ("A line that is none", '"x = 0"', '"x*y = 0"'),
+    ("A constraint that contradicts the pose", '"x = 0"', '"x = ell"'),
+    ("Two constraints that cannot be told apart", "[constraints.N_w]",
+     '[constraints.N_s]\ntype  = "contact"\npoint = "rod.start"\nline  = "y = 0"\n\n[constraints.N_w]'),
+    ("A start outside the range", 'start = "phi_0"', 'start = "2"'),
+    ("No value in quotes", 'mass   = "M"', "mass   = M"),
+)  # fmt: skip
+
+
+def errors_page() -> str:
+    """What a user meets when something is wrong, as it is really told."""
+    text = (EXAMPLES / "constraints" / "contact.toml").read_text(encoding="utf-8")
+    parts = [intro("errors"), "\n## Examples\n"]
+    for title, old, new in SPOILT:
+        if text.count(old) == 0:
+            raise ValueError(f"errors.md: {old!r} does not stand in the example")
+        parts += [f"**{title}**\n", f"```text\n{sentence(text.replace(old, new, 1))}\n```\n"]
+    parts += ["## Classes\n", "In Python, each of these is an `rbpsym.RbpsymError` with `what`, `instead` and `place`.\n",
+              "| class | what it means | exit code |", "|---|---|---|", *class_rows()]
+    return "\n".join(parts) + "\n"
+
+
+def sentence(text: str) -> str:
+    """What rbpsym says of a text."""
+    from rbpsym.mechanics.study import Study
+
+    try:
+        Study(load_text(text, "leaning-rod.toml")).dynamics  # noqa: B018  # worked out when asked for
+    except RbpsymError as error:
+        return str(error)
+    raise ValueError(f"errors.md: nothing is wrong with\n{text}")
+
+
+def class_rows() -> Iterator[str]:
+    """The classes of errors by their docstrings."""
+    for name, found in vars(errors).items():
+        if isinstance(found, type) and issubclass(found, RbpsymError) and found is not RbpsymError:
+            yield f"| `{name}` | {found.__doc__} | {found.exit_code} |"
+
+
+# --- solve.md
+
+
+def solve_page() -> str:
+    """The JSON of `rbpsym solve`, with a real answer."""
+    import json
+
+    from rbpsym.solve import solve
+
+    answer = solve(load_problem(EXAMPLES / "constraints" / "contact.toml"), simulation=False)
+    return f"{intro('solve')}\n\n```json\n{json.dumps(answer, indent=2, ensure_ascii=False)}\n```\n"
+
+
+PAGES: Mapping[str, Callable[[], str]] = {
+    "statement.md": statement_page, "errors.md": errors_page, "solve.md": solve_page,
+}  # fmt: skip
 
 if __name__ == "__main__":
-    (HERE / "statement.md").write_text(page(), encoding="utf-8")
+    for name, page in PAGES.items():
+        (HERE / name).write_text(page(), encoding="utf-8")
+        print(f"docs/{name}")

@@ -8,6 +8,8 @@ from __future__ import annotations
 import os
 import sys
 import traceback
+from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 
 import click
@@ -48,14 +50,15 @@ class Rbpsym(click.Group):
             raise click.UsageError(f"there is no command “{args[0]}”; {hint}", ctx)
         return super().resolve_command(ctx, args)
 
-    def main(self, *args: object, standalone_mode: bool = True, **extra: object) -> object:
+    def main(self, args: object = None, *, standalone_mode: bool = True, **extra: object) -> object:
         """Run; in standalone mode leave with the exit code that the README tells."""
+        call = partial(super().main, args, standalone_mode=False, **{**extra, "prog_name": "rbpsym"})
         if not standalone_mode:
-            return super().main(*args, standalone_mode=False, **extra)
-        sys.exit(exit_code(lambda: super(Rbpsym, self).main(*args, standalone_mode=False, **extra)))
+            return call()
+        return sys.exit(exit_code(call))
 
 
-def exit_code(run: object) -> int:
+def exit_code(run: Callable[[], object]) -> int:
     """The exit code of a call, its errors told on stderr."""
     try:
         code = run()

@@ -242,6 +242,7 @@ VALUES: dict[type, Callable[[Any, Scope], Value]] = {
     t.Integral: _integral,
     t.BodyIntegral: _body_integral,
     t.PathIntegral: _no_value,
+    t.Sum: _no_value,
     t.Bracket: _between,
     t.Delta: _change,
     t.At: _no_value,
@@ -288,6 +289,17 @@ def _path_rate(node: t.PathIntegral, scope: Scope) -> Scalar:
     return integrand.dot(along) if isinstance(integrand, Space) else integrand * along
 
 
+def _integral_rate(node: t.Integral, scope: Scope) -> Scalar:
+    """∫f dq from the start to now grows at f q̇, from now to the start at -f q̇."""
+    ends = scalar(node.lower, scope), scalar(node.upper, scope)
+    start, now = scope.start.get(node.var, ends[0]), symbol(node.var)
+    speed = scope.rates.get(node.var, NOTHING)
+    for sign, limits in ((1, (start, now)), (-1, (now, start))):
+        if all(not end - limit for end, limit in zip(ends, limits, strict=True)):
+            return scalar(node.integrand, scope) * speed * sign
+    return _plain_rate(node, scope)
+
+
 def _symbol_rate(node: t.Sym, scope: Scope) -> Scalar:
     found = scope.powers.get(node.name)
     return _plain_rate(node, scope) if found is None else found
@@ -301,6 +313,6 @@ RATES: dict[type, Callable[[Any, Scope], Scalar]] = {
     t.Delta: lambda node, scope: rate(node.arg, scope),
     t.Mul: _product_rate,
     t.Div: lambda node, scope: rate(node.num, scope) * scalar(node.den, scope).inverse(),
-    t.Integral: lambda node, scope: scalar(node.integrand, scope) * scope.rates[node.var],
+    t.Integral: _integral_rate,
     t.PathIntegral: _path_rate,
 }

@@ -27,8 +27,9 @@ class Scalar:
 
     def __eq__(self, other: object) -> bool:
         """Sameness of form (not of value: that is `normal.is_zero` of the difference)."""
-        other = lift(other)
-        return isinstance(other, Scalar) and self.num == other.num and self.den == other.den
+        if not isinstance(other, Scalar):
+            return isinstance(other, (int, Fraction)) and self.number() == other
+        return self.num == other.num and self.den == other.den
 
     def __bool__(self) -> bool:
         return bool(self.num.terms)

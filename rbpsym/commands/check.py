@@ -37,14 +37,22 @@ class Found:
 
 @click.command("check")
 @click.argument("names", metavar="[NAME|FILE]...", nargs=-1, type=ShelfName())
-@click.option("--problems", metavar="FILE", multiple=True, type=ShelfName(), help="Claims or problems that bind a paper's symbols.")
+@click.option(
+    "--problems",
+    metavar="FILE",
+    multiple=True,
+    type=ShelfName(),
+    help="Claims or problems that bind a paper's symbols.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
 @click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
 @click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
 @click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number or label is this.")
 @click.option("--failures", is_flag=True, help="Show only what is not as expected.")
-@click.option("--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept.")
+@click.option(
+    "--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept."
+)
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(names, problems, as_json, junit, html, github, only, failures, cache, no_cache, simulation) -> int:
@@ -121,7 +129,10 @@ def shipped() -> list[str]:
     """The problems and claims files that ship."""
     from rbpsym.statement.library import library_folder, problem_files
 
-    return [*(name for name in problem_files() if not name.endswith(".course")), *map(str, sorted((library_folder() / "claims").glob("*.toml")))]
+    return [
+        *(name for name in problem_files() if not name.endswith(".course")),
+        *map(str, sorted((library_folder() / "claims").glob("*.toml"))),
+    ]
 
 
 def of_file(name: str, certificates: Certificates, simulation: bool) -> Iterator[Result]:
@@ -193,9 +204,22 @@ def derived(path: Path, simulation: bool) -> Result:
     summary = made.summary()
     outcome = worst(outcomes)
     detail = f"{summary['proved']} of {summary['steps']} steps proved; Lagrange: {summary['lagrange']}"
-    return Result(f"derivation: {made.study.problem.name}", "", "", 0, str(path), "", outcome, outcome is Outcome.PROVED,
-                  links=tuple(doubtful(made)), detail=detail, says=made.study.problem.title.get("en", ""),
-                  seconds=time.perf_counter() - begun, kind="derivation", declared=(str(path), 1))
+    return Result(
+        f"derivation: {made.study.problem.name}",
+        "",
+        "",
+        0,
+        str(path),
+        "",
+        outcome,
+        outcome is Outcome.PROVED,
+        links=tuple(doubtful(made)),
+        detail=detail,
+        says=made.study.problem.title.get("en", ""),
+        seconds=time.perf_counter() - begun,
+        kind="derivation",
+        declared=(str(path), 1),
+    )
 
 
 def verdicts(made) -> list:

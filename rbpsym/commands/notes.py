@@ -81,5 +81,4 @@ def _written(document, stem: str, formats: tuple[str, ...], engine: str, output:
     from rbpsym.document.writers.pdf import write_pdf
 
     made = {f: write_pdf(document, engine) if f == "pdf" else writer(f)(document) for f in formats}
-    output.mkdir(parents=True, exist_ok=True)
     return [write_whole(output / f"{stem}.{ending}", content) for ending, content in made.items()]

@@ -12,8 +12,12 @@ if TYPE_CHECKING:
     from rbpsym.commands.check import Found
 
 STYLES = {
-    Outcome.PROVED: "green", Outcome.DEFINITION: "green", Outcome.REFUTED: "red", Outcome.UNDECIDED: "yellow",
-    Outcome.NOT_COMPUTED: "dim", Outcome.UNREAD: "bold red",
+    Outcome.PROVED: "green",
+    Outcome.DEFINITION: "green",
+    Outcome.REFUTED: "red",
+    Outcome.UNDECIDED: "yellow",
+    Outcome.NOT_COMPUTED: "dim",
+    Outcome.UNREAD: "bold red",
 }
 SHORT = {Outcome.NOT_COMPUTED: "not computed", Outcome.UNREAD: "NOT READ"}
 
@@ -55,7 +59,9 @@ def totals(found: Found) -> dict[str, int]:
 def summary(found: Found) -> str:
     """The last line: counts, and whether all is as expected."""
     counts = totals(found)
-    told = [f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"]
+    told = [
+        f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"
+    ]
     whole = "all as expected" if not counts["unexpected"] else f"{counts['unexpected']} NOT AS EXPECTED"
     return f"{len(found.results)} checked: {', '.join(told)}; {whole}."
 
@@ -68,13 +74,20 @@ def as_table(found: Found, failures: bool = False) -> str:
 
     table = Table(box=None, pad_edge=False, header_style="bold")
     for column in ("No.", "Label", "Line", "Verdict", "How, witness, diagnosis"):
-        table.add_column(column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left")
+        table.add_column(
+            column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left"
+        )
     for result in found.results:
         if not (failures and result.expected):
             style = STYLES[result.outcome] if result.outcome is not Outcome.REFUTED or not result.expected else "cyan"
             mark = "" if result.expected else "✗ "
-            table.add_row(name_of(result), result.label, str(result.line or ""), Text(mark + word(result), style=style),
-                          Text("\n".join(lines(result))))
+            table.add_row(
+                name_of(result),
+                result.label,
+                str(result.line or ""),
+                Text(mark + word(result), style=style),
+                Text("\n".join(lines(result))),
+            )
     console = Console(highlight=False)
     with console.capture() as capture:
         if table.row_count:
@@ -88,12 +101,32 @@ def as_table(found: Found, failures: bool = False) -> str:
 def record(result: Result) -> dict[str, Any]:
     """One result as JSON has it."""
     return {
-        "id": result.id, "kind": result.kind, "number": result.number, "label": result.label, "file": result.file,
-        "line": result.line, "latex": result.latex.strip(), "says": result.says, "outcome": str(result.outcome),
-        "expected": result.expected, "how": result.how, "detail": result.detail, "diagnosis": result.diagnosis,
-        "erratum": result.erratum, "right": result.right, "note": result.note,
-        "links": [{"relation": str(link.relation), "outcome": str(link.outcome), "how": link.how, "detail": link.detail,
-                   "diagnosis": link.diagnosis} for link in result.links],
+        "id": result.id,
+        "kind": result.kind,
+        "number": result.number,
+        "label": result.label,
+        "file": result.file,
+        "line": result.line,
+        "latex": result.latex.strip(),
+        "says": result.says,
+        "outcome": str(result.outcome),
+        "expected": result.expected,
+        "how": result.how,
+        "detail": result.detail,
+        "diagnosis": result.diagnosis,
+        "erratum": result.erratum,
+        "right": result.right,
+        "note": result.note,
+        "links": [
+            {
+                "relation": str(link.relation),
+                "outcome": str(link.outcome),
+                "how": link.how,
+                "detail": link.detail,
+                "diagnosis": link.diagnosis,
+            }
+            for link in result.links
+        ],
     }
 
 
@@ -113,12 +146,18 @@ def as_junit(found: Found) -> str:
 
     failed = sum(not result.expected for result in found.results)
     skipped = sum(result.outcome is Outcome.NOT_COMPUTED and result.expected for result in found.results)
-    suite = xml.Element("testsuite", name="rbpsym check", tests=str(len(found.results)), failures=str(failed), skipped=str(skipped))
+    suite = xml.Element(
+        "testsuite", name="rbpsym check", tests=str(len(found.results)), failures=str(failed), skipped=str(skipped)
+    )
     for result in found.results:
-        case = xml.SubElement(suite, "testcase", classname=result.file or "claims", name=result.id, time=f"{result.seconds:.4f}")
+        case = xml.SubElement(
+            suite, "testcase", classname=result.file or "claims", name=result.id, time=f"{result.seconds:.4f}"
+        )
         told = printable("\n".join(lines(result)))
         if not result.expected:
-            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(f"{result.latex}\n{told}")
+            xml.SubElement(case, "failure", message=f"{word(result)}: {first(told)}").text = printable(
+                f"{result.latex}\n{told}"
+            )
         elif result.outcome is Outcome.NOT_COMPUTED:
             xml.SubElement(case, "skipped", message=told or "not a formula we compute")
     xml.indent(suite)
@@ -137,8 +176,11 @@ def first(text: str) -> str:
 
 def as_annotations(found: Found) -> str:
     """Workflow commands that put a note on the line of each formula that is not as expected."""
-    told = [annotation("error", *place(result), f"{name_of(result)} {word(result)}", "\n".join(lines(result)))
-            for result in found.results if not result.expected]
+    told = [
+        annotation("error", *place(result), f"{name_of(result)} {word(result)}", "\n".join(lines(result)))
+        for result in found.results
+        if not result.expected
+    ]
     told += [annotation("warning", file, line, "label", remark) for file, line, remark in found.remarks]
     return "".join(f"{one}\n" for one in told)
 
@@ -167,6 +209,14 @@ def as_html(found: Found) -> str:
 
     loader = FileSystemLoader(data_folder("templates"))
     shell = Environment(loader=loader, undefined=StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    rows = [{**record(result), "name": name_of(result), "word": word(result), "lines": list(lines(result)),
-             "kind": "unexpected" if not result.expected else result.outcome.name.lower()} for result in found.results]
+    rows = [
+        {
+            **record(result),
+            "name": name_of(result),
+            "word": word(result),
+            "lines": list(lines(result)),
+            "kind": "unexpected" if not result.expected else result.outcome.name.lower(),
+        }
+        for result in found.results
+    ]
     return shell.get_template("check.html").render(rows=rows, summary=summary(found), remarks=found.remarks)

@@ -226,7 +226,15 @@ def reason_fits(block: Display, notation: Notation, column: float) -> bool:
     return used + 5.0 <= 0.92 * column
 
 
-def is_wordy(block: Table, place: int, notation: Notation) -> bool:
+def is_wide(block: Table, place: int, notation: Notation) -> bool:
+    """Is there more in a narrow column than one line of it takes?"""
+    return max(text_width(row[place], notation) for row in (block.header, *block.rows)) > NARROW
+
+
+NARROW = 9.0
+
+
+def is_wordy(block: Table, place: int) -> bool:
     """Does a column hold words that should wrap? (Formulas never do.)"""
     return any(
         isinstance(inline, Text) and len(inline.text) > 26 for row in block.rows for inline in row[place]
@@ -237,6 +245,7 @@ def table_width(block: Table, notation: Notation) -> float:
     """The width of a table whose cells do not wrap, in em."""
     rows = (block.header, *block.rows)
     widths = [max(text_width(row[place], notation) for row in rows) for place in range(len(block.header))]
+    widths = [min(w, NARROW) if letter == "p" else w for w, letter in zip(widths, block.columns, strict=True)]
     return sum(widths) + 1.1 * len(widths)
 
 

@@ -89,7 +89,8 @@ class Display:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Rows of inlines under a header; `align` has one of "lcr" for each column."""
+    """Rows of inlines under a header; `align` has one of "lcr" for each column, or "p"
+    for a narrow one of words that wrap."""
 
     header: tuple[Inlines, ...]
     rows: tuple[tuple[Inlines, ...], ...]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
-from rbpsym.document.chapters import chapter_sections
+from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.model import Document, Inlines, Section, Text, words
+from rbpsym.document.notes_figures import notation_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_statement import statement_section
@@ -22,20 +24,16 @@ def notes(derivation: Derivation, language: str = "en", detail: str = "standard"
     said = Words(language, problem)
     return Document(
         words(said.title(problem.title)), tuple(problem_sections(derivation, language, detail, "", 1)),
-        source=words(problem.source), language=language, notation=notation_of(derivation),
+        source=words(problem.source), language=language, notation=notation_of(problem),
     )
-
-
-def notation_of(derivation: Derivation, more: Mapping[str, str] | None = None) -> Notation:
-    """How names are printed: the problem's own notation, then the course's."""
-    problem = derivation.study.problem
-    names = {q.name for q in problem.parameters} | {c.name for c in problem.coordinates}
-    return notation_for(names, {**problem.notation, **(more or {})})
 
 
 def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int) -> list[Section]:
     """All sections of a problem; `prefix` keeps its labels apart from those of other problems."""
-    said = Words(language, derivation.study.problem, prefix, shown_steps(derivation, detail))
+    shown = shown_steps(derivation, detail)
+    said = Words(language, derivation.study.problem, prefix, shown)
+    same = repeated(derivation, shown, said)
+    said = replace(said, shown=shown - set(same), same=same)
     return [
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),

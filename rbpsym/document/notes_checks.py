@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 
 from rbpsym.derivation.step import Derivation, Step
-from rbpsym.document.model import Block, Callout, Display, ItemList, Paragraph, Section
+from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.words import Words
 
 
 def results_section(derivation: Derivation, said: Words, level: int) -> Section:
-    """The boxed results once more, without numbers of their own."""
-    results = [step for step in derivation.steps if step.is_result]
-    blocks: tuple[Block, ...] = tuple(Display(step.statement, numbered=False) for step in _distinct(results))
+    """The boxed results once more, each with the number under which it was found."""
+    results = list(_distinct([step for step in derivation.steps if step.is_result and step.id in said.shown]))
+    blocks: tuple[Block, ...] = tuple(
+        Display(step.statement, numbered=False, reason=said.step(step.id)) for step in results
+    )
     box = Callout("result", said.say("results.intro"), blocks)
     return Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
 
@@ -25,35 +28,40 @@ def _distinct(steps: list[Step]) -> Iterator[Step]:
             yield step
 
 
-def checks_section(derivation: Derivation, said: Words, level: int) -> Section:
-    """How many steps are proved, which methods agree, what the oracles say."""
+def checks_section(derivation: Derivation, said: Words, level: int, table: str = "") -> Section:
+    """How many steps are proved, which methods agree, what the oracles say.
+
+    `table` is the label of a table elsewhere that tells how; it is put here if there is none.
+    """
     summary = derivation.summary()
     whole = summary["proved"] == summary["steps"]
-    items = [
-        said.say("checks.steps" if whole else "checks.some", proved=summary["proved"], count=summary["steps"],
-                 refuted=summary["refuted"], undecided=summary["undecided"]),
-        *_methods(summary, said), *_oracles(summary, said),
-        *(said.say(skipped.phrase, **skipped.slots) for skipped in derivation.skipped),
-    ]
-    blocks = (Paragraph(said.say("checks.how")), ItemList(tuple(items)))
+    counts = {name: summary[name] for name in ("steps", "proved", "refuted", "undecided")}
+    own = checks_table(derivation.steps, said)
+    intro = said.say("checks.all" if whole else "checks.some", table=Ref(table or own.label), **counts)
+    items = [*_methods(summary, said), *_oracles(summary, said),
+             *(said.say(skipped.phrase, **skipped.slots) for skipped in derivation.skipped)]
+    blocks: tuple[Block, ...] = (Paragraph(intro), *(() if table else (own,)),
+                                 Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 
 
-def _methods(summary: dict, said: Words) -> Iterator:
+def checks_table(steps: Iterable[Step], said: Words) -> Table:
+    """How steps were checked, and how many in each way."""
+    counts = Counter(name for step in steps for name in step.certificate.checks)
+    rows = tuple((said.say(f"checked.{name}"), words(str(count))) for name, count in counts.items()
+                 if said.has(f"checked.{name}"))
+    header = (said.say("header.check"), said.say("header.steps"))
+    return Table(header, rows, said.say("caption.checks"), "lr", said.prefix + "table.checks")
+
+
+def _methods(summary: dict, said: Words) -> Iterator[Inlines]:
     names = [said.say(f"method.{name}") for name in summary["methods"]]
     if len(names) > 1:
         yield said.say("checks.methods" if summary["methods_agree"] else "checks.differ", methods=names)
 
 
-def _oracles(summary: dict, said: Words) -> Iterator:
+def _oracles(summary: dict, said: Words) -> Iterator[Inlines]:
     if summary["lagrange"]:
         yield said.say(f"checks.lagrange.{summary['lagrange']}")
     if summary["simulation"]:
-        yield said.say("checks.simulation", error=power_of_ten(summary["simulation"]["max_relative_error"]))
-
-
-def power_of_ten(value: float) -> str:
-    """A small number for reading: 3·10⁻¹²."""
-    digits, _, exponent = f"{value:.0e}".partition("e")
-    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"{digits}·10{raised}"
+        yield said.say("checks.simulation", error=f"{summary['simulation']['max_relative_error']:.0e}")

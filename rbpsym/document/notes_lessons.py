@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.derivation.step import Derivation, Lesson
-from rbpsym.document.chapters import said_step
+from rbpsym.derivation.step import Derivation, Lesson, Step
+from rbpsym.document.chapters import Teller
 from rbpsym.document.model import Block, Inlines, Paragraph, Section
 from rbpsym.document.words import Words
 
 
 def lesson_sections(lesson: Lesson, about: Derivation | None, language: str, prefix: str) -> list[Section]:
-    """One section with all steps of a lesson."""
+    """A section with the introduction of a lesson, and one below it for each of its headings."""
     problem = about.study.problem if about else None
     said = Words(language, problem, prefix, frozenset(step.id for step in lesson.steps))
-    return [Section(_title(lesson, said), tuple(_blocks(lesson, said)), prefix + "section." + lesson.kind, 1)]
+    intro = (Paragraph(said.say(f"{lesson.kind}.intro")),) if said.has(f"{lesson.kind}.intro") else ()
+    first, *parts = _parts(lesson, said)
+    teller = Teller(said)
+    top = Section(_title(lesson, said), (*intro, *teller.steps(first)), f"{prefix}section.{lesson.kind}", 1)
+    return [top, *(_part(steps, lesson, teller, said) for steps in parts)]
 
 
 def _title(lesson: Lesson, said: Words) -> Inlines:
@@ -23,8 +27,20 @@ def _title(lesson: Lesson, said: Words) -> Inlines:
     return said.say(f"section.{lesson.kind}")
 
 
-def _blocks(lesson: Lesson, said: Words) -> Iterator[Block]:
-    if said.has(f"{lesson.kind}.intro"):
-        yield Paragraph(said.say(f"{lesson.kind}.intro"))
+def _heading(lesson: Lesson, step: Step) -> str:
+    return f"{lesson.kind}.heading.{step.id}"
+
+
+def _parts(lesson: Lesson, said: Words) -> list[list[Step]]:
+    """The steps, cut before each that has a heading; the first part is what has none."""
+    found: list[list[Step]] = [[]]
     for step in lesson.steps:
-        yield from said_step(step, said)
+        if said.has(_heading(lesson, step)):
+            found.append([])
+        found[-1].append(step)
+    return found
+
+
+def _part(steps: list[Step], lesson: Lesson, teller: Teller, said: Words) -> Section:
+    blocks: Iterator[Block] = teller.steps(steps)
+    return Section(said.say(_heading(lesson, steps[0])), tuple(blocks), f"{said.prefix}section.{steps[0].id}", 2)

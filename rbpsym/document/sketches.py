@@ -5,18 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures.sketch import (
     AngleMark, LengthMark, RadiusMark, Sketch, SketchBody, SketchCoil, SketchCouple, SketchForce, SketchLine,
     SketchLink, SketchPart, SketchPoint,
 )
-from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.placing import locator
-from rbpsym.mechanics.study import Study
+from rbpsym.document.pose import DrawnPose
+from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef, Shape
@@ -24,35 +19,9 @@ from rbpsym.statement.model import Element, PointRef, Shape
 Point = tuple[float, float]
 
 
-class _Pose:
-    """Numbers of one pose of a system."""
-
-    def __init__(self, study: Study) -> None:
-        self.study, self.system = study, study.system
-        self.numbers = self._tied(sample(study.problem, study.problem.example))
-        states = self.system.bodies
-        self.where = locator(study.problem, {n: s.inertia for n, s in states.items()},
-                             {n: s.pose for n, s in states.items()})
-
-    def _tied(self, numbers: dict[str, float]) -> dict[str, float]:
-        return numbers | {n: number(v, numbers) for n, v in self.system.dependent.items()}
-
-    def value(self, found: Scalar) -> float:
-        return number(found, self.numbers)
-
-    def node(self, node: t.Node) -> float:
-        return self.value(scalar(node))
-
-    def point(self, vector: Vector) -> Point:
-        return self.value(vector.x), self.value(vector.y)
-
-    def ref(self, ref: PointRef) -> Point:
-        return self.point(self.where(ref))
-
-
 def sketch_of(derivation: Derivation) -> Sketch:
     """The sketch of a derived problem, with the forces of its free-body diagrams."""
-    pose = _Pose(derivation.study)
+    pose = DrawnPose(derivation.study)
     return Sketch(
         bodies=tuple(_bodies(pose)), points=tuple(_points(pose)), lines=tuple(_lines(pose)),
         links=tuple(_links(pose)), coils=tuple(_coils(pose)), angles=tuple(_angles(pose)),
@@ -61,31 +30,31 @@ def sketch_of(derivation: Derivation) -> Sketch:
     )
 
 
-def _bodies(pose: _Pose) -> Iterator[SketchBody]:
+def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
     for body in pose.study.problem.bodies:
-        state = pose.system.bodies[body.name]
+        state = pose.study.system.bodies[body.name]
         yield SketchBody(
             body.name, body.shape.kind, _sizes(pose, body.shape), pose.point(state.pose.origin),
             pose.value(state.pose.angle), pose.point(state.center), None, tuple(_parts(pose, body.shape)),
         )
 
 
-def _sizes(pose: _Pose, shape: Shape) -> dict[str, float]:
+def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
     return {name: pose.node(size) for name, size in shape.sizes.items() if name != "moment"}
 
 
-def _parts(pose: _Pose, shape: Shape) -> Iterator[SketchPart]:
+def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
     for part in shape.parts:
         at = (pose.node(part.at[0]), pose.node(part.at[1]))
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
 
 
-def _elements(pose: _Pose, *kinds: str) -> list[Element]:
+def _elements(pose: DrawnPose, *kinds: str) -> list[Element]:
     both = (*pose.study.problem.constraints, *pose.study.problem.interactions)
     return [element for element in both if element.kind in kinds]
 
 
-def _points(pose: _Pose) -> Iterator[SketchPoint]:
+def _points(pose: DrawnPose) -> Iterator[SketchPoint]:
     for element in _elements(pose, "pivot"):
         ref = element["point"]
         yield SketchPoint("pivot", pose.ref(ref), _origin_label(pose, ref), (ref.body,))
@@ -101,12 +70,12 @@ def _points(pose: _Pose) -> Iterator[SketchPoint]:
                 yield SketchPoint("fixed", pose.ref(ref))
 
 
-def _origin_label(pose: _Pose, ref: PointRef) -> t.Node | None:
+def _origin_label(pose: DrawnPose, ref: PointRef) -> t.Node | None:
     x, y = pose.ref(ref)
     return t.Sym("O") if math.hypot(x, y) < 1e-9 else None
 
 
-def _lines(pose: _Pose) -> Iterator[SketchLine]:
+def _lines(pose: DrawnPose) -> Iterator[SketchLine]:
     seen = set()
     for element in _elements(pose, "contact"):
         line = element.values.get("line")
@@ -116,29 +85,29 @@ def _lines(pose: _Pose) -> Iterator[SketchLine]:
         yield SketchLine(pose.node(line.a), pose.node(line.b), pose.node(line.c))
 
 
-def _links(pose: _Pose) -> Iterator[SketchLink]:
+def _links(pose: DrawnPose) -> Iterator[SketchLink]:
     for element in _elements(pose, "spring", "damper"):
         key = "stiffness" if element.kind == "spring" else "coefficient"
         start, end = (pose.ref(ref) for ref in element["between"])
         yield SketchLink(element.kind, start, end, element[key])
 
 
-def _coils(pose: _Pose) -> Iterator[SketchCoil]:
+def _coils(pose: DrawnPose) -> Iterator[SketchCoil]:
     for element in _elements(pose, "torsion-spring", "rotary-damper"):
         key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
-        name = next(n for n in reversed(element["between"]) if n in pose.system.bodies)
+        name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
         yield SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
 
 
-def _hinge(pose: _Pose, body: str) -> Point:
+def _hinge(pose: DrawnPose, body: str) -> Point:
     """Where a body is hinged, else its centre."""
     for point in _points(pose):
         if body in point.bodies:
             return point.at
-    return pose.point(pose.system.bodies[body].center)
+    return pose.point(pose.study.system.bodies[body].center)
 
 
-def _angles(pose: _Pose) -> Iterator[AngleMark]:
+def _angles(pose: DrawnPose) -> Iterator[AngleMark]:
     """Each angle coordinate from its reference direction to the body that turns with it."""
     for coordinate in pose.study.problem.coordinates:
         if coordinate.quantity.dimension.length:
@@ -147,48 +116,59 @@ def _angles(pose: _Pose) -> Iterator[AngleMark]:
         if found is None:
             continue
         name, sense = found
-        direction = pose.value(pose.system.bodies[name].pose.angle)
+        direction = pose.value(pose.study.system.bodies[name].pose.angle)
         value = pose.numbers[coordinate.name]
         at = _vertex(pose, name)
         direction = _drawn_axis(pose, name, at, direction, sense * value)
-        yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name))
+        yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), _rim(pose, name, at))
 
 
-def _turning_body(pose: _Pose, coordinate: str) -> tuple[str, int] | None:
+ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
+
+
+def _rim(pose: DrawnPose, name: str, at: Point) -> float:
+    """The radius of a round body that is turned about its own centre: nothing on it shows how far."""
+    shape = pose.study.problem.body(name).shape
+    if shape.kind not in ROUND or math.dist(at, pose.center(name)) > 1e-9:
+        return 0.0
+    return max(pose.node(shape.sizes[key]) for key in ("radius", "outer") if key in shape.sizes)
+
+
+def _turning_body(pose: DrawnPose, coordinate: str) -> tuple[str, int] | None:
     """The first body whose angle is ±coordinate plus a constant, and the sign."""
     from rbpsym.algebra.calculus import derivative
 
-    for name, state in pose.system.bodies.items():
+    for name, state in pose.study.system.bodies.items():
         slope = derivative(state.pose.angle, coordinate).number()
         if slope in (1, -1) and pose.study.problem.body(name).angle is not None:
             return name, int(slope)
     return None
 
 
-def _vertex(pose: _Pose, body: str) -> Point:
+def _vertex(pose: DrawnPose, body: str) -> Point:
     """A hinge of the body, a point that touches a horizontal line, else its centre."""
     hinges = [p.at for p in _points(pose) if body in p.bodies and p.kind == "pivot"]
     touches = [pose.ref(e["point"]) for e in _elements(pose, "contact")
                if e["point"].body == body and "line" in e.values and abs(pose.node(e["line"].a)) < 1e-9]
     pins = [p.at for p in _points(pose) if body in p.bodies]
-    return next(iter([*hinges, *touches, *pins]), pose.point(pose.system.bodies[body].center))
+    return next(iter([*hinges, *touches, *pins]), pose.point(pose.study.system.bodies[body].center))
 
 
-def _drawn_axis(pose: _Pose, body: str, at: Point, direction: float, turned: float) -> float:
+def _drawn_axis(pose: DrawnPose, body: str, at: Point, direction: float, turned: float) -> float:
     """The end of the axis that leaves the vertex along the body; reference directions stay on the axes."""
-    cx, cy = pose.point(pose.system.bodies[body].center)
+    cx, cy = pose.point(pose.study.system.bodies[body].center)
     along = (cx - at[0]) * math.cos(direction) + (cy - at[1]) * math.sin(direction)
     return direction + math.pi if along < -1e-9 else direction
 
 
-def _size_marks(pose: _Pose, kinds: tuple[str, ...]) -> Iterator[tuple[str, str, t.Node]]:
+def _size_marks(pose: DrawnPose, kinds: tuple[str, ...]) -> Iterator[tuple[str, str, t.Node]]:
     for body in pose.study.problem.bodies:
         for key, size in body.shape.sizes.items():
             if key in kinds:
                 yield body.name, key, size
 
 
-def _lengths(pose: _Pose) -> Iterator[LengthMark]:
+def _lengths(pose: DrawnPose) -> Iterator[LengthMark]:
     ends = {"length": ("start", "end"), "width": ("left", "right"), "height": ("bottom", "top"), "base": ("left", "right")}
     for name, key, size in _size_marks(pose, tuple(ends)):
         points = pose.study.problem.body(name).points
@@ -198,7 +178,7 @@ def _lengths(pose: _Pose) -> Iterator[LengthMark]:
     yield from _displacements(pose)
 
 
-def _displacements(pose: _Pose) -> Iterator[LengthMark]:
+def _displacements(pose: DrawnPose) -> Iterator[LengthMark]:
     """A length coordinate, from the origin to the point whose place it gives."""
     for coordinate in pose.study.problem.coordinates:
         for body in pose.study.problem.bodies:
@@ -208,15 +188,15 @@ def _displacements(pose: _Pose) -> Iterator[LengthMark]:
                 yield LengthMark(start, (x, y), t.Sym(coordinate.name))
 
 
-def _radii(pose: _Pose) -> Iterator[RadiusMark]:
+def _radii(pose: DrawnPose) -> Iterator[RadiusMark]:
     for name, _, size in _size_marks(pose, ("radius", "inner", "outer")):
-        yield RadiusMark(pose.point(pose.system.bodies[name].pose.origin), pose.node(size), size)
+        yield RadiusMark(pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size)
 
 
-def _direction(pose: _Pose, force: Force) -> Point:
+def _direction(pose: DrawnPose, force: Force) -> Point:
     """The direction in the pose; unknown components as they are at rest there, else positive."""
     values = dict(pose.numbers)
-    known = _reactions(pose)
+    known = pose.reactions()
     values |= {name: known.get(name, 1.0) for name in force.unknowns}
     try:
         x, y = number(force.vector.x, values), number(force.vector.y, values)
@@ -226,44 +206,37 @@ def _direction(pose: _Pose, force: Force) -> Point:
     return (x / size, y / size) if size > 1e-12 else (0.0, 0.0)
 
 
-def _reactions(pose: _Pose) -> Mapping[str, float]:
-    found = {}
-    for name, value in pose.study.dynamics.reactions.items():
-        try:
-            found[name] = pose.value(value)
-        except (KeyError, ValueError, ZeroDivisionError, RbpsymError):
-            continue
-    return found
-
-
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     """How the ledger names each force on each body."""
     return {(step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"]
             for step in derivation.chapter("forces")}
 
 
-def _forces(pose: _Pose, derivation: Derivation) -> Iterator[SketchForce]:
+def _forces(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchForce]:
     names = _names(derivation)
-    for force in pose.system.forces:
+    for force in pose.study.system.forces:
         direction = _direction(pose, force) if force.vector else (0.0, 0.0)
         if direction != (0.0, 0.0):
             yield SketchForce(force.on, names.get((force.name, force.on), t.Vec(force.name)), pose.point(force.point), direction)
 
 
-def _couples(pose: _Pose, derivation: Derivation) -> Iterator[SketchCouple]:
-    known = _reactions(pose)
-    for force in pose.system.forces:
+def _couples(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchCouple]:
+    """Unknown couples in the sense in which their letter is positive, known ones as they act in the pose."""
+    known = pose.reactions()
+    for force in pose.study.system.forces:
         if not force.couple:
             continue
+        letter = _couple_letter(force)
+        values = pose.numbers | known | ({letter.name: 1.0} if letter.name in force.unknowns else {})
         try:
-            value = number(force.couple, {**pose.numbers, **known})
+            value = number(force.couple, values)
         except (KeyError, ValueError, ZeroDivisionError):
             value = 1.0
-        label = _couple_label(force)
-        yield SketchCouple(force.on, label, pose.point(pose.system.bodies[force.on].center), 1 if value >= 0 else -1)
+        yield SketchCouple(force.on, letter, pose.center(force.on), 1 if value >= 0 else -1)
 
 
-def _couple_label(force: Force) -> t.Node:
+def _couple_letter(force: Force) -> t.Sym:
+    """The letter of a couple; its own if it is an unknown or a parameter with its sign."""
     from rbpsym.algebra.present import present
 
     shown = present(force.couple)
@@ -271,7 +244,7 @@ def _couple_label(force: Force) -> t.Node:
     return plain if isinstance(plain, t.Sym) else t.Sym(f"tau_{force.name}")
 
 
-def _gravity(pose: _Pose) -> dict[str, object]:
+def _gravity(pose: DrawnPose) -> dict[str, object]:
     for element in _elements(pose, "gravity"):
         x, y = (pose.node(n) for n in element["direction"])
         return {"gravity": (x, y), "gravity_label": element["g"]}

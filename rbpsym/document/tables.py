@@ -2,76 +2,80 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from rbpsym.derivation.step import BodyRef, Derivation, Step
-from rbpsym.document.model import Block, Inlines, Math, Paragraph, Table
+from rbpsym.document.model import Inlines, Math, Table
+from rbpsym.document.places import point_name
+from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
+from rbpsym.statement.model import PointRef
+
+PARTIES = ("earth", "ground", "agent")
 
 
-def _rows(step: Step) -> tuple[t.Chain, ...]:
+def relations(step: Step) -> tuple[t.Chain, ...]:
     """The relations of a step's statement."""
     return step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
 
 
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:
-    """Force, body, by whom, vector, torque about the centre of mass and about each origin."""
+    """Each force: the vector, on what and where it acts, by whom, its torque about cm and each origin."""
     origins = list(derivation.study.origins)
-    header = (said.say("header.force"), said.say("header.on"), said.say("header.by"), said.say("header.vector"),
-              said.say("header.torque_center"), *(said.say("header.torque_about", point=t.Sym(o)) for o in origins))
-    rows = tuple(_entry(step, len(origins), said) for step in steps)
-    return Table(header, rows, said.say("caption.forces"), "lllc" + "c" * (1 + len(origins)), said.prefix + "table.forces")
+    header = [said.say(f"header.{key}") for key in ("force", "acts", "torque_center")]
+    header += [said.say("header.torque_about", point=t.Sym(o)) for o in origins]
+    pose = DrawnPose(derivation.study)
+    rows = tuple(tuple(_entry(step, origins, pose, said)) for step in steps)
+    return Table(tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)),
+                 said.prefix + "table.forces")
 
 
-def _entry(step: Step, origins: int, said: Words) -> tuple[Inlines, ...]:
-    rows = _rows(step)
-    torques = rows[-1 - origins :]
-    vector = (Math(rows[0].items[1]),) if len(rows) > 1 + origins else (Math(t.ZERO),)
-    return ((Math(step.slots["force"]),), _body(step.slots["body"].name, said), _by(step.slots["by"], said), vector,
-            *((Math(row.items[1]),) for row in torques))
-
-
-def _body(name: str, said: Words) -> Inlines:
-    return said.say("plain", text=said.body(name))
+def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
+    rows = relations(step)
+    torques = rows[-1 - len(origins) :]
+    yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
+    kind = "couple" if len(rows) == len(torques) else "acts"
+    variant = "many" if len(pose.study.system.bodies) > 1 else "one"
+    yield said.say(f"forces.{kind}", body=said.body(step.slots["body"].name), by=_by(step.slots["by"], said),
+                   at=_at(step.slots["where"], pose, said), variant=variant)
+    yield from ((Math(row.items[-1]),) for row in torques)
 
 
 def _by(name: str, said: Words) -> Inlines:
-    return said.say(f"forces.{name}") if name in ("earth", "ground", "agent") else said.say("it", body=BodyRef(name))
+    return said.say(f"forces.{name}") if name in PARTIES else said.say("plain", text=BodyRef(name))
 
 
-Sayer = Callable[[Step, Words], Iterator[Block]]
+def _at(label: str, pose: DrawnPose, said: Words) -> Inlines:
+    """Where the force acts, in a word."""
+    body, _, point = label.partition(".")
+    known = body in pose.study.problem.body_names and (point == "cm" or point in pose.study.problem.body(body).points)
+    return point_name(PointRef(label, body, point), pose, said) if known else said.say("plain", text=label)
 
 
-def works_blocks(steps: list[Step], said: Words, say: Sayer) -> Iterator[Block]:
-    """The works as symbols, what cancels, the theorem in its halves, then the works carried out."""
-    kinds = {kind: [s for s in steps if s.rule == kind] for kind in ("work", "workless", "work_energy", "work_done", "solution")}
-    if kinds["work"]:
-        yield Paragraph(said.say("work.intro"))
-        yield _integrals(kinds["work"], said)
-    for step in kinds["workless"]:
-        yield from say(step, said)
-    if kinds["work_energy"]:
-        yield Paragraph(said.say("work.theorem.intro"))
-        for step in kinds["work_energy"]:
-            yield from say(step, said)
-    for step in kinds["solution"]:
-        yield from say(step, said)
-    if kinds["work_done"]:
-        yield Paragraph(said.say("work.done_intro"))
-        yield _done(kinds["work_done"], said)
+def works_table(steps: list[Step], said: Words) -> Table:
+    """Both works of each force as integrals, with unknown forces as symbols."""
+    several = len({step.slots["body"].name for step in steps}) > 1
+    rows = tuple((_whose(step, several, said), *_halves(step)) for step in steps)
+    return Table(_header(said), rows, said.say("caption.works"), "pll" if several else "lll", said.prefix + "table.works")
 
 
-def _integrals(steps: list[Step], said: Words) -> Table:
-    header = tuple(said.say(f"header.{key}") for key in ("force", "on", "translational", "rotational"))
-    rows = tuple(_integral_row(step, said) for step in steps)
-    return Table(header, rows, said.say("caption.works"), "llll", said.prefix + "table.works")
+def _header(said: Words) -> tuple[Inlines, ...]:
+    return tuple(said.say(f"header.{key}") for key in ("force", "translational", "rotational"))
 
 
-def _integral_row(step: Step, said: Words) -> tuple[Inlines, ...]:
-    halves = {_half(row): row for row in _rows(step)}
-    cells = [_cell(halves[half].items[0], halves[half].items[-1]) if half in halves else _nothing() for half in ("T", "theta")]
-    return ((Math(step.slots["force"]),), _body(step.slots["body"].name, said), *cells)
+def _whose(step: Step, several: bool, said: Words) -> Inlines:
+    force = step.slots["force"]
+    return said.say("forces.on", force=force, body=step.slots["body"]) if several else (Math(force),)
+
+
+def _halves(step: Step) -> tuple[Inlines, ...]:
+    """The two works with their symbols; a half that there is not is zero."""
+    found = {_half(row): row for row in relations(step)}
+    return tuple(
+        (Math(t.equation(found[half].items[0], found[half].items[-1])),) if half in found else (Math(t.ZERO),)
+        for half in ("T", "theta")
+    )
 
 
 def _half(row: t.Chain) -> str:
@@ -79,26 +83,18 @@ def _half(row: t.Chain) -> str:
     return "theta" if row.items[0].name.startswith("cal_W_theta") else "T"
 
 
-def _cell(letter: t.Node, value: t.Node) -> Inlines:
-    return (Math(t.equation(letter, value)),)
-
-
-def _nothing() -> Inlines:
-    return (Math(t.ZERO),)
-
-
-def _done(steps: list[Step], said: Words) -> Table:
+def done_table(steps: list[Step], said: Words) -> Table:
     """The works that could be worked out, force by force."""
     found: dict[str, dict[str, Step]] = {}
     for step in steps:
         _, half, rest = step.id.split(".", 2)
         found.setdefault(rest, {})[half] = step
-    header = tuple(said.say(f"header.{key}") for key in ("force", "on", "translational", "rotational"))
-    return Table(header, tuple(_done_row(halves, said) for halves in found.values()), said.say("caption.done"), "llll",
-                 said.prefix + "table.done")
+    several = len({step.slots["body"].name for step in steps}) > 1
+    rows = tuple(_done_row(halves, several, said) for halves in found.values())
+    return Table(_header(said), rows, said.say("caption.done"), "pll" if several else "lll", said.prefix + "table.done")
 
 
-def _done_row(halves: dict[str, Step], said: Words) -> tuple[Inlines, ...]:
+def _done_row(halves: dict[str, Step], several: bool, said: Words) -> tuple[Inlines, ...]:
     step = next(iter(halves.values()))
-    cells = [(Math(halves[half].statement.items[-1]),) if half in halves else _nothing() for half in ("T", "theta")]
-    return ((Math(step.slots["force"]),), _body(step.slots["body"].name, said), *cells)
+    cells = [(Math(halves[half].statement.items[-1]),) if half in halves else (Math(t.ZERO),) for half in ("T", "theta")]
+    return (_whose(step, several, said), *cells)

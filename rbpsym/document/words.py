@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.step import BodyRef, PhraseRef, StepRef
@@ -17,13 +18,15 @@ class Words:
     """How a document speaks of a problem: its language, what labels are there, the bodies' names.
 
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
-    steps that are displayed, so that only these are referred to by number.
+    steps that are displayed, so that only these are referred to by number; `same` maps a step
+    that repeats an earlier one to it.
     """
 
     language: str
     problem: Problem | None = None
     prefix: str = ""
     shown: frozenset[str] = frozenset()
+    same: Mapping[str, str] = field(default_factory=dict)
 
     def say(self, key: str, **slots: Any) -> Inlines:
         """A phrase with all its slots turned into words."""
@@ -41,14 +44,26 @@ class Words:
     def word(self, value: Any) -> Any:
         """One slot."""
         if isinstance(value, BodyRef):
-            return phrase("body.the", self.language, body=self.body(value.name))
+            return self.the(value.name)
         if isinstance(value, StepRef):
-            return (Ref(self.prefix + value.id),) if value.id in self.shown else phrase("ref.above", self.language)
+            return self.step(value.id)
         if isinstance(value, PhraseRef):
             return self.say(value.key, **value.slots) or (Text(""),)
         if isinstance(value, Mapping):
             return self.title(value)
-        return [self.word(item) for item in value] if isinstance(value, list) else value
+        return self.several(value) if isinstance(value, list) else value
+
+    def several(self, values: list) -> list:
+        """A list of slots; steps that are not shown are left out of a list of steps."""
+        if values and all(isinstance(value, StepRef) for value in values):
+            marks = [self.step(value.id) for value in values if self.same.get(value.id, value.id) in self.shown]
+            return list(dict.fromkeys(marks)) or [phrase("ref.above", self.language)]
+        return [self.word(value) for value in values]
+
+    def step(self, id: str) -> Inlines:
+        """The number of a step, or a word for one that is not shown."""
+        first = self.same.get(id, id)
+        return (Ref(self.prefix + first),) if first in self.shown else phrase("ref.above", self.language)
 
     def title(self, titles: Mapping[str, str]) -> str:
         """A text given by language, English or any if there is none in this one."""
@@ -60,7 +75,13 @@ class Words:
             return name.replace("_", " ")
         translated = self.problem.meanings.get(self.language, {}).get(name)
         own = self.problem.body(name).meaning if name in self.problem.body_names else ""
-        return (translated or own or name).replace("_", " ")
+        return translated or own or spaced(name)
+
+    def the(self, name: str) -> Inlines:
+        """The body with its article; one with a number or letter of its own has none."""
+        word = self.body(name)
+        proper = word[-1:].isdigit() or len(word.split()[-1]) == 1
+        return phrase("body.named" if proper else "body.the", self.language, body=word)
 
     def meaning(self, name: str, own: str) -> str:
         """What a quantity means, in this language if the author gave it."""
@@ -70,6 +91,11 @@ class Words:
         """Whether there are words under a key (an empty phrase means: nothing is said)."""
         table = phrases(self.language)
         return bool(table.get(key)) or any(name.startswith(f"{key}.") for name in table)
+
+
+def spaced(name: str) -> str:
+    """A name as words: rod_1 and rod1 are both “rod 1”."""
+    return re.sub(r"(?<=[^\W\d_])(?=\d)", " ", name.replace("_", " "))
 
 
 def capital(inlines: Any) -> Any:

@@ -75,7 +75,7 @@ def _range_of(m: Monomial, assumptions: Assumptions) -> tuple[Bound, Bound]:
 def _depth(m: Monomial, assumptions: Assumptions) -> int:
     """How many generators stand in the bounds: such names are replaced first."""
     ends = [] if _is_constant(m) else _range_of(m, assumptions)
-    return sum(len(end.atoms()) for end in ends if end is not None)
+    return sum(len(end.atoms() - {atoms.PI}) for end in ends if end is not None)
 
 
 def of_cosine(lower: Bound, upper: Bound, is_nonnegative: IsNonnegative) -> Bounds:

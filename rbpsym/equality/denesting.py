@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, UNIT, Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.factoring import reduced, split
 
 if TYPE_CHECKING:
-    from rbpsym.equality.reading import Factors, Reading
+    from rbpsym.equality.factoring import Factors
+    from rbpsym.equality.reading import Reading
 
 HALF = Fraction(1, 2)
 
@@ -52,8 +54,6 @@ def _parts(poly: Poly) -> dict[Monomial, Poly]:
 
 
 def _root_of(reading: Reading, poly: Poly) -> Poly | None:
-    from rbpsym.equality.reading import reduced
-
     parts = _parts(poly)
     if len(parts) != 2 or UNIT not in parts:
         return None
@@ -73,8 +73,6 @@ def _root_index(twice: Poly) -> int:
 
 def square_root(reading: Reading, poly: Poly) -> Poly | None:
     """|D| if the polynomial is a square D²."""
-    from rbpsym.equality.reading import split
-
     if not poly.terms:
         return poly
     rational, powers = poly.content()

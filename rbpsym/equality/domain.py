@@ -77,8 +77,36 @@ def obligations(found: Iterable[Condition], assumptions: Assumptions) -> list[Ob
 
 
 def _why(condition: Condition, assumptions: Assumptions) -> str:
+    if condition.op == ">=" and _is_plainly_nonnegative(condition.node, assumptions):
+        return "a sum of squares and of what is not negative"
     result = sign(condition.value, assumptions, factoring=False)
     return result.certificate or "by assumption" if IMPLIED[condition.op](result) else ""
+
+
+def _is_plainly_nonnegative(node: Node, assumptions: Assumptions) -> bool:
+    rule = PLAINLY.get(type(node))
+    return rule is not None and rule(node, assumptions)
+
+
+def _all_plainly(node: Node, assumptions: Assumptions) -> bool:
+    return all(_is_plainly_nonnegative(child, assumptions) for child in t.children(node))
+
+
+def _is_even(node: Node) -> bool:
+    return isinstance(node, t.Num) and node.value.denominator == 1 and node.value % 2 == 0
+
+
+PLAINLY: dict[type, Callable[[Any, Assumptions], bool]] = {
+    t.Num: lambda node, given: node.value >= 0,
+    t.Sym: lambda node, given: node.name == "pi" or given.sign_of(node.name) in ("positive", "nonnegative"),
+    t.Pow: lambda node, given: _is_even(node.exponent) or _is_plainly_nonnegative(node.base, given),
+    t.Sqrt: lambda node, given: True,
+    t.Abs: lambda node, given: True,
+    t.Add: _all_plainly,
+    t.Mul: _all_plainly,
+    t.Div: _all_plainly,
+    t.Group: _all_plainly,
+}
 
 
 def _conditions(node: Node, scope: Scope) -> Iterator[Condition]:

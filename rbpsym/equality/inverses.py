@@ -11,6 +11,7 @@ from rbpsym.algebra.calculus import root
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
 from rbpsym.algebra.scalar import PI, UNITY, Scalar, lift, quotient
 from rbpsym.equality.bounds import of_angle
+from rbpsym.equality.factoring import cleared, reduced
 
 if TYPE_CHECKING:
     from rbpsym.equality.reading import Reading, Turn
@@ -115,8 +116,6 @@ def _is_principal(reading: Reading, angle: Scalar) -> bool:
 
 def _canonical(image: Poly, arg: Scalar) -> Scalar:
     """The argument in the generators of the reading."""
-    from rbpsym.equality.reading import cleared, reduced
-
     whole, divisors = cleared(image)
     if any(exponent < 0 for _, exponent in whole.content()[1]):
         return arg

@@ -5,6 +5,7 @@ from __future__ import annotations
 MINUS, ZERO, PLUS = 1, 2, 4
 ANY, NONZERO = MINUS | ZERO | PLUS, MINUS | PLUS
 PLUS_ZERO, MINUS_ZERO = PLUS | ZERO, MINUS | ZERO
+DECIDED = (PLUS, MINUS, ZERO)
 BITS = {-1: MINUS, 0: ZERO, 1: PLUS}
 
 NAMES: dict[int, str | None] = {

@@ -12,9 +12,10 @@ from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_zero_form
+from rbpsym.equality.factoring import cleared, reduced
 from rbpsym.equality.masks import NONZERO, ZERO
 from rbpsym.equality.points import all_atoms
-from rbpsym.equality.reading import Constraint, Reading, cleared, reduced
+from rbpsym.equality.reading import Constraint, Reading
 from rbpsym.equality.signs import Study
 from rbpsym.errors import LimitError, Undecided
 

@@ -10,19 +10,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
 from math import prod
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
-from rbpsym.algebra.normal import Bases, reduce_roots, reduce_squares, turn
+from rbpsym.algebra.normal import Bases, turn
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
 from rbpsym.algebra.scalar import Scalar, lift
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
+from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
 from rbpsym.equality.signs import Study
 from rbpsym.errors import Undecided
 
-Factors = dict[Poly, int]
 Turn = tuple[Poly, Poly]
 
 
@@ -89,7 +88,7 @@ class Reading:
             raise ZeroDivisionError
         rational, powers = whole.content()
         rest = whole.scaled(1 / rational, inverse(powers))
-        result = Poly({powers: rational}) ** exponent * _divisor(rest, exponent)
+        result = Poly({powers: rational}) ** exponent * divisor(rest, exponent)
         for factor, k in divisors.items():
             result = result * factor ** (-k * exponent)
         return result
@@ -144,7 +143,7 @@ class Reading:
     def absolute(self, factor: Poly, exponent: int) -> Poly:
         """|factor|^exponent."""
         factor = factor if self.sign(factor) > 0 else -factor
-        return factor**exponent if exponent >= 0 or factor.is_monomial() else _divisor(factor, exponent)
+        return factor**exponent if exponent >= 0 or factor.is_monomial() else divisor(factor, exponent)
 
     def half_power(self, factor: Poly, exponent: int) -> Poly:
         """|factor|^(exponent/2)."""
@@ -153,55 +152,6 @@ class Reading:
             return whole
         inside = factor if self.sign(factor) > 0 else -factor
         return whole * generator(atoms.intern("root", Scalar(inside)))
-
-
-def _divisor(poly: Poly, exponent: int) -> Poly:
-    return generator(atoms.intern("factor", poly)) ** exponent
-
-
-def cleared(poly: Poly) -> tuple[Poly, Factors]:
-    """The polynomial without `factor` generators, and what it must be divided by."""
-    divisors: Factors = {}
-    for index in poly.atoms():
-        found = atoms.atom(index)
-        if found.kind == "factor":
-            poly, divisors[found.arg] = _without(poly, index, found.arg)
-    return poly, {factor: k for factor, k in divisors.items() if k}
-
-
-def _without(poly: Poly, index: int, factor: Poly) -> tuple[Poly, int]:
-    parts = poly.by_power(index)
-    least = min(0, *parts)
-    return accumulate((1, part * factor ** (k - least)) for k, part in parts.items()), -least
-
-
-def reduced(poly: Poly) -> Poly:
-    """Normal form modulo sin² + cos² = 1 and √x² = x (up to a non-zero factor)."""
-    return reduce_roots(reduce_squares(poly))
-
-
-def split(poly: Poly, deep: bool) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
-    """Coefficient and factors; each factor has a positive leading coefficient."""
-    if len(poly) == 1:
-        return Fraction(poly.constant_value() or 0), ()
-    if deep:
-        return _factor_list(poly)
-    lead = poly.terms[min(poly.terms)]
-    return (Fraction(1), ((poly, 1),)) if lead > 0 else (Fraction(-1), ((-poly, 1),))
-
-
-@lru_cache(maxsize=512)
-def _factor_list(poly: Poly) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
-    from rbpsym.algebra.sympy_bridge import factors
-
-    coefficient, found = factors(poly)
-    total, parts = Fraction(coefficient), []
-    for factor, k in found:
-        rational, _ = factor.content()
-        rational = -rational if factor.terms[min(factor.terms)] < 0 else rational
-        total *= rational**k
-        parts.append((factor.scaled(1 / rational), k))
-    return total, tuple(parts)
 
 
 def _of_root(reading: Reading, arg: Scalar) -> Poly:
@@ -245,20 +195,6 @@ def _is_generator(factor: Poly) -> bool:
     return factor.is_monomial() and len(next(iter(factor.terms))) == 1
 
 
-def primes(value: Fraction) -> dict[int, int]:
-    """Prime factors with exponents (a large rest counts as one)."""
-    found: dict[int, int] = {}
-    for number, direction in ((value.numerator, 1), (value.denominator, -1)):
-        p = 2
-        while p * p <= number and p < 10_000:
-            while number % p == 0:
-                number, found[p] = number // p, found.get(p, 0) + direction
-            p += 1
-        if number > 1:
-            found[number] = found.get(number, 0) + direction
-    return found
-
-
 def _wave(place: int):
     def image(reading: Reading, angle: Poly) -> Poly:
         return _turn_of(reading, angle)[place]
@@ -297,7 +233,7 @@ def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
     if not reading.deep:
         return tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
     t = generator(atoms.intern("half", angle))
-    below = _divisor(ONE + t * t, -1)
+    below = divisor(ONE + t * t, -1)
     return (ONE - t * t) * below, t.scaled(2) * below
 
 

@@ -8,21 +8,18 @@ Bernstein coefficients in one generator, which are polynomials in the others.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import comb
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import partner, without_squares
-from rbpsym.algebra.poly import ONE, Poly, inverse
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import bounds as b
-from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.equality.constants import is_algebraic, is_zero_number
-from rbpsym.equality.masks import ANY, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, ZERO, flip, plus, power, times
-from rbpsym.equality.points import Point, names_of
+from rbpsym.equality.masks import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times
+from rbpsym.equality.samples import Samples
+from rbpsym.equality.sign_rules import QUICK, RULES
 from rbpsym.errors import LimitError, Undecided
 
-MOST_STUDIES = 600
+MOST_STUDIES, FEW_STUDIES = 600, 150
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +62,12 @@ class Study:
     found: dict[Poly, int] = field(default_factory=dict)
     reasons: dict[Poly, str] = field(default_factory=dict)
     limits: dict[int, b.Bounds] = field(default_factory=dict)
-    left: int = MOST_STUDIES
+    left: int = field(init=False)
+    samples: Samples = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.left = MOST_STUDIES if self.factoring else FEW_STUDIES
+        self.samples = Samples(self.assumptions)
 
     def scalar(self, value: Scalar) -> int:
         """What sign a value may have."""
@@ -77,15 +79,20 @@ class Study:
         if poly in self.found:
             return self.found[poly]
         self.found[poly], self.left = ANY, self.left - 1
-        mask = ANY
-        for rule, reason in RULES if self.left > 0 else RULES[:2]:
+        mask = self._narrowed(poly, ANY, QUICK)
+        if mask not in DECIDED and self.left > 0 and not self.samples.has_both_signs(poly):
+            mask = self._narrowed(poly, mask, RULES)
+        self.found[poly] = mask
+        return mask
+
+    def _narrowed(self, poly: Poly, mask: int, rules: tuple) -> int:
+        for rule, reason in rules:
             found = rule(self, poly)
             if found & mask != mask:
                 mask &= found
                 self.reasons[poly] = reason
-            if mask in (PLUS, MINUS, ZERO):
+            if mask in DECIDED:
                 break
-        self.found[poly] = mask
         return mask
 
     def monomial(self, m: tuple) -> int:
@@ -151,186 +158,3 @@ BOUNDS = {
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),
     "half": lambda study, angle: b.of_half_tangent(angle, study.assumptions, study.is_nonnegative),
 }
-
-
-def _by_terms(study: Study, poly: Poly) -> int:
-    """The sum of the signs of all terms."""
-    mask = ZERO
-    for m, c in poly.terms.items():
-        term = study.monomial(m)
-        mask = plus(mask, term if c > 0 else flip(term))
-        if mask == ANY:
-            return ANY
-    return mask
-
-
-def _by_number(study: Study, poly: Poly) -> int:
-    """A number, by enclosing it."""
-    if names_of([Scalar(poly)]):
-        return ANY
-    try:
-        found = enclosure.sign_of(Point({}).poly(poly))
-    except enclosure.Outside:
-        return ANY
-    if found is None and all(is_algebraic(index) for index in poly.atoms()) and is_zero_number(poly):
-        return ZERO
-    return {1: PLUS, 0: ZERO, -1: MINUS, None: ANY}[found]
-
-
-def _by_content(study: Study, poly: Poly) -> int:
-    """A monomial taken out."""
-    _, powers = poly.content()
-    if not powers:
-        return ANY
-    return times(study.monomial(powers), study.poly(poly.scaled(1, inverse(powers))))
-
-
-def _by_quadratic(study: Study, poly: Poly) -> int:
-    """A x² + B x + C without real zeros, for some generator x."""
-    mask = ANY
-    for index in poly.atoms():
-        parts = poly.by_power(index)
-        if set(parts) <= {0, 1, 2} and 2 in parts:
-            mask &= _quadratic(study, parts)
-    return mask
-
-
-def _quadratic(study: Study, parts: dict[int, Poly]) -> int:
-    a, linear, constant = parts[2], parts.get(1, Poly({})), parts.get(0, Poly({}))
-    lead = study.poly(a)
-    if lead not in (PLUS, MINUS):
-        return ANY
-    discriminant = study.poly(linear * linear - (a * constant).scaled(4))
-    return {MINUS: lead, ZERO: lead | ZERO, MINUS | ZERO: lead | ZERO}.get(discriminant, ANY)
-
-
-def _by_squares(study: Study, poly: Poly) -> int:
-    """The same with sin² or cos² replaced through the other."""
-    mask = ANY
-    for index in sorted(poly.atoms()):
-        if partner(index) is not None:
-            other = without_squares(poly, index)
-            if other is not poly and other != poly:
-                mask &= study.poly(other)
-    return mask
-
-
-def _by_bounds(study: Study, poly: Poly) -> int:
-    """One sign on the whole range of some generator (those whose bounds hold others first)."""
-    mask = ANY
-    for index in sorted(poly.atoms(), key=lambda i: _order(study.bounds(i))):
-        limits = study.bounds(index)
-        if limits.lower is not None or limits.upper is not None:
-            mask &= _on_range(study, poly, index, limits)
-        if mask in (PLUS, MINUS, ZERO):
-            return mask
-    return mask
-
-
-def _order(limits: b.Bounds) -> int:
-    ends = [end for end in (limits.lower, limits.upper) if end is not None]
-    return -len(names_of(ends))
-
-
-def _on_range(study: Study, poly: Poly, index: int, limits: b.Bounds) -> int:
-    parts = poly.by_power(index)
-    if min(parts) < 0 or max(parts) > 8 or max(parts) < 1:
-        return ANY
-    parts = {k: Scalar(part) for k, part in parts.items()}
-    lower, upper = limits.lower, limits.upper
-    if lower is not None and upper is not None:
-        found = _finite(parts, lower, upper)
-        reached = (limits.lower_in, limits.upper_in)
-    elif lower is not None:
-        found, reached = _shifted(parts, lower, 1), (limits.lower_in, False)
-    else:
-        found, reached = _shifted(parts, upper, -1), (limits.upper_in, False)
-    return _common(study, found, reached)
-
-
-def _common(study: Study, coefficients: list[Scalar], reached: tuple[bool, bool]) -> int:
-    """The sign of Σ coefficient × positive function; an end that is reached leaves one term."""
-    mask, last = ZERO, len(coefficients) - 1
-    signs = []
-    for coefficient in coefficients:
-        signs.append(study.scalar(coefficient))
-        mask = plus(mask, signs[-1])
-        if mask == ANY:
-            return ANY
-    if reached[0]:
-        mask |= signs[0]
-    return mask | signs[last] if reached[1] else mask
-
-
-def _finite(parts: dict[int, Scalar], lower: Scalar, upper: Scalar) -> list[Scalar]:
-    """Coefficients in u of (1 + u)^n p((lower + upper u)/(1 + u)), u > 0."""
-    degree = max(parts)
-    total = [NOTHING] * (degree + 1)
-    for k, part in parts.items():
-        factor = [UNITY]
-        for _ in range(k):
-            factor = _times_linear(factor, lower, upper)
-        for place, value in enumerate(factor):
-            for more in range(degree - k + 1):
-                total[place + more] = total[place + more] + part * value * comb(degree - k, more)
-    return total
-
-
-def _times_linear(coefficients: list[Scalar], constant: Scalar, slope: Scalar) -> list[Scalar]:
-    low = [value * constant for value in coefficients] + [NOTHING]
-    high = [NOTHING] + [value * slope for value in coefficients]
-    return [x + y for x, y in zip(low, high, strict=True)]
-
-
-def _shifted(parts: dict[int, Scalar], end: Scalar, direction: int) -> list[Scalar]:
-    """Coefficients in u of p(end ± u), u > 0."""
-    total = [NOTHING] * (max(parts) + 1)
-    for k, part in parts.items():
-        for j in range(k + 1):
-            total[j] = total[j] + part * end ** (k - j) * (comb(k, j) * direction**j)
-    return total
-
-
-def _by_root(study: Study, poly: Poly) -> int:
-    """A + B√x with A and B of opposite signs: compare A² with B² x."""
-    for index in poly.atoms():
-        found = atoms.atom(index)
-        parts = poly.by_power(index)
-        if found.kind == "root" and set(parts) == {0, 1}:
-            a, factor = study.poly(parts[0]), study.poly(parts[1])
-            if a in (PLUS, MINUS) and factor == flip(a):
-                square = Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * found.arg
-                return times(a, study.scalar(square))
-    return ANY
-
-
-def _by_factors(study: Study, poly: Poly) -> int:
-    """The product of the signs of irreducible factors."""
-    if not study.factoring or len(poly) < 2 or _is_linear(poly):
-        return ANY
-    from rbpsym.algebra.sympy_bridge import factors
-
-    _, powers = poly.content()
-    coefficient, found = factors(poly.scaled(1, inverse(powers)))
-    if len(found) == 1 and found[0][1] == 1:
-        return ANY
-    mask = times(study.monomial(powers), PLUS if coefficient > 0 else MINUS)
-    for factor, exponent in found:
-        mask = times(mask, power(study.poly(factor), exponent))
-    return mask
-
-
-def _is_linear(poly: Poly) -> bool:
-    return all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms)
-
-
-RULES = (
-    (_by_terms, "all terms have this sign"),
-    (_by_number, "it is a number"),
-    (_by_content, "a common factor is taken out"),
-    (_by_root, "squares are compared"),
-    (_by_quadratic, "a quadratic with this discriminant has no change of sign"),
-    (_by_bounds, "it has this sign on the whole range of a generator"),
-    (_by_squares, "by sin² + cos² = 1"),
-    (_by_factors, "the signs of its factors"),
-)

@@ -3,43 +3,85 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
-from rbpsym.mechanics.conditions import all_conditions, contradiction, solve_explicitly
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.conditions import contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, Setting
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.placing import locator, poses
+from rbpsym.mechanics.placing import locator, open_names, poses, still_open
+from rbpsym.mechanics.rates import CLOCK
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
-from rbpsym.statement.model import Element, Problem
+from rbpsym.mechanics.tying import Tied, tie
+from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Problem
 
 
 def assemble(problem: Problem) -> System:
     """Kinematics and forces of a problem. Raises StatementError if the poses can't be or contradict."""
     inertias = {body.name: inertia(body) for body in problem.bodies}
     given = poses(problem, inertias)
-    names = tuple(c.name for c in problem.coordinates)
-    conditions = all_conditions(problem, locator(problem, inertias, given), given)
-    solved, implicit = solve_explicitly(conditions, _by_preference(problem))
-    placed = {name: _settled(pose, solved) for name, pose in given.items()}
-    free = tuple(name for name in names if name not in solved)
-    _refuse_frozen(problem, implicit, free)
-    scope, independent = _rates(free, implicit, problem)
+    names = (*_by_preference(problem), *open_names(given))
+    tied = tie(problem, inertias, given, names)
+    placed = {name: _settled(pose, tied.solved) for name, pose in given.items()}
+    left = open_names(placed)
+    if left:
+        raise still_open(problem, left[0])
+    free = tuple(c.name for c in problem.coordinates if c.name not in tied.solved)
+    solved = {c.name: tied.solved[c.name] for c in problem.coordinates if c.name in tied.solved}
+    _refuse_frozen(problem, tied.implicit, free)
+    scope, independent = _rates(free, tied, problem)
+    scope = _with_clock(scope, problem, placed)
     states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
-    bare = System(problem, free, solved, states, (), conditions, implicit, scope, independent)
+    bare = System(problem, free, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
+    _check_start_speeds(bare)
     return _with_forces(bare, locator(problem, inertias, placed))
 
 
+def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose]) -> Scope:
+    """The time runs where something depends on it explicitly."""
+    values = [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
+    values += [scalar(node) for e in problem.interactions for v in e.values.values() for node in _nodes(v)]
+    if not any(depends_on(value, CLOCK) for value in values):
+        return scope
+    return replace(scope, rates={**scope.rates, CLOCK: UNITY})
+
+
+def _nodes(value: object) -> list[Node]:
+    parts = value if isinstance(value, tuple) else (value,)
+    return [part for part in parts if isinstance(part, Node)]
+
+
+def _check_start_speeds(system: System) -> None:
+    """A start speed that a constraint ties to others must agree with them."""
+    for coordinate in system.problem.coordinates:
+        if coordinate.name in system.independent or coordinate.speed is None or not scalar(coordinate.speed):
+            continue
+        rate = system.scope.rates.get(coordinate.name)
+        if rate is None:
+            rate = time_derivative(system.dependent[coordinate.name], system.scope)
+        if not is_zero(substitute(rate, system.scope.start) - scalar(coordinate.speed)):
+            raise StatementError(
+                f"the start speed of “{coordinate.name}” contradicts the constraints, which tie it to the other speeds",
+                instead="leave it out, or give that of the other coordinate.",
+                place=coordinate.place,
+            )
+
+
 def _by_preference(problem: Problem) -> tuple[str, ...]:
-    """Coordinates that are best kept come first: those whose start the author gives, angles."""
+    """Coordinates that are best kept come first: those with a start and a start speed, angles."""
     def rank(c) -> tuple:
-        return (c.start is None, c.quantity.dimension.length != 0)
+        moves = c.speed is not None and bool(scalar(c.speed))
+        return (c.start is None, not moves, c.quantity.dimension.length != 0)
 
     return tuple(c.name for c in sorted(problem.coordinates, key=rank))
 
@@ -66,10 +108,10 @@ def _text(value: Scalar) -> str:
     return to_machine(present(value))
 
 
-def _rates(free: tuple[str, ...], implicit: tuple[Condition, ...], problem: Problem) -> tuple[Scope, tuple[str, ...]]:
+def _rates(free: tuple[str, ...], tied: Tied, problem: Problem) -> tuple[Scope, tuple[str, ...]]:
     """Time derivatives of coordinates and speeds; dependent speeds from the implicit conditions."""
     speeds = {name: symbol(f"{name}_dot") for name in free}
-    dependent = _dependent_speeds(free, implicit, problem) if implicit else {}
+    dependent = _dependent_speeds(free, tied, problem) if tied.implicit or tied.speeds else {}
     independent = tuple(name for name in free if f"{name}_dot" not in dependent)
     rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
@@ -79,12 +121,13 @@ def _rates(free: tuple[str, ...], implicit: tuple[Condition, ...], problem: Prob
     return Scope(rates=rates, start=start), independent
 
 
-def _dependent_speeds(free, implicit, problem: Problem) -> dict[str, Scalar]:
-    """Speeds that the implicit conditions fix, solved in terms of the others."""
+def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
+    """Speeds that the conditions fix, solved in terms of the others."""
     unknowns = tuple(f"{name}_dot" for name in reversed([n for n in _by_preference(problem) if n in free]))
-    rows = []
-    for condition in implicit:
-        rows.append(sum((derivative(condition.value, n) * symbol(f"{n}_dot") for n in free), NOTHING))
+    rows = [condition.value for condition in tied.speeds]
+    for condition in tied.implicit:
+        parts = (derivative(condition.value, n) * symbol(f"{n}_dot") for n in free)
+        rows.append(sum(parts, derivative(condition.value, CLOCK)))
     return solve_linear(rows, unknowns, keep_free=True).values
 
 
@@ -123,11 +166,12 @@ def setting_of(system: System, where) -> Setting:
 
 def _with_forces(system: System, where) -> System:
     setting = setting_of(system, where)
+    placed = {name: state.pose for name, state in system.bodies.items()}
+    geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies)
     applied = [f for e in system.problem.interactions for f in LAWS[e.kind].forces(e, setting)]
-    kept = [f for e in system.problem.constraints for f in JOINTS[e.kind].forces(e, where, _sides(system, setting))]
+    kept = [f for e in system.problem.constraints for f in JOINTS[e.kind].forces(e, geometry)]
     forces = tuple(_in_coordinates(force, system.dependent, system.scope) for force in (*applied, *kept))
-    return System(system.problem, system.coordinates, system.dependent, system.bodies, forces,
-                  system.conditions, system.implicit, system.scope, system.independent)
+    return replace(system, forces=forces)
 
 
 def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) -> Force:
@@ -138,15 +182,3 @@ def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) ->
         return force
     return Force(force.name, force.on, force.by, force.point.substitute(images), force.vector.substitute(images),
                  substitute(force.couple, images), force.unknowns, force.law, force.where)
-
-
-def _sides(system: System, setting: Setting):
-    """+1 or -1 for a contact: the side of the line on which the body is."""
-    def side(element: Element) -> int:
-        if element["side"] != "auto":
-            return 1 if element["side"] == "positive" else -1
-        line, center = element["line"], system.bodies[element["point"].body].center
-        height = scalar(line.a) * center.x + scalar(line.b) * center.y - scalar(line.c)
-        return -1 if not is_zero(height) and setting.is_positive(height) is False else 1
-
-    return side

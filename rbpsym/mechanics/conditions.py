@@ -11,17 +11,18 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.system import Condition, Pose
 from rbpsym.statement.model import Element, Problem
 
 
-def all_conditions(problem: Problem, where: Callable, placed: Mapping[str, Pose]) -> tuple[Condition, ...]:
-    """Every scalar condition of every constraint, as `value = 0`, in the poses as given."""
-    return tuple(c for element in problem.constraints for c in _of(element, problem, where, placed))
+def all_conditions(problem: Problem, geometry: Geometry) -> tuple[Condition, ...]:
+    """Every scalar condition of every constraint on the position, as `value = 0`, in the poses as given."""
+    return tuple(c for element in problem.constraints for c in _of(element, problem, geometry))
 
 
-def _of(element: Element, problem: Problem, where: Callable, placed: Mapping[str, Pose]) -> list[Condition]:
-    joint, found = JOINTS[element.kind], []
+def _of(element: Element, problem: Problem, geometry: Geometry) -> list[Condition]:
+    joint, found, where, placed = JOINTS[element.kind], [], geometry.where, geometry.poses
     for first, second in joint.joins(element):
         found += _meeting(element, first, where(second), where, problem)
     for join in joint.angles(element):
@@ -30,7 +31,7 @@ def _of(element: Element, problem: Problem, where: Callable, placed: Mapping[str
         at, line = where(touch.point), touch.line
         value = scalar(line.a) * at.x + scalar(line.b) * at.y - scalar(line.c)
         found.append(Condition(element.name, value, "line"))
-    return found
+    return found + [Condition(element.name, value, what) for value, what in joint.gaps(element, geometry)]
 
 
 def _meeting(element: Element, first, second: Vector, where: Callable, problem: Problem) -> list[Condition]:
@@ -96,15 +97,16 @@ def _is_linear(value: Scalar, name: str, names: tuple[str, ...]) -> bool:
 
 def contradiction(condition: Condition, element: Element, text: str) -> StatementError:
     """The sentence for a condition that the given poses can't satisfy while they move."""
-    touches = JOINTS[element.kind].touches(element)
-    point = touches[0].point.label if touches else " and ".join(
-        ref.label for join in JOINTS[element.kind].joins(element) for ref in join if ref
-    )
     return StatementError(
-        f"the constraint “{element.name}” ({element.kind} of {point}) contradicts the poses: "
+        f"the constraint “{element.name}” ({element.kind} of {' and '.join(_subjects(element))}) contradicts the poses: "
         f"it asks for {text} = 0, which does not hold while the coordinates vary",
         instead="check the pose (center, angle) of the bodies that it joins, and which point it names.",
         place=element.place,
     )
 
 
+def _subjects(element: Element) -> list[str]:
+    """The points and bodies that an element speaks of, as the author wrote them."""
+    values = [element.values[key] for key in ("point", "points", "body", "path") if key in element.values]
+    flat = [part for value in values for part in (value if isinstance(value, tuple) else (value,))]
+    return [part if isinstance(part, str) else getattr(part, "center", part).label for part in flat]

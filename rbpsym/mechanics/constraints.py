@@ -1,7 +1,6 @@
 """What each kind of constraint says: which points and angles it joins, and its unknown forces.
 
-A new kind is a new entry of `JOINTS`: its joins of points, of angles, its points on lines,
-and the forces by which it keeps them.
+A new kind is a new entry of `JOINTS`: the forces by which it keeps its conditions, and these.
 """
 
 from __future__ import annotations
@@ -9,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import EX, EY, Vector, cartesian
-from rbpsym.mechanics.inertia import tidy
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.vector import EX, EY, ORIGIN, Vector
+from rbpsym.mechanics import strings
+from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces
+from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.model import Element, Line, PointRef
 
@@ -37,14 +37,27 @@ class Touch:
     side: str
 
 
+def _none(element: Element, geometry: Geometry | None = None) -> tuple:
+    return ()
+
+
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A kind of constraint: what it joins, and its forces given the positions of points."""
+    """A kind of constraint: its forces, and what it asks for.
 
-    joins: Callable[[Element], tuple[tuple[PointRef | None, PointRef], ...]]
-    angles: Callable[[Element], tuple[AngleJoin, ...]]
-    touches: Callable[[Element], tuple[Touch, ...]]
-    forces: Callable[[Element, Callable[[PointRef], Vector], Callable[[Element], int]], tuple[Force, ...]]
+    `joins`: points that coincide; `angles` that are tied; `touches`: points on fixed lines;
+    `gaps`: (value, what it is) of further quantities of position that vanish; `rates`: (unknown,
+    factor) of unknown forces whose power per unit of force, times the factor, vanishes: a
+    condition for the speeds. The forces of a one-sided constraint can push (or pull) only.
+    """
+
+    forces: Callable[[Element, Geometry], tuple[Force, ...]]
+    joins: Callable[[Element], tuple[tuple[PointRef | None, PointRef], ...]] = _none
+    angles: Callable[[Element], tuple[AngleJoin, ...]] = _none
+    touches: Callable[[Element], tuple[Touch, ...]] = _none
+    gaps: Callable[[Element, Geometry], tuple[tuple[Scalar, str], ...]] = _none
+    rates: Callable[[Element, Geometry], tuple[tuple[str, Scalar], ...]] = _none
+    is_one_sided: bool = False
 
 
 def unknown(element: Element) -> tuple[Vector, tuple[str, str]]:
@@ -53,29 +66,34 @@ def unknown(element: Element) -> tuple[Vector, tuple[str, str]]:
     return EX * symbol(names[0]) + EY * symbol(names[1]), names
 
 
-def _pivot_forces(element: Element, where, side) -> tuple[Force, ...]:
+def _pivot_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     ref = element["point"]
     vector, names = unknown(element)
-    return (Force(element.name, ref.body, "ground", where(ref), vector, unknowns=names, where=ref.label),)
+    return (Force(element.name, ref.body, "ground", geometry.where(ref), vector, unknowns=names, where=ref.label),)
 
 
-def _pair_of_forces(element: Element, where, couple: Scalar, more: tuple[str, ...]) -> tuple[Force, ...]:
-    """The force on the second body, and its reaction on the first if that is a body."""
+def _pair_of_forces(element: Element, geometry: Geometry, couple: Scalar, more: tuple[str, ...]) -> tuple[Force, ...]:
+    """The force on the second body, and its reaction on the first if that is a body.
+
+    Each acts at the body's own point: where the condition is not an identity of the poses, the two
+    points coincide only on the motions that it allows, and on these the pair does no work by form.
+    """
     first, second = element["points"]
     vector, names = unknown(element)
     names += more
     if second.body is None:
         first, second = second, first
-    here = where(second)
-    forces = [Force(element.name, second.body, first.body or "ground", here, vector, couple, names, where=second.label)]
+    forces = [Force(element.name, second.body, first.body or "ground", geometry.where(second), vector, couple, names,
+                    where=second.label)]
     if first.body is not None:
-        forces.append(Force(element.name, first.body, second.body, here, -vector, -couple, names, where=first.label))
+        forces.append(Force(element.name, first.body, second.body, geometry.where(first), -vector, -couple, names,
+                            where=first.label))
     return tuple(forces)
 
 
-def _weld_forces(element: Element, where, side) -> tuple[Force, ...]:
+def _weld_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     name = element["couple"]
-    return _pair_of_forces(element, where, symbol(name), (name,))
+    return _pair_of_forces(element, geometry, symbol(name), (name,))
 
 
 def _weld_angles(element: Element) -> tuple[AngleJoin, ...]:
@@ -86,50 +104,64 @@ def _weld_angles(element: Element) -> tuple[AngleJoin, ...]:
     return (AngleJoin(first.body, second.body, offset),)
 
 
-def normal(line: Line) -> Vector:
-    """The unit vector across the line, towards growing a x + b y.
-
-    Denominators are cleared first, so that y = x tan β gives (-sin β, cos β); a slope angle is
-    therefore taken between -90° and 90°.
-    """
-    a, b = _cleared(scalar(line.a), scalar(line.b))
-    length = root(tidy(a * a + b * b))
-    return cartesian(a / length, b / length)
+def _touches(element: Element) -> tuple[Touch, ...]:
+    """A point of a body on a fixed line."""
+    if element["line"] is None or element["of"] is not None:
+        return ()
+    return (Touch(element["point"], element["line"], element.values.get("side", "auto")),)
 
 
-def _cleared(a: Scalar, b: Scalar) -> tuple[Scalar, Scalar]:
-    """Both multiplied by what stands below in them."""
-    below: dict[int, int] = {}
-    for poly in (a.num, b.num):
-        for m in poly.terms:
-            for index, exponent in m:
-                below[index] = max(below.get(index, 0), -exponent)
-    factor = Scalar(Poly({tuple(sorted((i, e) for i, e in below.items() if e)): 1}))
-    return a * factor, b * factor
+def _curve_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
+    return () if "point" in element.values and _touches(element) else ((meeting(element, geometry).gap, "gap"),)
 
 
-def _contact_forces(element: Element, where, side) -> tuple[Force, ...]:
-    ref = element["point"]
-    push = normal(element["line"]) * (symbol(element.name) * side(element))
-    return (Force(element.name, ref.body, "ground", where(ref), push, unknowns=(element.name,), where=ref.label),)
+def _slips(element: Element, geometry: Geometry) -> tuple[tuple[str, Scalar], ...]:
+    """What is held by friction does not slip: the power of the friction vanishes."""
+    return ((element["friction"], UNITY),)
 
 
-def _none(element: Element) -> tuple:
-    return ()
+def _slider_angles(element: Element) -> tuple[AngleJoin, ...]:
+    return (AngleJoin(element["of"], element["point"].body, None),)
+
+
+def _string_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
+    found = strings.gap(element, geometry)
+    return () if found is None else ((found, "length"),)
+
+
+def _driven_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
+    place = geometry.where(element["point"])
+    return ((pair(element["along"]).dot(place) - scalar(element["distance"]), "driven"),)
+
+
+def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    ref, push = element["point"], pair(element["along"]) * symbol(element.name)
+    return (Force(element.name, ref.body, "agent", geometry.where(ref), push, unknowns=(element.name,), where=ref.label),)
+
+
+def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:
+    return (AngleJoin(None, element["body"], scalar(element["angle"])),)
+
+
+def _driving_couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    name = element["body"]
+    return (Force(element.name, name, "agent", geometry.center(name), ORIGIN, symbol(element.name), (element.name,),
+                  where=f"{name}.cm"),)
 
 
 JOINTS: Mapping[str, Joint] = {
-    "pivot": Joint(
-        lambda e: ((_fixed(e), e["point"]),), _none, _none, _pivot_forces,
-    ),
-    "pin": Joint(
-        lambda e: (tuple(e["points"]),), _none, _none,
-        lambda e, where, side: _pair_of_forces(e, where, NOTHING, ()),
-    ),
-    "weld": Joint(lambda e: (tuple(e["points"]),), _weld_angles, _none, _weld_forces),
-    "contact": Joint(
-        _none, _none, lambda e: (Touch(e["point"], e["line"], e["side"]),), _contact_forces,
-    ),
+    "pivot": Joint(_pivot_forces, joins=lambda e: ((_fixed(e), e["point"]),)),
+    "pin": Joint(lambda e, geometry: _pair_of_forces(e, geometry, NOTHING, ()), joins=lambda e: (tuple(e["points"]),)),
+    "weld": Joint(_weld_forces, joins=lambda e: (tuple(e["points"]),), angles=_weld_angles),
+    "contact": Joint(normal_forces, touches=_touches, gaps=_curve_gaps, is_one_sided=True),
+    "guide": Joint(normal_forces, touches=_touches, gaps=_curve_gaps),
+    "slider": Joint(normal_forces, touches=_touches, gaps=_curve_gaps, angles=_slider_angles),
+    "touch": Joint(normal_forces, gaps=_curve_gaps, is_one_sided=True),
+    "rolling": Joint(holding_forces, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
+    "sticking": Joint(holding_forces, touches=_touches, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
+    "string": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, is_one_sided=True),
+    "prescribed": Joint(_driving_force, gaps=_driven_gaps),
+    "prescribed-angle": Joint(_driving_couple, angles=_driven_angles),
 }
 
 

@@ -136,11 +136,11 @@ def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     found = _pair(element, name, met, met.normal * symbol(name), turn, names)
     if element.values.get("coefficient") is None:
         return found
-    drag = met.forward * (scalar(element["coefficient"]) * symbol(name) * -_slip(element, geometry, met))
+    drag = met.forward * (scalar(element["coefficient"]) * symbol(name) * -slip_sense(element, geometry, met))
     return (*found, *_pair(element, element["friction"], met, drag, NOTHING, (name,)))
 
 
-def _slip(element: Element, geometry: Geometry, met: Meeting) -> int:
+def slip_sense(element: Element, geometry: Geometry, met: Meeting) -> int:
     """1 if what touches slips forward over the curve, -1 if backward."""
     if element["slip"] != "auto":
         return 1 if element["slip"] == "forward" else -1

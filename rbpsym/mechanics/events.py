@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import factor_zeros, numerator_factors
 from rbpsym.mechanics.system import System
+from rbpsym.statement.model import Element
+from rbpsym.statement.paths import tensions
 
-ONE_SIDED = ("contact",)
 EDGE = 1e-9  # a zero at the end of the range is not a loss on the way
 
 
@@ -31,9 +33,16 @@ def losses(system: System, along: Mapping[str, Scalar]) -> tuple[Loss, ...]:
     if system.implicit:
         return ()
     for element in system.problem.constraints:
-        if element.kind in ONE_SIDED and element.name in along:
-            found += _of(system, element.name, along[element.name])
+        for name in pushes(element):
+            found += _of(system, name, along[name]) if name in along else []
     return tuple(found)
+
+
+def pushes(element: Element) -> tuple[str, ...]:
+    """The unknown forces of an element that can push (or pull) only: normal forces, tensions."""
+    if not JOINTS[element.kind].is_one_sided:
+        return ()
+    return tensions(element) if element.kind == "string" else (element.name,)
 
 
 def _of(system: System, name: str, value: Scalar) -> list[Loss]:

@@ -31,7 +31,7 @@ def from_integral(system: System, integral: Scalar) -> Scalar | None:
     """q̇² from (½ m(q) q̇² + U(q)) at start and now."""
     [name] = system.independent
     speed = f"{name}_dot"
-    if name not in system.scope.start:
+    if any(other not in system.scope.start for other in (name, *_coordinates_in(integral, system))):
         return None
     half_mass = derivative(derivative(integral, speed), speed) / 2
     rest = substitute(integral, {speed: NOTHING})
@@ -39,6 +39,10 @@ def from_integral(system: System, integral: Scalar) -> Scalar | None:
         return None
     start = substitute(integral, system.scope.start)
     return short((start - rest) / half_mass)
+
+
+def _coordinates_in(value: Scalar, system: System) -> list[str]:
+    return [name for name in (*system.coordinates, "t") if depends_on(value, name)]
 
 
 def _decoupled(system: System, dynamics: Dynamics) -> dict[str, Scalar]:

@@ -14,7 +14,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import RbpsymError
-from rbpsym.quantities import ACCELERATION
+from rbpsym.quantities import ACCELERATION, NUMBER
 from rbpsym.statement.model import Coordinate, Problem
 
 Numbers = Mapping[str, float]
@@ -59,6 +59,7 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
     `example` holds the author's own numbers for some of them ("0.25 m", "60 deg").
     """
     numbers = {q.name: _parameter(q.name, place, q) for place, q in enumerate(problem.parameters)}
+    _make_room(problem, numbers)
     numbers |= _starts(problem, numbers)
     numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
     for coordinate in problem.coordinates:
@@ -66,6 +67,16 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
         numbers[f"{coordinate.name}_dot"] = _speed(coordinate, numbers)
     numbers["t"] = 0.0
     return numbers
+
+
+def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
+    """What rolls inside a circle is smaller than it."""
+    for element in problem.constraints:
+        if element.values.get("side") == "inside" and element.values.get("rim") is not None:
+            radius, rim = (_bound(element[key], numbers) for key in ("radius", "rim"))
+            name = getattr(element["radius"], "name", None)
+            if name in numbers and None not in (radius, rim) and radius < 2 * rim:
+                numbers[name] = 2.3 * rim
 
 
 def _read(text: str) -> float | None:
@@ -81,7 +92,10 @@ def _read(text: str) -> float | None:
 def _parameter(name: str, place: int, quantity) -> float:
     if quantity.dimension == ACCELERATION and name == "g":
         return 9.81
-    return 1.0 + 0.31 * ((place * 7) % 5) / 2 if quantity.sign != "real" else 0.4 + 0.1 * (place % 3)
+    if quantity.sign == "real":
+        return 0.4 + 0.1 * (place % 3)
+    generic = 1.0 + 0.31 * ((place * 7) % 5) / 2
+    return 0.4 * generic if quantity.dimension == NUMBER else generic  # an acute angle
 
 
 def _starts(problem: Problem, numbers: dict[str, float]) -> dict[str, float]:

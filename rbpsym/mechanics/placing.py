@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Vector, cartesian
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.constraints import JOINTS
@@ -19,15 +20,42 @@ Inertias = Mapping[str, Inertia]
 
 
 def poses(problem: Problem, inertias: Inertias) -> dict[str, Pose]:
-    """The pose of every body. Raises StatementError naming a body that nothing places."""
+    """The pose of every body; what is left to conditions stands in it as a symbol (`open_name`)."""
     angles = _angles(problem)
     origins = _given_origins(problem, inertias, angles)
     _follow_joins(problem, inertias, angles, origins)
     _follow_lines(problem, inertias, angles, origins)
-    missing = [name for name in problem.body_names if name not in origins]
-    if missing:
-        raise _unplaced(problem.body(missing[0]))
+    for name in problem.body_names:
+        if name not in origins:
+            origins[name] = cartesian(*(symbol(open_name(name, axis)) for axis in "xy"))
+            _follow_joins(problem, inertias, angles, origins)
     return {name: Pose(origins[name], angles[name]) for name in problem.body_names}
+
+
+def open_name(body: str, what: str) -> str:
+    """The symbol of what no one says of a pose: "x", "y" (of the frame's origin) or "angle"."""
+    return f"{body}.{what}"
+
+
+def open_names(placed: Mapping[str, Pose]) -> tuple[str, ...]:
+    """The open symbols in the poses, places before angles."""
+    names = [open_name(body, what) for what in ("x", "y", "angle") for body in placed]
+    values = [value for pose in placed.values() for value in (pose.angle, pose.origin.x, pose.origin.y)]
+    return tuple(name for name in names if any(depends_on(value, name) for value in values))
+
+
+def still_open(problem: Problem, name: str) -> StatementError:
+    """The sentence for an open symbol that no condition determines."""
+    body, _, what = name.rpartition(".")
+    return (_unturned if what == "angle" else _unplaced)(problem.body(body))
+
+
+def _unturned(body: Body) -> StatementError:
+    return StatementError(
+        f"nothing says how the body “{body.name}” is turned",
+        instead=f'give [bodies.{body.name}] an angle = "...", weld it to another body, or let it roll.',
+        place=body.place,
+    )
 
 
 def _angles(problem: Problem) -> dict[str, Scalar]:
@@ -37,11 +65,8 @@ def _angles(problem: Problem) -> dict[str, Scalar]:
     _until_settled(lambda: any([_join_angle(join, known) for join in joins]))
     for body in problem.bodies:
         if body.name not in known:
-            raise StatementError(
-                f"nothing says how the body “{body.name}” is turned",
-                instead=f'give [bodies.{body.name}] an angle = "...", or weld it to another body.',
-                place=body.place,
-            )
+            known[body.name] = symbol(open_name(body.name, "angle"))
+            _until_settled(lambda: any([_join_angle(join, known) for join in joins]))
     return known
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, function, substitute
+from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import is_zero, normal, shorten
 from rbpsym.algebra.poly import Poly, generator, inverse
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
@@ -139,10 +139,19 @@ def _search(values: list[Scalar], names: tuple[str, ...], at: dict[str, Scalar],
         for name in names:
             if name in at or not depends_on(value, name):
                 continue
-            roots = zeros(value, name)
+            roots = [root for root in zeros(value, name) if _is_plain_in(root, names)]
             for root in roots[: most - len(found)]:
                 image = {name: root}
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
                 _search([substitute(v, fixed) for v in values], names, fixed, found, most)
             if roots:
                 return
+
+
+def _is_plain_in(value: Scalar, names: Sequence[str]) -> bool:
+    """Whether the coordinates occur in it as they are, not within functions.
+
+    An angle atan(f(q)) put into sin and cos leads to nested roots, which end in no closed form.
+    """
+    inside = [i for i in value.atoms() if atoms.atom(i).kind != "symbol"]
+    return not any(atom_depends(index, name) for index in inside for name in names)

@@ -10,6 +10,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
+from rbpsym.statement.paths import tensions
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +80,8 @@ class System:
 
     `coordinates` are the independent ones, `dependent` what the constraints make of the
     others; `conditions` all geometric conditions of the constraints as they stand in the given
-    poses; `identities` those that hold identically; `implicit` those that stay as equations.
+    poses; `identities` those that hold identically; `implicit` those that stay as equations;
+    `speed_ties` conditions on the speeds that are no rates of a position (linear in the speeds).
     """
 
     problem: Problem
@@ -91,6 +93,7 @@ class System:
     implicit: tuple[Condition, ...] = ()
     scope: Scope = field(default_factory=Scope)
     independent: tuple[str, ...] = ()
+    speed_ties: tuple[Condition, ...] = ()
 
     @property
     def speeds(self) -> tuple[str, ...]:
@@ -112,9 +115,17 @@ class System:
         return tuple(force for force in self.forces if force.on == body)
 
     def element(self, name: str) -> Element:
-        """The interaction or constraint called `name`."""
+        """The interaction or constraint to which a force of that name belongs (its own name, f_N, T_1)."""
         both = (*self.problem.interactions, *self.problem.constraints)
-        return {element.name: element for element in both}[name]
+        known = {element.name: element for element in both}
+        return known.get(name) or next(e for e in both if name in _names_of(e))
+
+
+def _names_of(element: Element) -> tuple[str, ...]:
+    """Further names of the forces of an element."""
+    if element.kind == "string":
+        return tensions(element)
+    return tuple(element.values[key] for key in ("friction", "couple") if isinstance(element.values.get(key), str))
 
 
 def rotated(x: Scalar, y: Scalar, angle: Scalar) -> Vector:

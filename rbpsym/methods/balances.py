@@ -162,7 +162,7 @@ def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Ve
     yield "y", EY
     for element in study.problem.constraints:
         if element.kind == "contact" and element["point"].body in bodies:
-            from rbpsym.mechanics.constraints import normal
+            from rbpsym.mechanics.lines import normal
 
             across = normal(element["line"])
             if across.x and across.y:

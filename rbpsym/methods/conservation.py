@@ -103,7 +103,7 @@ def _conserved(draft: Draft) -> None:
     draft.add("energy", "conservation", t.equation(*items), "energy.conserved", is_result=True,
               premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
               data={"value": value}, ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
-              count=len(draft.study.problem.constraints))
+              variant={0: "none", 1: "one"}.get(len(draft.study.problem.constraints), "many"))
 
 
 def _as_sum(draft: Draft) -> t.Node:
@@ -152,7 +152,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         return None
     speed, acceleration = t.Sym(f"{name}_dot"), t.Sym(f"{name}_ddot")
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
-    inside = t.add(draft.show(slope * symbol(f"{name}_ddot")), *([draft.show(rest)] if rest else []))
+    inside = t.add(draft.show(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
     statement = t.equation(t.Deriv(t.Sym(draft.free("E"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"),
               speed=speed, obligations=(t.relation(speed, "!=", t.ZERO),))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.chapters.forces import force_node
+from rbpsym.derivation.chapters.forces import force_node, torque_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, BodyRef, StepRef
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -36,7 +36,8 @@ def _equations(draft: Draft, name: str):
             rows.append(t.equation(left, t.add(*pushes)))
     turns = [short(torque_about_center(f, state)) for f in forces]
     if any(turns) or state.moment * state.alpha:
-        rows.append(t.equation(draft.show(state.moment * state.alpha), t.add(*(draft.show(v) for v in turns if v))))
+        shown = [torque_node(draft, f, state.center) for f, v in zip(forces, turns, strict=True) if v]
+        rows.append(t.equation(draft.show(state.moment * state.alpha), t.add(*shown)))
     if not rows:
         return None
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))

@@ -81,6 +81,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}", "torque", t.equation(*items),
         f"torque.net.{balance.kind}", premises=[f"force.{f.name}.{f.on}" for f in forces],
         point=_point(draft, balance), bodies=_bodies(balance), silent=_silent(silent), place=draft.show_vector(balance.where),
+        variant="some" if balance.right else "zero",
         data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
     )
 
@@ -105,8 +106,16 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     premises = [net.id, *(f"momentum.{b}.{balance.label}" for b in balance.bodies), f"momentum.total.{balance.label}"]
     statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
     return draft.add(f"balance.{'.'.join(balance.bodies)}", "balance", statement, f"torque.balance.{balance.kind}",
-                     premises=premises, point=_point(draft, balance), bodies=_bodies(balance), net=StepRef(net.id),
+                     premises=premises, point=_point(draft, balance), bodies=_bodies(balance), net=StepRef(net.id), momenta=_momenta(draft, balance),
+                     variant="some" if balance.right else "zero",
                      data={"row": balance.row})
+
+
+def _momenta(draft: Draft, balance: Balance) -> list[StepRef]:
+    """The steps that gave the angular momentum whose rate of change is balanced."""
+    whole = set(balance.bodies) == set(draft.study.system.bodies) and len(balance.bodies) > 1
+    ids = [f"momentum.total.{balance.label}"] if whole else [f"momentum.{b}.{balance.label}" for b in balance.bodies]
+    return [StepRef(id) for id in ids if draft.has(id)]
 
 
 def _left(draft: Draft, balance: Balance) -> t.Node:
@@ -187,6 +196,7 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
         draft.add(f"motion.{coordinate}", "solution", t.equation(acceleration_symbol(coordinate), shown),
                   "torque.solved" if value else "torque.solved_zero", premises=premises, is_result=True,
                   sources=[StepRef(p) for p in premises], count=len(premises), coordinate=t.Sym(coordinate),
+                  acceleration=acceleration_symbol(coordinate),
                   data={"rows": rows, "values": known})
     return values
 

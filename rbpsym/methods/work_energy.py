@@ -134,7 +134,7 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
             if not terms and not value:
                 continue
             change = t.Delta(t.Group(kinetic))
-            statement = t.equation(t.add(*terms), change)
+            statement = t.equation(t.add(*terms), change) if terms else t.equation(change, t.ZERO)
             draft.add(f"theorem.{half}.{name}", "work_energy", statement, f"work.theorem.{word}", body=BodyRef(name),
                       premises=[f"work.{i.force}.{i.on}" for i in own], count=len(terms))
     _whole(draft, works)

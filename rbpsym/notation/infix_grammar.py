@@ -110,8 +110,8 @@ def _is_bare_call(node: t.Node, reader: Reader) -> bool:
     """Does the node end with a function whose argument has no parentheses?"""
     if isinstance(node, (t.Mul, t.Neg)):
         return _is_bare_call(node.factors[-1] if isinstance(node, t.Mul) else node.arg, reader)
-    node = node.base if isinstance(node, t.Pow) else node
-    text = reader.source.text[: reader.previous_end].rstrip()
+    node, end = (node.base, node.base.span) if isinstance(node, t.Pow) else (node, None)
+    text = reader.source.text[: end[1] if end else reader.previous_end].rstrip()
     return isinstance(node, t.Fn) and not text.endswith((")", "]", "|"))
 
 

@@ -56,8 +56,10 @@ def read_symbol(reader: Reader) -> str:
 
 def _spelled(reader: Reader) -> t.Node | None:
     """A name by its spelling: the longest that matches the tokens here."""
-    tokens = reader.tokens[reader.position :]
-    for count in range(min(_LONGEST, len(tokens)), 0, -1):
+    if not reader.table.spellings:
+        return None
+    tokens = reader.tokens[reader.position : reader.position + _LONGEST]
+    for count in range(len(tokens), 0, -1):
         name = reader.table.spellings.get(spelling(tokens[:count]))
         if name and reader.ahead(count).text not in ("_", "'"):
             reader.position += count

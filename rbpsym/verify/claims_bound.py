@@ -9,6 +9,7 @@ from typing import Protocol
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.normal import shorten
 from rbpsym.algebra.poly import ONE, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
@@ -39,7 +40,8 @@ def axial(value: Scalar) -> Bound:
 def plane(value: Vector | Space) -> Bound:
     """A vector; as a scalar, its magnitude."""
     space = value if isinstance(value, Space) else Space(value)
-    return Bound(function("sqrt", space.dot(space)), space)
+    square = space.dot(space)
+    return Bound(function("sqrt", Scalar(shorten(square.num), square.den)), space)
 
 
 def number(value: Scalar) -> Bound:
@@ -73,7 +75,7 @@ class Motion:
 
     scope: rates and start values; moved: accelerations and unknown forces replaced; squares: of the
     speeds, from the start; ledger: the rates of quantities that are zero at the start (works);
-    is_free: any state may be the start.
+    is_free: any state may be the start. is_tied: conditions that are not solved tie the coordinates.
     """
 
     scope: Scope
@@ -84,6 +86,7 @@ class Motion:
     starts: frozenset[str] = frozenset()
     unsettled: frozenset[str] = frozenset()
     is_free: bool = False
+    is_tied: bool = False
     ledger: dict[str, Scalar] = field(default_factory=dict)
 
     def work(self, power: Scalar) -> Scalar:

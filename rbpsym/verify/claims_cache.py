@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from hashlib import blake2b
 from pathlib import Path
@@ -82,7 +83,8 @@ class Certificates:
             waiting.write_text(json.dumps(kept, ensure_ascii=False), encoding="utf-8")
             waiting.replace(target)
         except OSError:
-            waiting.unlink(missing_ok=True)
+            with suppress(OSError):
+                waiting.unlink(missing_ok=True)
 
 
 def _loaded(path: Path) -> dict[str, dict]:
@@ -110,8 +112,18 @@ def key_of(claim: Claim, printed: Printed | None, problem: bytes, made_by: str) 
     setting, formula = claim.setting, printed or claim.printed
     if formula is None or not made_by or _uses_definition(setting, formula.latex):
         return ""
-    return digest(made_by, problem, setting.theory, str(setting.fixed_axis), *_symbols(setting), formula.latex,
-                  claim.holds, claim.expect, claim.right.latex if claim.right else "", claim.not_computed)
+    return digest(
+        made_by,
+        problem,
+        setting.theory,
+        str(setting.fixed_axis),
+        *_symbols(setting),
+        formula.latex,
+        claim.holds,
+        claim.expect,
+        claim.right.latex if claim.right else "",
+        claim.not_computed,
+    )
 
 
 def _symbols(setting: Setting) -> Iterable[str]:
@@ -128,5 +140,13 @@ def _uses_definition(setting: Setting, latex: str) -> bool:
 
 def as_told(found: Result, claim: Claim) -> Result:
     """A remembered result with what the claim says today of its place and its words."""
-    return replace(found, id=claim.id, number=claim.number, label=claim.label, line=claim.line, says=claim.says,
-                   note=claim.note, erratum=claim.erratum)
+    return replace(
+        found,
+        id=claim.id,
+        number=claim.number,
+        label=claim.label,
+        line=claim.line,
+        says=claim.says,
+        note=claim.note,
+        erratum=claim.erratum,
+    )

@@ -20,8 +20,10 @@ from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_ground import Ground, grounded
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
+from rbpsym.verify.claims_question import Question
 from rbpsym.verify.claims_symbols import Glossary, glossary
 
+CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
 Study = Callable[[str], World]
 
@@ -54,8 +56,18 @@ class Checker:
 
     def _result(self, claim: Claim, printed: Printed | None) -> Result:
         blank = Result(
-            claim.id, claim.number, claim.label, claim.line, "", printed.latex if printed else "", Outcome.NOT_COMPUTED,
-            False, detail=claim.not_computed, says=claim.says, erratum=claim.erratum, note=claim.note,
+            claim.id,
+            claim.number,
+            claim.label,
+            claim.line,
+            "",
+            printed.latex if printed else "",
+            Outcome.NOT_COMPUTED,
+            False,
+            detail=claim.not_computed,
+            says=claim.says,
+            erratum=claim.erratum,
+            note=claim.note,
             declared=declared(claim),
         )
         if claim.not_computed or printed is None:
@@ -92,8 +104,21 @@ class Checker:
 def unread(claim: Claim, why: str) -> Result:
     """The result of a claim that can't be read."""
     latex = claim.printed.latex if claim.printed else ""
-    return Result(claim.id, claim.number, claim.label, claim.line, "", latex, Outcome.UNREAD, False, detail=why,
-                  says=claim.says, erratum=claim.erratum, note=claim.note, declared=declared(claim))
+    return Result(
+        claim.id,
+        claim.number,
+        claim.label,
+        claim.line,
+        "",
+        latex,
+        Outcome.UNREAD,
+        False,
+        detail=why,
+        says=claim.says,
+        erratum=claim.erratum,
+        note=claim.note,
+        declared=declared(claim),
+    )
 
 
 def declared(claim: Claim) -> tuple[str, int]:
@@ -129,7 +154,7 @@ def premises(given: list[t.Node], ground: Ground) -> dict[str, Scalar]:
     """
     found: dict[str, Scalar] = {}
     for relation in (relation for node in given for relation in relations(node)):
-        question = d.Question(ground)
+        question = Question(ground)
         gap = valued(relation.items[0], ground) - valued(relation.items[1], ground)
         moving = any(depends_on(gap, name) for name in (*ground.motion.ledger, *ground.motion.starts))
         gap = substitute(question.seen(question.rate(gap) if moving else gap, "motion"), found)
@@ -155,7 +180,7 @@ def _is_linear(gap: Scalar, name: str) -> bool:
 def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:
     """The outcome of one relation; what can't be computed is said, never passed."""
     try:
-        return _decided(relation, ground, d.Question(ground, depth, witnesses))
+        return _decided(relation, ground, Question(ground, depth, witnesses))
     except (Undecided, LimitError) as error:
         return Link(relation, Outcome.UNDECIDED, detail=error.what)
     except RbpsymError as error:
@@ -164,7 +189,7 @@ def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: boo
         return Link(relation, Outcome.UNDECIDED, detail="a denominator is identically zero")
 
 
-def _decided(relation: t.Chain, ground: Ground, question: d.Question) -> Link:
+def _decided(relation: t.Chain, ground: Ground, question: Question) -> Link:
     left, right = relation.items
     [op] = relation.ops
     for one, other in ((left, right), (right, left)):
@@ -174,7 +199,10 @@ def _decided(relation: t.Chain, ground: Ground, question: d.Question) -> Link:
     compare = d.RELATIONS.get(op)
     if compare is None:
         return Link(relation, Outcome.NOT_COMPUTED, detail=f"“{op}” is no relation between values")
-    verdict = compare(valued(left, ground), valued(right, ground), op, question)
+    a, b = valued(left, ground), valued(right, ground)
+    if op not in ("=", "!=") and (isinstance(a, Space) or isinstance(b, Space)):
+        return Link(relation, Outcome.NOT_COMPUTED, detail="vectors are not greater or smaller than each other")
+    verdict = compare(a, b, op, question)
     return _link(relation, _on_both_roads(verdict, relation, op, question))
 
 
@@ -184,7 +212,7 @@ def _link(relation: t.Chain, verdict: Verdict) -> Link:
     return Link(relation, OUTCOMES[verdict.kind], verdict.how, detail)
 
 
-def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: d.Question) -> Verdict:
+def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: Question) -> Verdict:
     """The general theory is decided a second time, for a body of three particles."""
     world = question.ground.world
     if not verdict.is_proved or not hasattr(world, "second_road"):
@@ -192,16 +220,16 @@ def _on_both_roads(verdict: Verdict, relation: t.Chain, op: str, question: d.Que
     return all_of([verdict, _second(relation, op, question)])
 
 
-def _second(relation: t.Chain, op: str, question: d.Question) -> Verdict:
+def _second(relation: t.Chain, op: str, question: Question) -> Verdict:
     ground = question.ground
-    world = ground.world.second_road()
+    world = ground.world.second_road
     phrases = ground.world.shared
     bounds = {key: world.bound(_phrase_of(found, phrases)) for key, found in ground.bounds.items()}
     other = Ground(world, ground.glossary, bounds, {k: v for k, v in ground.defined.items() if k[:6] != "value "})
     if ground.premises:
         return Verdict(Kind.PROVED, how="from what is given")
     left, right = relation.items
-    return d.RELATIONS[op](valued(left, other), valued(right, other), op, d.Question(other, "", False))
+    return d.RELATIONS[op](valued(left, other), valued(right, other), op, Question(other, "", False))
 
 
 def _phrase_of(bound: object, phrases: dict) -> str:
@@ -210,22 +238,22 @@ def _phrase_of(bound: object, phrases: dict) -> str:
 
 def _kind(node: t.Node, ground: Ground) -> str:
     if isinstance(node, t.Word):
-        return "constant"
+        return "constant" if node.text.rstrip(".").lower() in CONSTANTS else "value"
     return ground.kind(node.name) if isinstance(node, (t.Sym, t.Vec)) else "value"
 
 
-def _constant(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+def _constant(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
     value = valued(other, question.ground)
     parts = value.components() if isinstance(value, Space) else (value,)
     return _link(relation, all_of(d.constant_value(part, question) for part in parts))
 
 
-def _loose(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+def _loose(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
     value, same = (valued(node, question.ground) for node in (other, one))
     return _link(relation, d.up_to_constant(value, same, question))
 
 
-def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: d.Question) -> Link:
+def _defines(relation: t.Chain, one: t.Node, other: t.Node, question: Question) -> Link:
     """The relation says what a new symbol means."""
     if one.name in t.names(other):
         return Link(relation, Outcome.NOT_COMPUTED, detail="the symbol is defined by itself")

@@ -102,5 +102,6 @@ def grounded(setting: Setting, words: Glossary, world: World, names: Collection[
             bounds[words.names[latex]] = world.bound(meaning.phrase)
         except RbpsymError as error:
             raise StatementError(
-                f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place) from None
+                f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place
+            ) from None
     return Ground(world, words, bounds)

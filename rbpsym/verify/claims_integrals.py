@@ -9,16 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields, replace
+from math import comb, prod
 
 from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative, value, vector
+from rbpsym.algebra.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Space
-from rbpsym.errors import ReadError, Undecided
+from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
+from rbpsym.notation.limits import number_of
 from rbpsym.verify.claims_ground import Ground
 
 
@@ -171,16 +173,39 @@ def _at(node: t.At, ground: Ground) -> t.Node:
     return _injected(substitute(found, image), ground)
 
 
+MOST_TERMS = 1500
+PRODUCTS = (t.Mul, t.Div, t.Dot, t.Cross)
 EARLY: dict[type, Callable[..., t.Node]] = {t.Sum: _sum, t.BodyIntegral: _body}
 LATE: dict[type, Callable[..., t.Node]] = {
-    t.PathIntegral: _path, t.Integral: _integral, t.Deriv: _derivative, t.Bracket: _renamed, t.Limit: _renamed,
+    t.PathIntegral: _path,
+    t.Integral: _integral,
+    t.Deriv: _derivative,
+    t.Bracket: _renamed,
+    t.Limit: _renamed,
     t.At: _at,
 }
 
 
 def valued(node: t.Node, ground: Ground) -> Scalar | Space:
     """The value of a printed formula. Raises RbpsymError where it has none."""
-    return value(prepared(node, ground), ground.scope)
+    ready, scope = prepared(node, ground), ground.scope
+    if _size(ready, scope) > MOST_TERMS:
+        raise LimitError(f"multiplied out, the formula has more than {MOST_TERMS} terms")
+    return value(ready, scope)
+
+
+def _size(node: t.Node, scope: Scope) -> int:
+    """About how many terms the formula has when it is multiplied out."""
+    if isinstance(node, t.Sym):
+        found = scope.scalars.get(node.name)
+        return 1 if found is None else max(1, len(found.num)) * len(found.den)
+    if isinstance(node, t.Pow):
+        count, power = _size(node.base, scope), abs(number_of(node.exponent) or 1)
+        return comb(int(power) + count - 1, count - 1) if count < MOST_TERMS else count
+    sizes = [_size(part, scope) for part in t.children(node)]
+    if isinstance(node, PRODUCTS):
+        return min(prod(sizes), MOST_TERMS + 1)
+    return sum(sizes) if isinstance(node, t.Add) else max(sizes, default=1)
 
 
 def as_vector(found: Scalar | Space) -> Space:

@@ -20,8 +20,21 @@ MAX_BYTES = 512 * 1024
 FILE_KEYS = ("title", "source", "text", "settings", "claim")
 SETTING_KEYS = ("problem", "theory", "fixed_axis", "like", "symbols", "given")
 CLAIM_KEYS = (
-    "id", "number", "label", "line", "setting", "latex", "says", "symbols", "holds", "expect", "right",
-    "erratum", "note", "not_computed", "given",
+    "id",
+    "number",
+    "label",
+    "line",
+    "setting",
+    "latex",
+    "says",
+    "symbols",
+    "holds",
+    "expect",
+    "right",
+    "erratum",
+    "note",
+    "not_computed",
+    "given",
 )
 HOLDS = ("", "identity", "motion", "start")
 
@@ -39,7 +52,7 @@ def read_claims(text: str, file: str = "", name: str = "claims") -> ClaimsFile:
     settings = _settings(root)
     rows = root.rows("claim", "claim")
     if not rows:
-        raise root.error("a claims file without claims", 'add [[claim]] with id, setting and latex.')
+        raise root.error("a claims file without claims", "add [[claim]] with id, setting and latex.")
     claims = tuple(_claim(row, settings) for row in rows)
     _check_ids(claims)
     return ClaimsFile(name, _title(root), root.string("source"), root.string("text"), claims, file, text)
@@ -113,8 +126,7 @@ def _flag(table: Table, key: str, default: bool) -> bool:
 def _symbols(table: Table) -> dict[str, Meaning]:
     section = table.table("symbols", "symbols")
     return {
-        latex: Meaning(section.string(latex), section.source.value((*section.path, latex)))
-        for latex in section.names()
+        latex: Meaning(section.string(latex), section.source.value((*section.path, latex))) for latex in section.names()
     }
 
 
@@ -146,10 +158,19 @@ def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
     _choice(table, "holds", holds, HOLDS)
     _check_content(table, expect)
     return Claim(
-        id=table.string("id"), setting=setting, printed=_printed(table, "latex"), number=_number(table),
-        label=table.string("label"), line=_line(table), says=table.string("says"), holds=holds,
-        expect=expect, right=_printed(table, "right"), erratum=table.string("erratum"),
-        note=table.string("note"), not_computed=table.string("not_computed"),
+        id=table.string("id"),
+        setting=setting,
+        printed=_printed(table, "latex"),
+        number=_number(table),
+        label=table.string("label"),
+        line=_line(table),
+        says=table.string("says"),
+        holds=holds,
+        expect=expect,
+        right=_printed(table, "right"),
+        erratum=table.string("erratum"),
+        note=table.string("note"),
+        not_computed=table.string("not_computed"),
         place=table.source.key((*table.path, "id")),
     )
 
@@ -160,7 +181,9 @@ def _check_content(table: Table, expect: str) -> None:
     if "right" in table and expect != "refuted":
         raise table.error("“right” belongs to a claim that is refuted", 'add expect = "refuted", or drop it.', "right")
     if "erratum" in table and expect not in ("refuted", "not computed"):
-        raise table.error("an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum")
+        raise table.error(
+            "an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum"
+        )
 
 
 def _choice(table: Table, key: str, value: str, known: tuple[str, ...]) -> None:

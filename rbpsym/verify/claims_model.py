@@ -89,7 +89,7 @@ class Claim:
 
 @dataclass(frozen=True, slots=True)
 class ClaimsFile:
-    """A claims file: the claims about one source, in its order; `setting` for formulas without a claim."""
+    """The claims about one source, in its order; `setting` for formulas without a claim."""
 
     name: str
     title: str
@@ -105,7 +105,8 @@ class ClaimsFile:
 class Link:
     """One relation of a chain with its outcome.
 
-    relation: its tree, or its text in a result. how: by what it was proved; witness or reason: why not; diagnosis: what seems to be meant.
+    relation: its tree, or its text in a result. how: by what it was proved. detail: the witness,
+    or the reason why not. diagnosis: what seems to be meant.
     """
 
     relation: Node | str

@@ -60,7 +60,9 @@ def _diagnosed(relation, claim: Claim, ground) -> str:
     return diagnosis(relation, claim, ground)
 
 
-def check_claims(file: ClaimsFile, cache: Certificates, progress: Callable[[str], None] = lambda name: None) -> Iterator[Result]:
+def check_claims(
+    file: ClaimsFile, cache: Certificates, progress: Callable[[str], None] = lambda name: None
+) -> Iterator[Result]:
     """The results of all claims of a file."""
     own = checker(file, cache)
     for claim in file.claims:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 
 from rbpsym.errors import ReadError
@@ -26,11 +27,16 @@ class Glossary:
 
 def glossary(symbols: Mapping[str, Meaning]) -> Glossary:
     """The glossary of printed symbols. Raises ReadError for one that is no symbol."""
+    return _glossary(tuple(symbols.items()))
+
+
+@lru_cache(maxsize=256)
+def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
     drawn: dict[Drawn, tuple[str, ...]] = {Drawn("π"): ("pi",)}
     spelled: dict[tuple[str, ...], str] = {}
     names: dict[str, tuple[str, bool]] = {}
-    for latex, meaning in symbols.items():
-        found = drawn_name(latex)
+    for latex, meaning in symbols:
+        found = _drawn(latex)
         if found:
             name = name_of(found[0])
             drawn[found[0]] = (name,)
@@ -39,6 +45,11 @@ def glossary(symbols: Mapping[str, Meaning]) -> Glossary:
             spelled[_spelling(latex, meaning)] = name
         names[latex] = (name, found[1] if found else latex.lstrip().startswith(r"\vec"))
     return Glossary(SymbolTable(MappingProxyType(drawn), MappingProxyType(spelled)), names)
+
+
+@lru_cache(maxsize=4096)
+def _drawn(latex: str) -> tuple[Drawn, bool] | None:
+    return drawn_name(latex)
 
 
 def _spelling(latex: str, meaning: Meaning) -> tuple[str, ...]:
@@ -64,7 +75,9 @@ def _label_parts(label: str) -> list[str]:
 
 def _spelled_name(latex: str) -> str:
     """A name for what no name draws, such as W^{nc}_T."""
-    words = re.findall(r"[A-Za-z0-9]+|'", latex.replace(r"\vec", "").replace(r"\mathcal", "cal ").replace(r"\mathpzc", "cal "))
+    words = re.findall(
+        r"[A-Za-z0-9]+|'", latex.replace(r"\vec", "").replace(r"\mathcal", "cal ").replace(r"\mathpzc", "cal ")
+    )
     return "_".join("prime" if word == "'" else word for word in words) or "symbol"
 
 

@@ -54,7 +54,15 @@ class TheoryWorld:
         """What is true of its motion."""
         start = {name: symbol(f"{name}_start") for name in self.rates}
         scope = Scope({}, {}, self.rates, start, self._over_mass)
-        return Motion(scope, POSITIVE, self._moved, {}, ("omega", "X_dot", "Y_dot"), frozenset(f"{name}_start" for name in start), is_free=True)
+        return Motion(
+            scope,
+            POSITIVE,
+            self._moved,
+            {},
+            ("omega", "X_dot", "Y_dot"),
+            frozenset(f"{name}_start" for name in start),
+            is_free=True,
+        )
 
     def _over_mass(self, integrand: Scalar, body: str) -> Scalar:
         """∫ f dm of a polynomial f in the place of the mass element. Raises Undecided for any other f."""
@@ -100,8 +108,11 @@ class TheoryWorld:
 
     @cached_property
     def _kinematics(self) -> Mapping[str, Scalar]:
-        place = {"X": -(OMEGA * symbol("Y")), "Y": OMEGA * symbol("X")} if self.fixed_axis else {
-            "X": symbol("X_dot"), "Y": symbol("Y_dot"), "X_dot": symbol("X_ddot"), "Y_dot": symbol("Y_ddot")}
+        place = (
+            {"X": -(OMEGA * symbol("Y")), "Y": OMEGA * symbol("X")}
+            if self.fixed_axis
+            else {"X": symbol("X_dot"), "Y": symbol("Y_dot"), "X_dot": symbol("X_ddot"), "Y_dot": symbol("Y_ddot")}
+        )
         turning = {name: rate for k in range(1, COUNT + 1) for name, rate in _turning(f"s{k}").items()}
         return {**place, **turning, "omega": ALPHA, "xi": -(OMEGA * symbol("eta")), "eta": OMEGA * symbol("xi")}
 
@@ -154,6 +165,7 @@ class TheoryWorld:
             self.shared[text] = make(self)
         return self.shared[text]
 
+    @cached_property
     def second_road(self) -> TheoryWorld:
         """The same theory of a body of three particles."""
         return replace(self, particles=True, shared={})
@@ -187,11 +199,16 @@ def _velocity_of_element(world: TheoryWorld) -> Space:
 def _works() -> dict[str, object]:
     """work of all forces; translational and rotational work of some of them."""
     found: dict[str, object] = {}
-    for which, words in (("all", "the forces"), ("conservative", "the conservative forces"),
-                         ("non-conservative", "the non-conservative forces"), ("conservative", "a force")):
+    for which, words in (
+        ("all", "the forces"),
+        ("conservative", "the conservative forces"),
+        ("non-conservative", "the non-conservative forces"),
+        ("conservative", "a force"),
+    ):
         for part, tail in (("both", ""), ("translational", ", translational"), ("rotational", ", rotational")):
-            found[f"work of {words}{tail}"] = (
-                lambda w, which=which, part=part: number(w.motion.work(w.power(which, part))))
+            found[f"work of {words}{tail}"] = lambda w, which=which, part=part: number(
+                w.motion.work(w.power(which, part))
+            )
     return found
 
 

@@ -26,7 +26,8 @@ class Worlds:
             return self.problem(setting.problem, setting)
         if setting.theory not in THEORIES:
             raise StatementError(
-                f"unknown theory “{setting.theory}”", instead=f"known: {', '.join(THEORIES)}.", place=setting.place)
+                f"unknown theory “{setting.theory}”", instead=f"known: {', '.join(THEORIES)}.", place=setting.place
+            )
         if setting.fixed_axis not in self.theories:
             from rbpsym.verify.claims_theory import TheoryWorld
 

@@ -17,17 +17,39 @@ from rbpsym.notation.limits import number_of
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_bound import Bound
 from rbpsym.verify.claims_check import decide
-from rbpsym.verify.claims_decide import Question
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
+from rbpsym.verify.claims_question import Question
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
 from rbpsym.verify.diagnosis_sites import is_in_exponent, put, sites, terms
 
 MOST_UNSEEN, MOST_DECIDED = 24, 12
-FACTORS = tuple(Fraction(n, d) for n, d in (
-    (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (6, 1), (1, 6), (8, 1), (1, 8),
-    (5, 1), (1, 5), (12, 1), (1, 12), (-2, 1), (-1, 2)))
+FACTORS = tuple(
+    Fraction(n, d)
+    for n, d in (
+        (2, 1),
+        (1, 2),
+        (3, 1),
+        (1, 3),
+        (4, 1),
+        (1, 4),
+        (3, 2),
+        (2, 3),
+        (3, 4),
+        (4, 3),
+        (6, 1),
+        (1, 6),
+        (8, 1),
+        (1, 8),
+        (5, 1),
+        (1, 5),
+        (12, 1),
+        (1, 12),
+        (-2, 1),
+        (-1, 2),
+    )
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +166,9 @@ def _symbols(relation: t.Chain) -> Iterator[Repair]:
                     yield Repair(put(relation, path, t.Sym(other)), words)
     for one in names:
         for other in (name for name in names if name > one):
-            yield Repair(_exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged")
+            yield Repair(
+                _exchanged(relation, one, other), f"{to_text(t.Sym(one))} and {to_text(t.Sym(other))} exchanged"
+            )
 
 
 def _exchanged(relation: t.Chain, one: str, other: str) -> t.Chain:
@@ -163,7 +187,15 @@ def _limits(relation: t.Chain) -> Iterator[Repair]:
 
 
 RULES: tuple[Callable[[t.Chain], Iterator[Repair]], ...] = (
-    _products, _signs, _functions, _factors, _extra, _exponents, _limits, _symbols)
+    _products,
+    _signs,
+    _functions,
+    _factors,
+    _extra,
+    _exponents,
+    _limits,
+    _symbols,
+)
 
 
 def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
@@ -172,8 +204,11 @@ def _moments(relation: t.Chain, ground: Ground) -> Iterator[Repair]:
     bodies = {"": ""} if study is None else {f" of {body}": f"_{body}" for body in study.system.bodies}
     for tail, label in bodies.items():
         moment = "moment of inertia about the centre of mass" if study is None else f"moment of inertia{tail}"
-        names = {f"I{label or '_cm'}": moment, f"omega{label}": f"angular velocity{tail}",
-                 f"alpha{label}": f"angular acceleration{tail}"}
+        names = {
+            f"I{label or '_cm'}": moment,
+            f"omega{label}": f"angular velocity{tail}",
+            f"alpha{label}": f"angular acceleration{tail}",
+        }
         inertia, omega, alpha = names
         own = _with_phrases(ground, names)
         words = f"I_cm{tail}"
@@ -187,7 +222,9 @@ def _with_phrases(ground: Ground, names: dict[str, str]) -> Ground:
     return replace(ground, bounds={**bounds, **ground.bounds})
 
 
-def _with_terms(relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], words: str, ground: Ground) -> Iterator[Repair]:
+def _with_terms(
+    relation: t.Chain, inertia: t.Sym, speeds: tuple[str, str], words: str, ground: Ground
+) -> Iterator[Repair]:
     """I ω, I α, ½ I ω² added to the right side."""
     left, right = relation.items
     parts = [t.mul(inertia, kind(name)) for name in speeds for kind in (t.Vec, t.Sym)]

@@ -14,7 +14,8 @@ from rbpsym.algebra.vector import Space
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_decide import Question, carried_out
+from rbpsym.verify.claims_question import Question
+from rbpsym.verify.claims_refute import carried_out
 
 Triple = tuple[float, float, float]
 Value = float | Triple
@@ -24,7 +25,7 @@ TOLERANCE, SMALL = 1e-8, 1e-4
 class Numbers(dict):
     """A generic number for every name, the same each time."""
 
-    def __init__(self, seed: int, known: Mapping[str, float] = {}) -> None:  # noqa: B006
+    def __init__(self, seed: int, known: Mapping[str, float] = {}) -> None:
         super().__init__(known)
         self.seed = seed
 
@@ -147,8 +148,16 @@ def _absolute(node: t.Abs, at: Sample) -> float:
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan,
-    "exp": math.exp, "ln": math.log, "cot": lambda x: 1 / math.tan(x), "sec": lambda x: 1 / math.cos(x),
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "exp": math.exp,
+    "ln": math.log,
+    "cot": lambda x: 1 / math.tan(x),
+    "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),
 }
 UNITS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

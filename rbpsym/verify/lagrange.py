@@ -163,11 +163,14 @@ def _along_variations(system: System, expressions: Mapping[str, Scalar]) -> list
 
 
 def _tied_speeds(system: System) -> list[Scalar]:
-    """Time derivatives of the implicit conditions at the allowed speeds: each must vanish."""
-    return [
-        sum((derivative(c.value, name) * system.scope.rates[name] for name in system.coordinates), NOTHING)
+    """Time derivatives of the implicit conditions at the allowed speeds, and the conditions on speeds: each must vanish."""
+    rates = {name: system.scope.rates[name] for name in system.coordinates}
+    found = [
+        sum((derivative(c.value, name) * rate for name, rate in rates.items()), derivative(c.value, "t"))
         for c in system.implicit
     ]
+    images = {f"{name}_dot": rate for name, rate in rates.items()}
+    return found + [substitute(c.value, images) for c in system.speed_ties]
 
 
 def lagrange_verdict(system: System, dynamics: Dynamics, assumptions: Assumptions | None = None) -> Verdict:
@@ -186,10 +189,18 @@ def lagrange_verdict(system: System, dynamics: Dynamics, assumptions: Assumption
 
 
 def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> list[Verdict]:
-    values = _along_variations(system, lagrange_expressions(system))
+    values = _along_variations(system, _with_friction(system, dynamics, lagrange_expressions(system)))
     found = [_vanishes(value, assumptions) for value in _tied_speeds(system)]
     found += [_vanishes(_defect(system, dynamics, value, k), assumptions) for k, value in enumerate(values)]
     return found + _solution_verdicts(system, dynamics, assumptions) or [proved("nothing moves")]
+
+
+def _with_friction(system: System, dynamics: Dynamics, expressions: Mapping[str, Scalar]) -> dict[str, Scalar]:
+    """The expressions less the virtual work of kinetic friction."""
+    from rbpsym.verify.lagrange_friction import friction_forces
+
+    drags = friction_forces(motion_of(system), dynamics)
+    return {name: value - drags[name] for name, value in expressions.items()}
 
 
 def _vanishes(value: Scalar, assumptions: Assumptions) -> Verdict:

@@ -14,16 +14,41 @@ from rbpsym.algebra.vector import Space
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_decide import Question
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_integrals import prepared, valued
+from rbpsym.verify.claims_question import Question
 from rbpsym.verify.diagnosis_numbers import Numbers, Sample, samples
 from rbpsym.verify.diagnosis_sites import is_in_exponent, put, sites, terms
 
 DIFFERENT = 1e-5
-COEFFICIENTS = tuple(Fraction(n, d) for n, d in (
-    (2, 1), (1, 2), (3, 1), (-1, 1), (3, 2), (2, 3), (4, 1), (1, 3), (5, 1), (-2, 1), (1, 4), (6, 1), (7, 1), (1, 7),
-    (5, 2), (8, 1), (9, 1), (10, 1), (11, 1), (1, 6), (12, 1), (-3, 1), (13, 1)))
+COEFFICIENTS = tuple(
+    Fraction(n, d)
+    for n, d in (
+        (2, 1),
+        (1, 2),
+        (3, 1),
+        (-1, 1),
+        (3, 2),
+        (2, 3),
+        (4, 1),
+        (1, 3),
+        (5, 1),
+        (-2, 1),
+        (1, 4),
+        (6, 1),
+        (7, 1),
+        (1, 7),
+        (5, 2),
+        (8, 1),
+        (9, 1),
+        (10, 1),
+        (11, 1),
+        (1, 6),
+        (12, 1),
+        (-3, 1),
+        (13, 1),
+    )
+)
 
 
 def mutants(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
@@ -113,7 +138,17 @@ def _reversed(relation: t.Chain) -> Iterator[t.Chain]:
 
 
 RULES: tuple[Callable[[t.Chain], Iterator[t.Chain]], ...] = (
-    _signs, _functions, _exponents, _dropped, _crossed, _limits, _reversed, _symbols, _numbers, _multiplied)
+    _signs,
+    _functions,
+    _exponents,
+    _dropped,
+    _crossed,
+    _limits,
+    _reversed,
+    _symbols,
+    _numbers,
+    _multiplied,
+)
 
 
 def _spoiled(relation: t.Chain, ground: Ground) -> Iterator[t.Chain]:
@@ -144,6 +179,8 @@ def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
     try:
         if (varying := _side_of_constant(relation, ground)) is not None:
             return _varies(varying, ground, question)
+        if question.motion.is_free and any(isinstance(node, t.Delta) for _, node in sites(relation)):
+            return _drifts(relation, ground, question)
         ready = t.Chain(tuple(prepared(item, ground) for item in relation.items), relation.ops)
         return any(_fails(ready, look) for look in looks) or _drifts(relation, ground, question)
     except (RbpsymError, ArithmeticError, ValueError, KeyError, TypeError):

@@ -48,7 +48,9 @@ class PaperChecker:
             found = self.checkers[claim.id].check(claim, own)
         except RbpsymError as error:
             found = unread(claim, self._told(error, formula))
-        return replace(found, latex=formula.latex, line=formula.line, file=formula.file, number=formula.number or claim.number)
+        return replace(
+            found, latex=formula.latex, line=formula.line, file=formula.file, number=formula.number or claim.number
+        )
 
     def _only_claimed(self, claim: Claim) -> Result:
         """A claim in words, or one whose formula is not in the paper any more."""
@@ -63,8 +65,17 @@ class PaperChecker:
     def _without_claim(self, formula: Formula, setting: Setting | None) -> Result:
         name = formula.labels[0] if formula.labels else formula.number or f"line {formula.line}"
         claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number)
-        blank = Result(claim.id, formula.number, next(iter(formula.labels), ""), formula.line, formula.file,
-                       formula.latex, Outcome.NOT_COMPUTED, True, detail=UNBOUND)
+        blank = Result(
+            claim.id,
+            formula.number,
+            next(iter(formula.labels), ""),
+            formula.line,
+            formula.file,
+            formula.latex,
+            Outcome.NOT_COMPUTED,
+            True,
+            detail=UNBOUND,
+        )
         if setting is None or not formula.displayed or not formula.is_relation:
             return blank
         return self._tried(blank, claim, formula)
@@ -75,6 +86,11 @@ class PaperChecker:
             found = self.other.check(claim, replace(printed(formula, self.paper), place=None))
         except RbpsymError as error:
             return replace(blank, detail=f"{UNBOUND}: {error.what}")
-        return replace(found, id=blank.id, line=formula.line, file=formula.file, label=blank.label,
-                       expected=found.outcome not in (Outcome.REFUTED, Outcome.UNDECIDED))
-
+        return replace(
+            found,
+            id=blank.id,
+            line=formula.line,
+            file=formula.file,
+            label=blank.label,
+            expected=found.outcome not in (Outcome.REFUTED, Outcome.UNDECIDED),
+        )

@@ -7,7 +7,7 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from pathlib import Path
 
-from rbpsym.errors import LimitError, Place, ReadError, RbpsymError
+from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
@@ -107,7 +107,8 @@ def _existing(folder: Path, name: str) -> Path:
 def _check_inside(target: Path, folder: Path, name: str, place: Place) -> None:
     if not target.is_relative_to(folder):
         raise ReadError(
-            f"“{name[:60]}” is outside the folder of the text", instead="only files beside it are read.", place=place)
+            f"“{name[:60]}” is outside the folder of the text", instead="only files beside it are read.", place=place
+        )
 
 
 def told_at(error: RbpsymError, text: Text, offset: int) -> RbpsymError:
@@ -115,5 +116,6 @@ def told_at(error: RbpsymError, text: Text, offset: int) -> RbpsymError:
     file, line = text.origin(offset)
     inner = error.place or Place(column=1)
     below = max(inner.line, 1) - 1
-    return type(error)(error.what, instead=error.instead,
-                       place=Place(file, line + below, inner.column, inner.text, inner.width))
+    return type(error)(
+        error.what, instead=error.instead, place=Place(file, line + below, inner.column, inner.text, inner.width)
+    )

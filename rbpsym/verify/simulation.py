@@ -17,6 +17,7 @@ import numpy as np
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.friction import slip_senses
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.work import ForceWork
@@ -115,7 +116,7 @@ class _Bench:
         self.derived, self.errors, self.drifts, self.states = derived, _Errors(), [], 0
         problem = derived.system.problem
         self.sample = sample(problem)
-        mechanism = Mechanism(problem, self.sample)
+        mechanism = Mechanism(problem, self.sample, slip_senses(derived.system))
         self.placement, idle = Placement(mechanism), idle_angles(mechanism)
         guess = self._coordinates({})
         kept = conditions(mechanism, self._poses(guess).tolist())

@@ -65,8 +65,8 @@ def placed(spot: Spot, where: State, speed: State) -> Placed:
 class Mechanism:
     """The bodies of a statement as numbers, and the meaning of its references."""
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float]) -> None:
-        self.problem = problem
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], slips: Mapping[str, int] | None = None) -> None:
+        self.problem, self.slips = problem, slips or {}
         self.constants = {q.name for q in problem.parameters} | set(problem.implicit)
         self.numbers = {name: value for name, value in numbers.items() if name in self.constants}
         self.known = Numbers(self.numbers)

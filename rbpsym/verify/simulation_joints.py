@@ -7,7 +7,6 @@ the force's direction on the body that the statement means. A new kind is a new 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -28,12 +27,30 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
+class Drag:
+    """A force `name` in proportion to a multiplier that is no ideal force (kinetic friction μN)."""
+
+    name: str
+    at: Callable[[State, State], Entries]
+
+
+@dataclass(frozen=True, slots=True)
 class Kept:
-    """A scalar condition of the constraint `name` that the force or couple `multiplier` keeps."""
+    """A scalar condition of the constraint `name` that the force or couple `multiplier` keeps.
+
+    `is_place`: whether it is one for the position (else for the speeds alone, its value 0).
+    """
 
     name: str
     multiplier: str
     at: Callable[[State, State], Row]
+    is_place: bool = True
+    drag: Drag | None = None
+
+    @property
+    def force(self) -> str:
+        """The name of the force in the ledger: the constraint's, or (friction, tension) its own."""
+        return self.name if self.is_place else self.multiplier
 
 
 def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
@@ -49,7 +66,7 @@ def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
     return [Kept(name, f"{name}_x", along(1.0, 0.0)), Kept(name, f"{name}_y", along(0.0, 1.0))]
 
 
-def _turning(first: int, second: int, offset: float, element: Element) -> Kept:
+def turning(first: int, second: int, offset: float, element: Element) -> Kept:
     """φ_second - φ_first = offset; the couple is on the second."""
     def row(where: State, speed: State) -> Row:
         ends = [(k, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
@@ -57,16 +74,6 @@ def _turning(first: int, second: int, offset: float, element: Element) -> Kept:
         return Row(value, [(3 * k + 2, sign) for k, sign in ends], 0.0)
 
     return Kept(element.name, element["couple"], row)
-
-
-def _touching(spot: Spot, normal: tuple[float, float], height: float, name: str) -> Kept:
-    """normal · place = height; the force is along the normal."""
-    def row(where: State, speed: State) -> Row:
-        at = placed(spot, where, speed)
-        value, bias = (normal[0] * p[0] + normal[1] * p[1] for p in (at.place, at.bias))
-        return Row(value - height, at.along(*normal), bias)
-
-    return Kept(name, name, row)
 
 
 def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
@@ -88,7 +95,7 @@ def _pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
 def _weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     first, second = _ends(element, mechanism)
     offset = _weld_angle(element, mechanism, first, second, start)
-    return [*_meeting(first, second, element.name), _turning(first.body, second.body, offset, element)]
+    return [*_meeting(first, second, element.name), turning(first.body, second.body, offset, element)]
 
 
 def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spot, start: State) -> float:
@@ -102,34 +109,20 @@ def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spo
     return start[3 * second.body + 2] - (start[3 * first.body + 2] if first.body >= 0 else 0.0)
 
 
-def _contact(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    spot, line = mechanism.spot(element["point"]), element["line"]
-    a, b, c = (mechanism.number(node) for node in (line.a, line.b, line.c))
-    length = math.hypot(a, b) * _side(element, spot, (a, b, c), start)
-    return [_touching(spot, (a / length, b / length), c / length, element.name)]
-
-
-def _side(element: Element, spot: Spot, line: tuple[float, float, float], start: State) -> int:
-    """+1 where a x + b y > c at the body's centre of mass (or on the line), else -1."""
-    if element["side"] != "auto":
-        return 1 if element["side"] == "positive" else -1
-    a, b, c = line
-    return -1 if a * start[3 * spot.body] + b * start[3 * spot.body + 1] - c < -1e-9 else 1
-
-
 JOINTS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
     "pivot": _pivot,
     "pin": _pin,
     "weld": _weld,
-    "contact": _contact,
 }
 
 
 def conditions(mechanism: Mechanism, start: State) -> list[Kept]:
     """All conditions of a statement; `start` says where a pivot without a place holds its point."""
-    found = []
+    from rbpsym.verify.simulation_contacts import CONTACTS
+
+    found, known = [], {**JOINTS, **CONTACTS}
     for element in mechanism.problem.constraints:
-        if element.kind not in JOINTS:
+        if element.kind not in known:
             raise NotApplicable(f"the simulation does not know the constraint {element.kind}")
-        found += JOINTS[element.kind](element, mechanism, start)
+        found += known[element.kind](element, mechanism, start)
     return found

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rbpsym.errors import NotApplicable
-from rbpsym.verify.simulation_bodies import Mechanism
+from rbpsym.verify.simulation_bodies import Mechanism, State
 from rbpsym.verify.simulation_forces import Law, Load
 from rbpsym.verify.simulation_joints import Kept, Row
 
@@ -28,6 +28,7 @@ class Balance:
     multipliers: np.ndarray
     loads: list[Load]
     rows: list[Row]
+    where: State
 
 
 class Equations:
@@ -45,18 +46,21 @@ class Equations:
         loads = [load for law in self.laws for load in law(where, speed)]
         rows = [item.at(where, speed) for item in self.kept]
         try:
-            found = np.linalg.solve(self._matrix(rows), self._right(loads, rows))
+            found = np.linalg.solve(self._matrix(rows, where, speed), self._right(loads, rows))
         except np.linalg.LinAlgError:
             raise NotApplicable("the simulation can't tell the unknown forces apart at this state") from None
-        return Balance(found[: self.size], found[self.size :], loads, rows)
+        return Balance(found[: self.size], found[self.size :], loads, rows, where)
 
-    def _matrix(self, rows: list[Row]) -> np.ndarray:
+    def _matrix(self, rows: list[Row], where: State, speed: State) -> np.ndarray:
         size = self.size
         matrix = np.zeros((size + len(rows), size + len(rows)))
         matrix[range(size), range(size)] = self.masses
         for k, row in enumerate(rows, size):
             for column, entry in row.entries:
                 matrix[k, column] += entry
+                matrix[column, k] -= entry
+        for k, item in enumerate(self.kept, size):
+            for column, entry in item.drag.at(where, speed) if item.drag else ():
                 matrix[column, k] -= entry
         return matrix
 
@@ -89,7 +93,9 @@ class Equations:
                 yield load.name, 3 * load.body + axis, push
         for item, row, multiplier in zip(self.kept, balance.rows, balance.multipliers, strict=True):
             for column, entry in row.entries:
-                yield item.name, column, entry * multiplier
+                yield item.force, column, entry * multiplier
+            for column, entry in item.drag.at(balance.where, []) if item.drag else ():
+                yield item.drag.name, column, entry * multiplier
 
 
 def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:

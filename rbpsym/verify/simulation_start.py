@@ -33,6 +33,8 @@ class Conditions:
     def __init__(self, placement: Placement, kept: list[Kept], idle: list[int]) -> None:
         self.placement, self.kept, self.idle = placement, kept, idle
         self.count = len(placement.names)
+        places = [item.is_place for item in kept]
+        self.places = np.array([True] * len(placement.links) + places + [True] * len(idle), dtype=bool)
 
     def at(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(values, derivative by z)."""
@@ -68,7 +70,8 @@ def _settled(conditions: Conditions, guess: np.ndarray, held: Collection[int]) -
         values, slopes = conditions.at(z)
         if np.abs(values).max(initial=0.0) < 1e-14:
             return z
-        z[free] -= np.linalg.lstsq(slopes[:, free], values, rcond=None)[0]
+        places = conditions.places
+        z[free] -= np.linalg.lstsq(slopes[np.ix_(places, free)], values[places], rcond=None)[0]
     if np.abs(conditions.at(z)[0]).max(initial=0.0) > 1e-10:
         raise NotApplicable("no state of the bodies that satisfies all constraints was found near the sample state")
     return z

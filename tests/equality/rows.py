@@ -50,7 +50,7 @@ def names_in(text: str) -> list[str]:
 
 
 def read_assumptions(text: str, names: list[str]) -> Assumptions:
-    """Reads "positive", "positive a b", "lower < x < upper", joined by semicolons."""
+    """What is said by `positive`, `positive a b`, `lower < x < upper`, joined by semicolons."""
     signs, ranges = {}, {}
     for item in filter(None, map(str.strip, text.split(";"))):
         sign = re.match(r"(positive|nonnegative|nonzero)\b(.*)", item)

@@ -40,7 +40,7 @@ ROWS = [
     Broken("missing shape", 'shape = "particle"\n', "", "bodies.bob has no “shape”", "rod"),
     Broken("missing type", 'type = "gravity"\n', "", "interactions.W has no “type”", "gravity"),
     Broken("missing stiffness", 'stiffness = "k"\n', "", "spring “S” has no “stiffness”", "force per elongation"),
-    Broken("contact without line", 'line  = "y = x*tan(beta)"\n', "", "contact “L” has no “line”"),
+    Broken("contact without line", 'line  = "y = x*tan(beta)"\n', "", "contact “L” touches nothing", "write line ="),
     Broken("missing dimension", 'dimension = "force", ', "", "the parameter “F” has no “dimension”"),
     # --- kinds
     Broken("unknown shape", 'shape  = "disk"', 'shape  = «"dsik"»', "unknown shape “dsik”", "did you mean “disk”?"),

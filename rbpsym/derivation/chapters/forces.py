@@ -46,6 +46,12 @@ def torque(force: Force, origin) -> Scalar:
     return short((force.point - origin).cross(force.vector) + force.couple)
 
 
+def torque_node(draft: Draft, force: Force, origin) -> t.Node:
+    """The torque of a force about a point: of the vector with its arm, and of the couple beside it."""
+    arm = short((force.point - origin).cross(force.vector))
+    return t.add(*(draft.show(part) for part in (arm, force.couple) if part))
+
+
 def _entry(draft: Draft, force: Force) -> None:
     state, rows = draft.study.system.bodies[force.on], []
     node = force_node(draft, force)
@@ -54,11 +60,11 @@ def _entry(draft: Draft, force: Force) -> None:
         rows.append(t.equation(node, draft.show_vector(force.vector)))
     center = short(torque_about_center(force, state))
     name = draft.free(f"tau_cm_{tag(draft, force)}")
-    rows.append(t.equation(draft.define(name, center), draft.show(center)))
+    rows.append(t.equation(draft.define(name, center), torque_node(draft, force, state.center)))
     for label, origin in draft.study.origins.items():
         value = torque(force, origin)
         letter = draft.define(draft.free(f"tau_{label}_{tag(draft, force)}"), value)
-        rows.append(t.equation(letter, draft.show(value)))
+        rows.append(t.equation(letter, torque_node(draft, force, origin)))
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     draft.add(f"force.{force.name}.{force.on}", "torque", statement, f"forces.{force.law}",
               body=BodyRef(force.on), by=force.by, where=force.where, force=node,

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.mass import Moments, mass_moments
@@ -51,9 +53,16 @@ def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> Non
         integral = _sum(draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements])
         radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
         draft.add(f"moment.{name}", "mass_integral", t.equation(moment, radius, integral, draft.show(state.moment)),
-                  "inertia.integral", body=BodyRef(name))
+                  "inertia.integral", body=BodyRef(name), **_spread(elements))
         return
     _by_parallel_axis(draft, name, state, moment, elements)
+
+
+def _spread(elements: tuple[MassElement, ...]) -> dict[str, object]:
+    """How the mass is spread: its density along a line, over a surface or in a volume, if it is one piece."""
+    if len(elements) != 1 or elements[0].kind == "point":
+        return {"variant": "pieces"}
+    return {"variant": elements[0].kind, "density": elements[0].density}
 
 
 def _shifted_rod(elements: tuple[MassElement, ...], state: BodyState) -> tuple[Scalar, Scalar] | None:
@@ -147,11 +156,18 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
             continue
         about = state.moment + state.mass * square
         letter = draft.define(draft.free(f"I_{name}_{label}" if not draft.is_single else f"I_{label}"), about)
-        sum_ = t.add(moment, t.mul(draft.show(state.mass), draft.show(square)))
+        sum_ = t.add(moment, t.mul(draft.show(state.mass), _as_power(draft, square)))
         spelled = t.add(draft.show(state.moment), draft.show(state.mass * square))
         draft.add(f"moment.{name}.{label}", "parallel_axis", _closed(draft, letter, sum_, spelled, about),
                   "inertia.steiner", premises=[f"moment.{name}"], body=BodyRef(name), point=t.Sym(label),
                   data={"body": name, "point": _fixed_point(draft, state, label), "value": about})
+
+
+def _as_power(draft: Draft, square: Scalar) -> t.Node:
+    """d² as the square of the distance, where that is a plain length."""
+    distance = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
+    rooted = any(atoms.atom(index).kind == "root" for index in distance.atoms())
+    return draft.show(square) if rooted else t.power(draft.show(distance), 2)
 
 
 def _closed(draft: Draft, letter: t.Node, sum_: t.Node, spelled: t.Node, value: Scalar) -> t.Node:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import Draft
@@ -117,7 +118,8 @@ def _turning(draft: Draft, name: str, state: BodyState) -> None:
         return
     statement = t.equation(omega, t.Deriv(draft.show(angle)), draft.show(state.omega))
     draft.add(f"turning.{name}", "differentiation", statement, _turning_phrase(draft, state),
-              data={"pairs": [(angle, state.omega)]}, body=BodyRef(name), omega=omega)
+              data={"pairs": [(angle, state.omega)]}, body=BodyRef(name), omega=omega,
+              coordinates=[t.Sym(n) for n in draft.study.system.independent if depends_on(state.omega, f"{n}_dot")])
 
 
 def _turning_phrase(draft: Draft, state: BodyState) -> str:

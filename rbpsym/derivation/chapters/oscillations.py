@@ -7,6 +7,7 @@ from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.oscillation import Equilibrium, resting_forces
 from rbpsym.notation import tree as t
 
@@ -26,11 +27,14 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     zero = t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces)) if len(forces) > 1 else (
         t.equation(draft.show(forces[0], factor=True), t.ZERO))
     verdict = {True: "stable", False: "unstable", None: "unclear"}[item.stable]
-    draft.add(f"equilibrium.{place}", "equilibrium", t.System((_at(draft, zero, item),)), f"oscillations.{verdict}",
+    linear = _is_linearized(draft, item)
+    there = _at(draft, zero, item)
+    draft.add(f"equilibrium.{place}", "equilibrium", there if isinstance(there, t.System) else t.System((there,)),
+              f"oscillations.{verdict}", level=FULL if linear else STANDARD,
               premises=[f"motion.{n}" for n in draft.study.system.independent], names=names, count=len(names),
               place=condition, data={"at": item.at})
-    if len(draft.study.system.independent) == 1 or len(item.frequencies_squared) == 1:
-        _linearized(draft, item, place)
+    if linear:
+        _linearized(draft, item, place, f"oscillations.linear.{verdict}", condition)
     elif item.stable:
         _modes(draft, item, place)
 
@@ -59,27 +63,38 @@ def _mapped(node: t.Node, change) -> t.Node:
     return change(replace(node, **values) if values else node)
 
 
-def _linearized(draft: Draft, item: Equilibrium, place: int) -> None:
+def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
+    """Whether one coordinate and one frequency tell the whole small motion."""
+    single = len(draft.study.system.independent) == 1 or len(item.frequencies_squared) == 1
+    known = draft.study.dynamics.accelerations is not None
+    return single and known and bool(item.frequencies_squared) and len(item.at) == 1
+
+
+def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, condition: t.Node) -> None:
     """q̈ ≈ -ϑ² (q - q₀) and the frequency."""
     accelerations = draft.study.dynamics.accelerations
-    name = next((n for n in item.at), None)
-    if accelerations is None or name is None or not item.frequencies_squared or len(item.at) != 1:
-        return
+    [name] = item.at
     value = _at_rest(draft, accelerations[f"{name}_ddot"])
     slope = substitute(derivative(value, name), item.at)
-    letter = draft.define(draft.free(f"vartheta_{place}" if len(draft.study.equilibria) > 1 else "vartheta"), NOTHING)
+    letter = draft.define(draft.free(_letter(draft, item)), NOTHING)
     draft.context.scalars.pop(letter.name)
     square = item.frequencies_squared[0]
     shown = _frequency(draft, item, square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     linear = _linear(draft, shown, deviation)
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", linear),
-              "oscillations.linear", premises=[f"equilibrium.{place}", f"motion.{name}"], coordinate=t.Sym(name),
+              phrase, place=condition, premises=[f"equilibrium.{place}", f"motion.{name}"], coordinate=t.Sym(name),
               data={"value": value, "name": name, "at": item.at, "slope": slope, "scalar": -square})
     if item.stable:
         draft.context.scalars[letter.name] = _root(square)
         draft.add(f"frequency.{place}", "identity", t.equation(t.Pow(letter, t.TWO), shown), "oscillations.frequency",
                   premises=[f"linear.{place}"], is_result=True, letter=letter)
+
+
+def _letter(draft: Draft, item: Equilibrium) -> str:
+    """The angular frequency; numbered if there are several stable places."""
+    stable = [other for other in draft.study.equilibria if other.stable]
+    return f"vartheta_{stable.index(item) + 1}" if item in stable and len(stable) > 1 else "vartheta"
 
 
 def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:

@@ -15,17 +15,23 @@ from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, Ske
 
 SIZE = 3.2  # the greatest extent of the body, in cm
 SHARES = {"rod": 1.0, "composite": 0.75, "rectangle": 0.6, "triangle": 0.6}  # of SIZE; others are round
-LENGTH = 1.15  # of each force arrow
+LENGTH = 1.0  # of each force arrow
 
 
-def free_body(sketch: Sketch, body_name: str) -> Scene:
-    """One body alone, with the forces and couples on it."""
+def free_body(sketch: Sketch, body_name: str, name: str | None = None, axes_too: bool = True) -> Scene:
+    """One body alone, with the forces and couples on it.
+
+    `name` is what stands under it (its own name if None, nothing if ""); the axes with the
+    positive sense are drawn if `axes_too`.
+    """
     sketch = scaled(sketch, factor(sketch.body(body_name)))
     body = sketch.body(body_name)
     scene = Scene((*body_outline(body), *marks.dot(body.center)))
     scene += sum(map(force_scene, spread(forces_on(sketch, body_name))), Scene())
     scene += sum(map(couple_scene, couples_on(sketch, body_name)), Scene())
-    return scene + sense(scene) + heading(scene, body)
+    shown = body.name if name is None else name
+    under = heading(scene, shown) if shown else Scene()
+    return scene + (sense(scene) if axes_too else Scene()) + under
 
 
 def factor(body: SketchBody) -> float:
@@ -71,10 +77,10 @@ def couple_scene(couple: SketchCouple) -> Scene:
     return Scene((arc,), labelled(couple.label, target, math.pi / 2, gap=0.12, color="force"))
 
 
-def heading(scene: Scene, body: SketchBody) -> Scene:
+def heading(scene: Scene, name: str) -> Scene:
     """The name of the body, under it."""
     left, bottom, right, _ = scene.bounds
-    return Scene((), (Label(body.name, ((left + right) / 2, bottom - 0.15), DOWN, 0.0),))
+    return Scene((), (Label(name, ((left + right) / 2, bottom - 0.15), DOWN, 0.0),))
 
 
 def sense(scene: Scene) -> Scene:

@@ -148,7 +148,9 @@ def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
     """An arc with its label at the middle; smaller angles get larger arcs."""
     turn = abs(mark.end - mark.start)
     radius = min(1.5, max(0.55, 0.5 / max(turn, 0.1)))
+    radius = max(radius, mark.reach + 0.25) if mark.reach else radius
     items = marks.angle_arc(mark.at, mark.start, mark.end, radius)
+    items += (Line((mark.at, polar(mark.at, radius + 0.1, mark.end)), "guide"),) if mark.reach else ()
     middle = (mark.start + mark.end) / 2
     target = polar(mark.at, radius, middle)
     return Scene(items, labelled(mark.label, target, middle, gap=0.06, color="accent"))
@@ -177,6 +179,7 @@ def free_direction(at: Point, sketch: Sketch) -> float:
     points = [point.at for point in sketch.points] + [body.center for body in sketch.bodies]
     taken = [direction(at, point) for point in points if math.dist(at, point) > 1e-6]
     taken += [UP, DOWN]
+    taken += [side for mark in sketch.angles if math.dist(mark.at, at) < 1e-6 for side in (mark.start, mark.end)]
     return max(
         (n * math.pi / 6 - QUARTER / 1.5 for n in range(12)),
         key=lambda angle: min(abs(math.remainder(angle - other, math.tau)) for other in taken),

@@ -91,12 +91,16 @@ class SketchCoil:
 
 @dataclass(frozen=True, slots=True)
 class AngleMark:
-    """An angle at a point from the direction `start` to `end` (the way in which it grows)."""
+    """An angle at a point from the direction `start` to `end` (the way in which it grows).
+
+    A line of length `reach` marks the end where no edge of a body is there.
+    """
 
     at: Point
     start: float
     end: float
     label: Caption
+    reach: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -160,11 +160,17 @@ def tabular(block: Table, rules: str, page: Page) -> str:
 
 
 def column_spec(block: Table, page: Page) -> str:
-    """Columns of words share the room that is left; formulas and short ones take theirs."""
-    return "".join(
-        "X" if letter == "l" and breaking.is_wordy(block, place, page.notation) else letter
-        for place, letter in enumerate(block.columns)
-    )
+    """Columns of words share the room that is left or wrap; formulas and short ones take theirs."""
+    return "".join(column(block, place, page) for place in range(len(block.header)))
+
+
+def column(block: Table, place: int, page: Page) -> str:
+    """The letter of one column."""
+    letter = block.columns[place]
+    if letter == "p":
+        wide = breaking.is_wide(block, place, page.notation)
+        return rf">{{\raggedright\arraybackslash}}m{{{breaking.NARROW}em}}" if wide else "l"
+    return "X" if letter == "l" and breaking.is_wordy(block, place) else letter
 
 
 def figure(block: FigureBlock, page: Page) -> str:

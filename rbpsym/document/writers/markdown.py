@@ -55,7 +55,7 @@ def display(block: Display, page: Page) -> str:
 
 def table(block: Table, page: Page) -> str:
     """A pipe table with its caption above."""
-    rules = " | ".join({"l": ":--", "c": ":-:", "r": "--:"}[letter] for letter in block.columns)
+    rules = " | ".join({"l": ":--", "p": ":--", "c": ":-:", "r": "--:"}[letter] for letter in block.columns)
     rows = [" | ".join(map(page.inlines, row)) for row in (block.header, *block.rows)]
     lines = "\n".join(f"| {row} |" for row in (rows[0], rules, *rows[1:]))
     return f"{captioned(block, 'table', page)}\n\n{lines}" if block.caption else lines

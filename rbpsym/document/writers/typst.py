@@ -117,10 +117,7 @@ def aligned_line(line: breaking.Line) -> str:
 
 def table(block: Table, page: Page) -> str:
     """A table with three rules."""
-    columns = ", ".join(
-        "1fr" if letter == "l" and breaking.is_wordy(block, place, page.notation) else "auto"
-        for place, letter in enumerate(block.columns)
-    )
+    columns = ", ".join(column(block, place, page) for place in range(len(block.header)))
     align = ", ".join(ALIGN[letter] for letter in block.columns)
     header = cells(block.header, page)
     rows = ",\n  ".join(cells(row, page) for row in block.rows)
@@ -131,7 +128,15 @@ def table(block: Table, page: Page) -> str:
     )
 
 
-ALIGN = {"l": "left", "c": "center", "r": "right"}
+def column(block: Table, place: int, page: Page) -> str:
+    """The width of a column: words share the room that is left, or wrap in a narrow one."""
+    if block.columns[place] == "p" and breaking.is_wide(block, place, page.notation):
+        return f"{breaking.NARROW}em"
+    wordy = block.columns[place] == "l" and breaking.is_wordy(block, place)
+    return "1fr" if wordy else "auto"
+
+
+ALIGN = {"p": "left", "l": "left", "c": "center", "r": "right"}
 
 
 def cells(row: tuple, page: Page) -> str:

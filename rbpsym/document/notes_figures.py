@@ -1,0 +1,47 @@
+"""The figures of the notes: the drawing of the system and the free-body diagrams."""
+
+from __future__ import annotations
+
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.figures.describe import describe, describe_free_body
+from rbpsym.document.figures.free_body import free_body
+from rbpsym.document.figures.schematic import schematic
+from rbpsym.document.model import FigureBlock
+from rbpsym.document.sketches import sketch_of
+from rbpsym.document.words import Words
+from rbpsym.notation.glyphs import Notation, notation_for
+from rbpsym.statement.model import Problem
+
+
+def figure_label(said: Words) -> str:
+    """The label of the drawing of the system."""
+    return said.prefix + "figure.system"
+
+
+def notation_of(problem: Problem) -> Notation:
+    """How the names of a problem are printed."""
+    return notation_for({q.name for q in problem.parameters} | {c.name for c in problem.coordinates}, problem.notation)
+
+
+def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
+    """The drawing of the whole system."""
+    sketch = sketch_of(derivation)
+    alt = describe(sketch, said.language, notation_of(derivation.study.problem))
+    return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
+
+
+def free_bodies_label(said: Words) -> str:
+    """The label of the free-body diagrams."""
+    return said.prefix + "figure.free"
+
+
+def free_bodies_figure(derivation: Derivation, said: Words) -> FigureBlock:
+    """Each body alone with the forces on it; the axes are drawn once."""
+    sketch = sketch_of(derivation)
+    names = [body.name for body in sketch.bodies]
+    alt = " ".join(describe_free_body(sketch, name, said.language, notation_of(derivation.study.problem)) for name in names)
+    scenes = tuple(
+        free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1])
+        for name in names
+    )
+    return FigureBlock(scenes, said.say("caption.free_bodies", count=len(names)), alt, free_bodies_label(said))

@@ -1,0 +1,121 @@
+"""What joins the bodies and acts on them, a sentence for each element of the statement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from rbpsym.derivation.step import BodyRef
+from rbpsym.document.model import Inlines
+from rbpsym.document.places import line_in_words, point_in_words
+from rbpsym.document.pose import DrawnPose
+from rbpsym.document.words import Words, capital
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Element, PointRef
+
+Slots = dict[str, object]
+
+
+def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
+    """The sentence of one constraint or interaction."""
+    write = SENTENCES.get(element.kind, _other)
+    slots = write(element, pose, said)
+    key = slots.pop("key", f"statement.{element.kind}")
+    if not said.has(key):
+        key, slots = "statement.other", _other(element, pose, said)
+    return capital(said.say(key, force=t.Vec(element.name), letter=t.Sym(element.name), **slots))
+
+
+def _pivot(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"point": point_in_words(element["point"], pose, said)}
+
+
+def _pair(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    first, second = element["points"]
+    if second.body is None:
+        first, second = second, first
+    slots: Slots = {"first": point_in_words(first, pose, said), "second": point_in_words(second, pose, said)}
+    if element.kind == "weld":
+        slots["couple"] = t.Sym(element["couple"])
+    if first.body is None:
+        return slots | {"key": f"statement.{element.kind}_ground", "body": BodyRef(second.body)}
+    return slots | {"one": BodyRef(first.body), "other": BodyRef(second.body)}
+
+
+def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    """A point or a round body on a line; other curves are named by what they are."""
+    what = element.values.get("point") or element.values.get("body")
+    line = element.values.get("line")
+    if line is None or element.values.get("of") or what is None:
+        return _other(element, pose, said) | {"key": "statement.other"}
+    toucher = point_in_words(what, pose, said) if isinstance(what, PointRef) else said.the(str(what))
+    slots: Slots = {"point": toucher, "line": line_in_words(line, pose, said)}
+    if element.values.get("friction"):
+        slots["friction"] = t.Sym(str(element["friction"]))
+    if element.values.get("coefficient") is not None:
+        slots |= {"coefficient": element["coefficient"], "key": f"statement.{element.kind}_rough"}
+    if element.values.get("couple"):
+        slots["couple"] = t.Sym(str(element["couple"]))
+    return slots
+
+
+def _spring(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    natural = element["natural_length"]
+    more: Slots = {"natural": natural} if natural not in (None, t.ZERO) else {"key": "statement.spring_short"}
+    return {"stiffness": element["stiffness"], **_ends(element, pose, said), **more}
+
+
+def _ends(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    first, second = element["between"]
+    return {"first": point_in_words(first, pose, said), "second": point_in_words(second, pose, said)}
+
+
+def _twisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    """Two bodies, or a body and the ground, that are turned against each other."""
+    names = [name for name in element["between"] if name in pose.study.system.bodies]
+    size = element["stiffness"] if "stiffness" in element.values else element["coefficient"]
+    return {"size": size, "bodies": [BodyRef(name) for name in names], "count": len(names)}
+
+
+def _applied(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"point": point_in_words(element["on"], pose, said)}
+
+
+def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"couple": element["couple"], "body": BodyRef(element["on"])}
+
+
+def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"point": point_in_words(element["point"], pose, said), "distance": element["distance"]}
+
+
+def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"body": BodyRef(element["body"]), "angle": element["angle"]}
+
+
+def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    turns = [said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said)
+             for turn in element["path"]]
+    return {"path": turns}
+
+
+def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    return {"kind": element.kind.replace("-", " ")}
+
+
+Writer = Callable[[Element, DrawnPose, Words], Slots]
+
+SENTENCES: Mapping[str, Writer] = {
+    "pivot": _pivot, "pin": _pair, "weld": _pair, "contact": _touching, "guide": _touching, "slider": _touching,
+    "touch": _touching, "rolling": _touching, "sticking": _touching, "string": _string,
+    "prescribed": _driven, "prescribed-angle": _turned,
+    "gravity": lambda e, p, w: {"g": e["g"]}, "spring": _spring,
+    "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, p, w)},
+    "torsion-spring": _twisting, "rotary-damper": _twisting, "force": _applied, "couple": _couple,
+}
+
+
+def element_sentences(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
+    """All of them: what holds the bodies, then what acts on them."""
+    problem = pose.study.problem
+    for element in (*problem.constraints, *problem.interactions):
+        yield element_sentence(element, pose, said)

@@ -1,0 +1,88 @@
+"""Points, lines and directions in words, as they are seen in the figure."""
+
+from __future__ import annotations
+
+import math
+
+from rbpsym.document.model import Inlines
+from rbpsym.document.pose import DrawnPose
+from rbpsym.document.words import Words
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Line, PointRef
+
+CENTERS = frozenset({"center", "cm", "middle", "origin"})
+ENDS = {"start": "end", "end": "start"}
+SIDES = ("right", "upwards", "left", "downwards")
+
+
+def point_in_words(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
+    """ "the lower end of the ladder", "the centre of the disk", "the fixed point O"."""
+    if ref.body is None:
+        return fixed_point(ref, pose, said)
+    body = said.the(ref.body)
+    if pose.study.problem.body(ref.body).shape.kind == "particle":
+        return body
+    return said.say("point.of", point=point_name(ref, pose, said), body=body)
+
+
+def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
+    """The point alone: "lower end", "centre"."""
+    point = ref.point or "cm"
+    if point in ENDS and pose.study.problem.body(ref.body).shape.kind == "rod":
+        return said.say(f"point.end.{_side(ref, pose)}")
+    if point == "cm" and not _is_centre(ref, pose):
+        return said.say("point.cm")
+    return said.say("point.center") if point in CENTERS else said.say("point.named", point=point.replace("_", " "))
+
+
+def _is_centre(ref: PointRef, pose: DrawnPose) -> bool:
+    """Is the centre of mass also the centre of the shape?"""
+    return "center" in pose.study.problem.body(ref.body).points
+
+
+def _side(ref: PointRef, pose: DrawnPose) -> str:
+    """Which end of a rod it is in the figure."""
+    other = PointRef(ref.label, ref.body, ENDS[ref.point])
+    (x, y), (u, v) = pose.ref(ref), pose.ref(other)
+    if abs(y - v) > 0.25 * math.dist((x, y), (u, v)):
+        return "upper" if y > v else "lower"
+    return "right" if x > u else "left"
+
+
+def fixed_point(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
+    """A point of space by its name, or by its coordinates."""
+    if ref.label.isidentifier():
+        return said.say("point.fixed", point=t.Sym(ref.label))
+    if ref.at is None:
+        return said.say("point.support")
+    return said.say("point.at", x=t.equation(t.Sym("x"), ref.at[0]), y=t.equation(t.Sym("y"), ref.at[1]))
+
+
+def line_in_words(line: Line, pose: DrawnPose, said: Words) -> Inlines:
+    """ "wall", "floor" or "line", with its equation."""
+    a, b = pose.node(line.a), pose.node(line.b)
+    kind = "floor" if abs(a) < 1e-9 else "wall" if abs(b) < 1e-9 else "line"
+    kind = "line" if kind == "floor" and not _is_below(line, pose) else kind
+    shown = t.equation(t.add(t.mul(line.a, t.Sym("x")), t.mul(line.b, t.Sym("y"))), line.c)
+    return said.say(f"line.{kind}", line=shown)
+
+
+def _is_below(line: Line, pose: DrawnPose) -> bool:
+    """Is a horizontal line under all bodies?"""
+    height = pose.node(line.c) / pose.node(line.b)
+    return all(pose.center(name)[1] >= height - 1e-9 for name in pose.study.system.bodies)
+
+
+def growth(coordinate: str, pose: DrawnPose) -> tuple[str, str]:
+    """Which way a coordinate grows, and on which body this is seen ("" for both if on none)."""
+    for name in pose.study.system.bodies:
+        slope = pose.slope(name, coordinate)
+        if slope in (1.0, -1.0):
+            return ("with" if slope > 0 else "against"), name
+    for name, state in pose.study.system.bodies.items():
+        velocity = state.center.derivative(coordinate)
+        x, y = pose.point(velocity)
+        if math.hypot(x, y) > 1e-9:
+            quarters = math.atan2(y, x) / (math.pi / 2)
+            return (SIDES[round(quarters) % 4] if abs(quarters - round(quarters)) < 1e-6 else ""), name
+    return "", ""

@@ -1,0 +1,109 @@
+"""Rough values at a few points: where a formula takes both signs, no proof of one need be tried.
+
+Floats and chance decide nothing here; they only spare work.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from zlib import crc32
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import Assumptions
+
+COUNT = 6
+CLEAR = 1e-9  # a value that is less than this part of its terms has no clear sign
+Values = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Values of generators at COUNT points that (nearly) satisfy the assumptions."""
+
+    assumptions: Assumptions
+    known: dict[int, Values] = field(default_factory=dict)
+    names: dict[str, Values] = field(default_factory=dict)
+
+    def has_both_signs(self, poly: Poly) -> bool:
+        """Whether the polynomial seems to be positive at one point and negative at another."""
+        signs = {self._sign(poly, k) for k in range(COUNT)}
+        return {1, -1} <= signs
+
+    def _sign(self, poly: Poly, k: int) -> int:
+        try:
+            terms = [self._term(m, c, k) for m, c in poly.terms.items()]
+        except (ArithmeticError, ValueError):
+            return 0
+        total = math.fsum(terms)
+        if not abs(total) > CLEAR * math.fsum(map(abs, terms)):
+            return 0
+        return 1 if total > 0 else -1
+
+    def _term(self, m: tuple, c: object, k: int) -> float:
+        return math.prod((self.atom(index)[k] ** exponent for index, exponent in m), start=float(c))
+
+    def atom(self, index: int) -> Values:
+        """A generator at all points (NaN where it has no value)."""
+        if index not in self.known:
+            found = atoms.atom(index)
+            rule = VALUES.get(found.kind, lambda samples, arg, k: math.nan)
+            self.known[index] = tuple(_tried(rule, self, found.arg, k) for k in range(COUNT))
+        return self.known[index]
+
+    def poly(self, poly: Poly, k: int) -> float:
+        """A polynomial at a point."""
+        return math.fsum(self._term(m, c, k) for m, c in poly.terms.items())
+
+    def scalar(self, value: Scalar, k: int) -> float:
+        """A value at a point."""
+        return self.poly(value.num, k) / self.poly(value.den, k)
+
+    def name(self, name: str) -> Values:
+        """A name at all points."""
+        if name not in self.names:
+            self.names[name] = (math.nan,) * COUNT  # a range that holds the name itself
+            self.names[name] = tuple(_tried(_chosen, self, name, k) for k in range(COUNT))
+        return self.names[name]
+
+
+def _tried(rule: Callable[[Samples, object, int], float], samples: Samples, arg: object, k: int) -> float:
+    try:
+        return rule(samples, arg, k)
+    except (ArithmeticError, ValueError):
+        return math.nan
+
+
+def _chosen(samples: Samples, name: str, k: int) -> float:
+    """A number in the range of a name, scattered by the name and the point."""
+    part = (crc32(f"{name} {k}".encode()) % 997 + 1) / 999
+    lower, upper = (None if end is None else samples.scalar(end, k) for end in samples.assumptions.range_of(name))
+    if samples.assumptions.sign_of(name) in ("positive", "nonnegative"):
+        lower = max(lower or 0.0, 0.0)
+    if lower is not None and upper is not None:
+        return lower + (upper - lower) * part
+    far = math.tan(part * math.pi / 2)
+    if lower is None and upper is None:
+        return math.tan((part - 0.5) * math.pi)
+    return lower + far if upper is None else upper - far
+
+
+def _of(function: Callable[[float], float]) -> Callable[[Samples, Scalar, int], float]:
+    return lambda samples, arg, k: function(samples.scalar(arg, k))
+
+
+VALUES = {
+    "symbol": lambda samples, name, k: math.pi if name == "pi" else samples.name(name)[k],
+    "cos": lambda samples, angle, k: math.cos(samples.poly(angle, k)),
+    "sin": lambda samples, angle, k: math.sin(samples.poly(angle, k)),
+    "half": lambda samples, angle, k: math.tan(samples.poly(angle, k) / 2),
+    "root": _of(math.sqrt),
+    "exp": _of(math.exp),
+    "ln": _of(math.log),
+    "asin": _of(math.asin),
+    "acos": _of(math.acos),
+    "atan": _of(math.atan),
+}

@@ -1,0 +1,105 @@
+"""Strings: straight segments between points and circles, one tension from grip to grip.
+
+A taut inextensible string moves along each segment with one speed, so the places to which it
+is tied (or whose rims it grips) have equal speeds along it; the tension T pulls on both. Its
+power T u·(v_first - v_second) then vanishes: that is the condition of the string.
+Kleppner & Kolenkow 2.4, 7.6.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import root
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_rooted, is_zero
+from rbpsym.algebra.scalar import UNITY, Scalar, symbol
+from rbpsym.algebra.vector import QUARTER, Vector, polar
+from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.system import Force
+from rbpsym.statement.model import Element, Turn
+from rbpsym.statement.paths import runs, tensions
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A straight piece: `along` the unit vector from `start` (leaving `first`) to `end` (at `second`)."""
+
+    first: Turn
+    second: Turn
+    start: Vector
+    end: Vector
+    along: Vector
+    length: Scalar
+
+
+def segment(first: Turn, second: Turn, geometry: Geometry) -> Segment:
+    """The common tangent of two circles in the senses in which the string runs (points: radius 0).
+
+    With ρ = s r (counter-clockwise positive) the string leaves a circle at C - ρ k×u, so the
+    distance of the centres across the string is ρ_second - ρ_first.
+    """
+    here, there = geometry.where(first.center), geometry.where(second.center)
+    leaving, arriving = (scalar(turn.radius) * turn.sense for turn in (first, second))
+    apart = (there - here).settled()
+    along, length = _tangent(apart, arriving - leaving, geometry)
+    across = along.turned()
+    return Segment(first, second, here - across * leaving, there - across * arriving, along, length)
+
+
+def _tangent(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector, Scalar]:
+    """(u, length of the segment) with apart = length u + offset k×u."""
+    for angle in dict.fromkeys(a + QUARTER * k for a in apart.parts for k in range(4)):
+        along = polar(UNITY, angle)
+        length = tidy(apart.dot(along))
+        if geometry.sign(length) > 0 and is_zero(apart.dot(along.turned()) - offset):
+            return along, length
+    square = tidy(apart.dot(apart))
+    length = root(tidy(square - offset * offset))
+    return (apart * length - apart.turned() * offset) * square.inverse() if offset else apart * length.inverse(), length
+
+
+def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
+    """The straight pieces of a run."""
+    return [segment(a, b, geometry) for a, b in zip(run, run[1:], strict=False)]
+
+
+def pulls(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    """The tension on both ends of every segment."""
+    found: list[Force] = []
+    for name, run in zip(tensions(element), runs(element["path"]), strict=True):
+        for part in segments(run, geometry):
+            found += _ends(name, part, len(run) == 2)
+    return tuple(found)
+
+
+def _ends(name: str, part: Segment, is_straight: bool) -> list[Force]:
+    pull = part.along * symbol(name)
+    ends = ((part.first, part.second, part.start, pull), (part.second, part.first, part.end, -pull))
+    return [
+        Force(name, turn.body, (other.body if is_straight else None) or "string", place, vector,
+              unknowns=(name,), where=turn.center.label)
+        for turn, other, place, vector in ends if turn.body is not None
+    ]
+
+
+def speeds_along(element: Element, geometry: Geometry) -> tuple[tuple[str, Scalar], ...]:
+    """Tensions whose power vanishes; with the length of a free segment as factor, which clears its root."""
+    if element["length"] is not None:
+        return ()
+    found = []
+    for name, run in zip(tensions(element), runs(element["path"]), strict=True):
+        parts = segments(run, geometry)
+        free = len(parts) == 1 and is_rooted(parts[0].length.num)
+        found.append((name, parts[0].length if free else UNITY))
+    return tuple(found)
+
+
+def gap(element: Element, geometry: Geometry) -> Scalar | None:
+    """Square of the distance minus that of the given length; None if no length is given."""
+    if element["length"] is None:
+        return None
+    first, second = (geometry.where(turn.center) for turn in element["path"])
+    apart = second - first
+    return apart.dot(apart) - scalar(element["length"]) ** 2

@@ -1,0 +1,253 @@
+"""The phrases that name quantities of a problem, each with what it means.
+
+“velocity of ladder.cm”, “angular momentum of disk about O, spin”, “work of N_w on ladder,
+translational”. A new phrase is a new row of PHRASES.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.calculus import function
+from rbpsym.algebra.evaluate import at_start, scalar, space_derivative, time_derivative
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import ORIGIN, Space, Vector
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
+from rbpsym.mechanics.system import Force
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.source import did_you_mean
+from rbpsym.verify.claims_bound import Bound, axial, number, plane
+
+if TYPE_CHECKING:
+    from rbpsym.verify.claims_problem import ProblemWorld
+
+
+def _inner(world: ProblemWorld, phrase: str, see: Callable[[Scalar], Scalar]) -> Bound:
+    found = world.bound(phrase)
+    vector = found.vector
+    if vector is not None:
+        parts = {angle: see(length) for angle, length in vector.plane.parts.items()}
+        vector = Space(Vector({a: n for a, n in parts.items() if n}), see(vector.z))
+    return replace(found, scalar=None if found.scalar is None else see(found.scalar), vector=vector)
+
+
+def _start(world: ProblemWorld, phrase: str) -> Bound:
+    scope = world.motion.scope
+    found = world.bound(phrase)
+    if found.vector is not None and found.vector.plane.parts:
+        moved = found.vector.plane.substitute(scope.start)
+        return plane(moved)
+    return _inner(world, phrase, lambda value: at_start(world.motion.moved(value), scope))
+
+
+def _minus(world: ProblemWorld, phrase: str) -> Bound:
+    found = world.bound(phrase)
+    vector = None if found.vector is None else -found.vector
+    return replace(found, scalar=None if found.scalar is None else -found.scalar, vector=vector)
+
+
+def _magnitude(world: ProblemWorld, phrase: str) -> Bound:
+    found = world.bound(phrase)
+    square = found.scalar * found.scalar if found.vector is None else found.vector.dot(found.vector)
+    return number(function("sqrt", square))
+
+
+def _component(world: ProblemWorld, axis: str, phrase: str) -> Bound:
+    found = world.bound(phrase).vector or Space()
+    return number(dict(zip("xyz", found.components(), strict=True))[axis])
+
+
+def _rate(world: ProblemWorld, phrase: str) -> Bound:
+    found, scope = world.bound(phrase), world.motion.scope
+    if found.vector is not None:
+        return Bound(time_derivative(found.scalar, scope), space_derivative(found.vector, scope))
+    return number(time_derivative(found.scalar, scope))
+
+
+def _of_coordinate(order: int):
+    def find(world: ProblemWorld, name: str) -> Bound:
+        value, scope = scalar(read_infix(name, world.names)), world.motion.scope
+        value = world.study.system.dependent.get(name, value)
+        for _ in range(order):
+            value = time_derivative(value, scope)
+        return number(value)
+
+    return find
+
+
+def _of_point(order: int):
+    def find(world: ProblemWorld, name: str, origin: str | None = None) -> Bound:
+        value = Space(world.place(name) - world.place(origin))
+        for _ in range(order):
+            value = space_derivative(value, world.motion.scope)
+        return plane(value)
+
+    return find
+
+
+def _moment(world: ProblemWorld, name: str, about: str | None) -> Bound:
+    total = NOTHING
+    for state in world.bodies(name):
+        lever = ORIGIN if about is None else state.center - world.place(about)
+        total = total + state.moment + state.mass * lever.dot(lever)
+    return number(total)
+
+
+def _momentum(world: ProblemWorld, name: str) -> Bound:
+    return plane(sum((state.velocity * state.mass for state in world.bodies(name)), ORIGIN))
+
+
+def _angular_momentum(world: ProblemWorld, name: str, about: str | None, part: str | None) -> Bound:
+    origin, total = world.place(about), NOTHING
+    for state in world.bodies(name):
+        orbital = state.mass * (state.center - origin).cross(state.velocity)
+        spin = state.moment * state.omega
+        total = total + {"orbital": orbital, "spin": spin}.get(part or "", orbital + spin)
+    return axial(total)
+
+
+def _force(world: ProblemWorld, names: str, on: str) -> Bound:
+    return plane(sum((force.vector for force in world.forces(names, on)), ORIGIN))
+
+
+def _torque(world: ProblemWorld, names: str, on: str, about: str | None) -> Bound:
+    origin, total = world.place(about), NOTHING
+    for force in world.forces(names, on):
+        total = total + (force.point - origin).cross(force.vector) + force.couple
+    return axial(total)
+
+
+def _couple(world: ProblemWorld, names: str, on: str) -> Bound:
+    return axial(sum((force.couple for force in world.forces(names, on)), NOTHING))
+
+
+def _power(world: ProblemWorld, forces: Iterable[Force], part: str | None) -> Scalar:
+    total = NOTHING
+    for force in forces:
+        state = world.study.system.bodies[force.on]
+        push, turn = force.vector.dot(state.velocity), torque_about_center(force, state) * state.omega
+        total = total + {"translational": push, "rotational": turn}.get(part or "", push + turn)
+    return total
+
+
+def _work(world: ProblemWorld, names: str, on: str | None, part: str | None) -> Bound:
+    return number(world.motion.work(_power(world, world.forces(names, on or "system"), part)))
+
+
+def _axis_work(world: ProblemWorld, names: str, on: str | None, about: str) -> Bound:
+    """∫ τ dφ with the torque about a point: the work on a body that turns about that point."""
+    on = on or "system"
+    power = _torque(world, names, on, about).scalar * world.bodies(on)[0].omega
+    return number(world.motion.work(power))
+
+
+def _kinetic(world: ProblemWorld, name: str | None, part: str | None) -> Bound:
+    total = NOTHING
+    for state in world.bodies(name or "system"):
+        push, turn = translational_energy(state), rotational_energy(state)
+        total = total + {"translational": push, "rotational": turn}.get(part or "", push + turn)
+    return number(total)
+
+
+def _relative(world: ProblemWorld) -> Bound:
+    """Kinetic energy without that of the centre of mass of all bodies."""
+    states = world.bodies("system")
+    mass = sum((state.mass for state in states), NOTHING)
+    push = sum((state.velocity * state.mass for state in states), ORIGIN)
+    return number(_kinetic(world, None, None).scalar - push.dot(push) / mass / 2)
+
+
+def _elsewhere(world: ProblemWorld, phrase: str, problem: str) -> Bound:
+    """The same in another problem, whose parameters of the same names are the same quantities."""
+    if world.others is None:
+        raise StatementError("no other problem is known here")
+    return world.others(problem).bound(phrase)
+
+
+def _potential(world: ProblemWorld, name: str | None) -> Bound:
+    found = potentials(world.study.system)
+    values = [found.get(name)] if name else list(found.values())
+    if any(value is None for value in values):
+        raise StatementError(
+            "there is no such potential energy", instead=did_you_mean(name or "", found, "interactions")
+        )
+    return number(sum(values, NOTHING))
+
+
+def _energy(world: ProblemWorld, loose: str | None) -> Bound:
+    if world.study.first_integral is None:
+        raise StatementError(f"“{world.study.problem.name}” has no energy integral")
+    return Bound(world.study.first_integral, kind="up to a constant" if loose else "value")
+
+
+def _frequency(world: ProblemWorld, name: str) -> Bound:
+    for item in world.study.equilibria:
+        if item.stable and name in item.at and item.frequencies_squared:
+            return number(function("sqrt", item.frequencies_squared[0]))
+    raise StatementError(f"no small oscillations of “{name}” are known")
+
+
+def _leaves(world: ProblemWorld, name: str, force: str) -> Bound:
+    for item in world.study.losses:
+        if item.force == force and name in item.at:
+            return number(item.at[name])
+    raise StatementError(f"“{force}” does not vanish during the motion, as far as is known")
+
+
+_B, _P, _F = r"(the system|[\w-]+)", r"([\w.-]+)", r"([\w, ]+?)"
+_ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
+_HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
+
+PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
+    (r"(.+) in ([\w./-]+)", _elsewhere),
+    (r"kinetic energy of the system relative to its centre of mass", _relative),
+    (r"start of (.+)", _start),
+    (r"minus (.+)", _minus),
+    (r"magnitude of (.+)", _magnitude),
+    (r"([xyz]) component of (.+)", _component),
+    (r"rate of (.+)", _rate),
+    (r"(?:speed|velocity) of ([\w]+)", _of_coordinate(1)),
+    (r"acceleration of ([\w]+)", _of_coordinate(2)),
+    (rf"position of {_P}(?: from {_P})?", _of_point(0)),
+    (rf"velocity of {_P}", _of_point(1)),
+    (rf"acceleration of {_P}", _of_point(2)),
+    (rf"angular velocity of {_B}", lambda world, name: axial(world.body(name).omega)),
+    (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha)),
+    (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING))),
+    (rf"moment of inertia of {_B}{_ABOUT}", _moment),
+    (rf"linear momentum of {_B}", _momentum),
+    (rf"angular momentum of {_B}{_ABOUT}{_PART}", _angular_momentum),
+    (rf"(net) force{_ON}", _force),
+    (rf"forces? {_F}{_ON}", _force),
+    (rf"(net) torque{_ON}{_ABOUT}", _torque),
+    (rf"torque of {_F}{_ON}{_ABOUT}", _torque),
+    (rf"couple of {_F}{_ON}", _couple),
+    (rf"(net) work{_ON}{_HALF}", _work),
+    (rf"(net) work{_ON} about {_P}", _axis_work),
+    (rf"work of {_F}{_ON}? about {_P}", _axis_work),
+    (rf"work of {_F}{_ON}?{_HALF}", _work),
+    (rf"kinetic energy(?: of {_B})?{_HALF}", _kinetic),
+    (rf"potential energy(?: of {_B})?", _potential),
+    (r"energy(, up to a constant)?", _energy),
+    (r"frequency of ([\w]+)", _frequency),
+    (r"([\w]+) where ([\w]+) vanishes", _leaves),
+)
+EXAMPLES = (
+    "velocity of BODY.cm",
+    "acceleration of COORDINATE",
+    "angular momentum of BODY about O",
+    "net torque on BODY about O",
+    "work of FORCE on BODY, translational",
+    "kinetic energy of BODY",
+    "energy",
+    "moment of inertia of BODY about O",
+    "position of BODY.cm",
+    "frequency of COORDINATE",
+    "a constant",
+    "unknown",
+    "defined here",
+)

@@ -1,0 +1,123 @@
+"""States of the motion at which two values differ: the witnesses of a refutation.
+
+The start is a state; any position and speed is one, if nothing is said of the start; else the
+speeds are those of the motion from the start. Where a speed remains, both signs are excluded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from contextlib import suppress
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.integration import definite
+from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.decide import find_witness
+from rbpsym.equality.domain import Condition
+from rbpsym.equality.verdict import Verdict, refuted, undecided
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.motion import along_motion, with_squares
+from rbpsym.notation import tree as t
+from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
+
+
+def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """A state of the motion at which the sides differ."""
+    if question.motion.is_tied:
+        return undecided("the coordinates are tied by conditions that are not solved in closed form")
+    for find in (_at_start, _at_any_state, _along):
+        with suppress(ZeroDivisionError):
+            found = find(a, b, question)
+            if found.is_refuted:
+                return found
+    return undecided("neither a proof nor a state of the motion at which the sides differ was found")
+
+
+def _witness(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Condition] = ()) -> Verdict:
+    try:
+        point = find_witness(a, b, assumptions, domain)
+    except (RbpsymError, ZeroDivisionError):
+        point = None
+    return refuted("the sides differ at a point", point) if point else undecided("no point was found")
+
+
+def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """The start is a state of the motion; only tried where start values or integrals are told."""
+    if not (tells_of_start(a, question) or tells_of_start(b, question)):
+        return undecided("")
+    x, y = question.begin(a), question.begin(b)
+    return undecided("") if holds_unknowns(x - y, question) else _witness(x, y, question.motion.assumptions)
+
+
+def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Every position and speed is a state of some motion, if nothing is said of the start."""
+    if tells_of_start(a, question) or tells_of_start(b, question):
+        return undecided("")
+    x, y = (question.seen(v, "motion") for v in (a, b))
+    if holds_unknowns(x, question) or holds_unknowns(y, question):
+        return undecided("")
+    return _witness(x, y, question.motion.assumptions)
+
+
+def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Values along the motion, integrals carried out; else the rates of both sides."""
+    x, y = (carried_out(v, question) for v in (a, b))
+    if x is not None and y is not None:
+        found = _differ(x, y, question)
+        if found.is_refuted:
+            return found
+    return _differ(*(question.seen(question.rate(v), "start") for v in (a, b)), question)
+
+
+def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Where a speed remains, both signs of its root are excluded: (a - b)(a' - b') is not zero."""
+    squares = question.motion.squares
+    left, right, gap = a, b, a - b
+    for name, square in squares.items():
+        speed = f"{name}_dot"
+        if depends_on(gap, speed):
+            slope = derivative(gap, speed)
+            rest = substitute(gap, {speed: NOTHING})
+            gap = with_squares(rest * rest - slope * slope * square, squares)
+            left, right = rest * rest, with_squares(slope * slope * square, squares)
+    bound_speeds = not question.motion.is_free and any(_is_speed(index) for index in gap.atoms())
+    if bound_speeds or holds_unknowns(gap, question):
+        return undecided("")
+    domain = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in squares.items()]
+    found = _witness(left, right, question.motion.assumptions, domain)
+    return found if found.is_refuted else _witness(left, right, question.motion.assumptions)
+
+
+def _is_speed(index: int) -> bool:
+    name = atoms.symbol_name(index)
+    return bool(name) and name.endswith(("_dot", "_ddot"))
+
+
+def carried_out(value: Scalar, question: Question) -> Scalar | None:
+    """The value along the motion with every work and integral in closed form; None if one has none."""
+    images: dict[str, Scalar] = {}
+    for name, power in question.motion.ledger.items():
+        if depends_on(value, name):
+            done = _work_done(power, question)
+            if done is None:
+                return None
+            images[name] = done
+    return question.seen(substitute(value, images), "start")
+
+
+def _work_done(power: Scalar, question: Question) -> Scalar | None:
+    """∫ power dt over the one coordinate along which it is done."""
+    motion = question.motion
+    known = motion.moved(power)
+    for name in motion.scope.start:
+        speed = f"{name}_dot"
+        if not depends_on(known, speed) or name not in motion.scope.rates:
+            continue
+        integrand = along_motion(substitute(known / symbol(speed), {}), motion.squares)
+        if integrand is None or (integrand.den is not ONE and depends_on(Scalar(integrand.den), name)):
+            return None
+        return definite(integrand, name, motion.scope.start[name], symbol(name))
+    return None

@@ -1,0 +1,274 @@
+"""Contacts, strings and drives in maximal coordinates, from the directions of their unit forces.
+
+Of a constraint force per unit (pushes at places on bodies) the row of the condition is its
+generalized force in X: an ideal force does no work, so that row times V vanishes. Its rate along V
+is taken by a complex step, exact to rounding (Squire & Trapp, SIAM Review 40 (1998) 110).
+Written apart from `mechanics`: numbers only, no formulas are shared.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from rbpsym.statement.model import Element, PointRef, Turn
+from rbpsym.statement.paths import runs, tensions
+from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
+from rbpsym.verify.simulation_joints import Drag, Entries, Kept, Row
+
+STEP = 1e-30
+Complex = list[complex]
+Point = tuple[complex, complex]
+GROUND_SPOT = Spot(-1, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Push:
+    """A unit force (x, y) at a place on body number `body` (-1: the ground, on which nothing is counted)."""
+
+    body: int
+    place: Point
+    x: complex
+    y: complex
+
+
+Pushes = Callable[[Complex], list[Push]]
+
+
+def spot_at(spot: Spot, where: Complex) -> Point:
+    """Place of a spot."""
+    if spot.body < 0:
+        return complex(spot.x), complex(spot.y)
+    k = 3 * spot.body
+    c, s = cmath.cos(where[k + 2]), cmath.sin(where[k + 2])
+    return where[k] + c * spot.x - s * spot.y, where[k + 1] + s * spot.x + c * spot.y
+
+
+def _entries(pushes: list[Push], where: Complex) -> list[tuple[int, complex]]:
+    found = []
+    for push in pushes:
+        if push.body >= 0:
+            k = 3 * push.body
+            lever = push.place[0] - where[k], push.place[1] - where[k + 1]
+            found += [(k, push.x), (k + 1, push.y), (k + 2, lever[0] * push.y - lever[1] * push.x)]
+    return found
+
+
+def _kept(
+    name: str, multiplier: str, pushes: Pushes, value: Callable[[Complex], complex] | None = None, drag: Drag | None = None
+) -> Kept:
+    """The condition that a unit force keeps; without a value it is one for the speeds alone."""
+    def row(where: State, speed: State) -> Row:
+        shifted = [x + 1j * STEP * v for x, v in zip(where, speed, strict=True)]
+        entries = _entries(pushes(shifted), shifted)
+        bias = sum(entry.imag / STEP * speed[column] for column, entry in entries)
+        gap = 0.0 if value is None else value(shifted).real
+        return Row(gap, [(column, entry.real) for column, entry in entries], bias)
+
+    return Kept(name, multiplier, row, value is not None, drag)
+
+
+# --- contacts with lines and circles
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """gap and unit normal (towards what touches) of a curve at a state, and the radius of what touches."""
+
+    gap: Callable[[Complex], complex]
+    normal: Callable[[Complex], Point]
+    touching: Spot
+    rim: float
+    bearer: int
+
+    def place(self, where: Complex) -> Point:
+        """The point of contact."""
+        (x, y), (nx, ny) = spot_at(self.touching, where), self.normal(where)
+        return x - self.rim * nx, y - self.rim * ny
+
+    def push(self, where: Complex, direction: Point) -> list[Push]:
+        """A unit force on what touches, and its opposite on the bearer of the curve."""
+        here, (x, y) = self.place(where), direction
+        return [Push(self.touching.body, here, x, y), Push(self.bearer, here, -x, -y)]
+
+
+def _touching(element: Element, mechanism: Mechanism) -> tuple[Spot, float]:
+    if "body" in element.values:
+        name = element["body"]
+        return mechanism.spot(PointRef("", name, "center")), mechanism.number(element["rim"])
+    return mechanism.spot(element["point"]), 0.0
+
+
+def curve(element: Element, mechanism: Mechanism, start: State) -> Curve:
+    """The curve of a contact."""
+    return (_circle if element.values.get("circle") is not None else _line)(element, mechanism, start)
+
+
+def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
+    touching, rim = _touching(element, mechanism)
+    line, bearer = element["line"], mechanism.body_number(element["of"])
+    a, b, c = (mechanism.number(node) for node in (line.a, line.b, line.c))
+    a, b, c = (part / math.hypot(a, b) for part in (a, b, c))
+    frame = GROUND_SPOT
+    if bearer >= 0:
+        frame = Spot(bearer, -mechanism.centers[bearer][0], -mechanism.centers[bearer][1])
+
+    def across(where: Complex) -> Point:
+        angle = where[3 * bearer + 2] if bearer >= 0 else 0.0
+        cos, sin = cmath.cos(angle), cmath.sin(angle)
+        return cos * a - sin * b, sin * a + cos * b
+
+    def height(where: Complex, point: Point) -> complex:
+        (x, y), (nx, ny) = spot_at(frame, where), across(where)
+        return (point[0] - x) * nx + (point[1] - y) * ny - c
+
+    side = _side(element, touching, bearer, lambda p: height(list(map(complex, start)), p).real, across(start)[1].real, start)
+    return Curve(
+        lambda where: side * height(where, spot_at(touching, where)) - rim,
+        lambda where: tuple(side * n for n in across(where)), touching, rim, bearer,
+    )
+
+
+def _side(element: Element, touching: Spot, bearer: int, height, rise: float, start: State) -> int:
+    stated = element.values.get("side", "positive")
+    if stated != "auto":
+        return 1 if stated == "positive" else -1
+    body, way = (touching.body, 1) if touching.body >= 0 else (bearer, -1)
+    here = height((start[3 * body], start[3 * body + 1]))
+    found = here if abs(here) > 1e-9 else rise
+    return way * (-1 if found < -1e-9 else 1)
+
+
+def _circle(element: Element, mechanism: Mechanism, start: State) -> Curve:
+    touching, rim = _touching(element, mechanism)
+    middle, radius = mechanism.spot(element["circle"]), mechanism.number(element["radius"])
+    side = _side_of_circle(element, touching, middle, radius, start)
+    reach = radius + side * rim
+
+    def apart(where: Complex) -> tuple[complex, complex, complex]:
+        (x, y), (cx, cy) = spot_at(touching, where), spot_at(middle, where)
+        return x - cx, y - cy, cmath.sqrt((x - cx) ** 2 + (y - cy) ** 2)
+
+    def normal(where: Complex) -> Point:
+        x, y, distance = apart(where)
+        return side * x / distance, side * y / distance
+
+    return Curve(lambda where: side * (apart(where)[2] - reach), normal, touching, rim, middle.body)
+
+
+def _side_of_circle(element: Element, touching: Spot, middle: Spot, radius: float, start: State) -> int:
+    stated = element.values.get("side", "outside")
+    if stated != "auto":
+        return 1 if stated == "outside" else -1
+    place = list(map(complex, start))
+    x, y = (start[3 * touching.body : 3 * touching.body + 2]) if touching.body >= 0 else spot_at(touching, place)
+    cx, cy = spot_at(middle, place)
+    return -1 if abs(complex(x - cx.real, y - cy.real)) < radius - 1e-6 else 1
+
+
+def _normal(element: Element, bend: Curve, drag: Drag | None = None) -> Kept:
+    return _kept(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drag)
+
+
+def _forward(bend: Curve, sign: int = 1) -> Pushes:
+    """A unit force along the tangent: the normal turned clockwise."""
+    def pushes(where: Complex) -> list[Push]:
+        nx, ny = bend.normal(where)
+        return bend.push(where, (sign * ny, -sign * nx))
+
+    return pushes
+
+
+def sliding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """N; with kinetic friction μN against the slip."""
+    bend, drag = curve(element, mechanism, start), None
+    if element.values.get("coefficient") is not None:
+        pushes = _forward(bend, -mechanism.slips[element.name])
+        share = mechanism.number(element["coefficient"])
+        drag = Drag(element["friction"], lambda where, speed: _real(pushes, where, share))
+    return [_normal(element, bend, drag)]
+
+
+def _real(pushes: Pushes, where: State, share: float) -> Entries:
+    place = list(map(complex, where))
+    return [(column, share * entry.real) for column, entry in _entries(pushes(place), place)]
+
+
+def slider(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """N, and the couple that keeps the angle as it is in the poses."""
+    from rbpsym.verify.simulation_joints import turning
+
+    first, second = mechanism.body_number(element["of"]), mechanism.spot(element["point"]).body
+    offset = start[3 * second + 2] - (start[3 * first + 2] if first >= 0 else 0.0)
+    return [*sliding(element, mechanism, start), turning(first, second, offset, element)]
+
+
+def holding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """N and static friction, positive uphill on a fixed line that slopes, else forward."""
+    bend = curve(element, mechanism, start)
+    sign = 1
+    if element["line"] is not None and bend.bearer < 0:
+        sign = -1 if -bend.normal(list(map(complex, start)))[0].real < -1e-9 else 1
+    return [_normal(element, bend), _kept(element.name, element["friction"], _forward(bend, sign))]
+
+
+# --- strings
+
+
+def string(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A tension for each run of the string, for the speeds along it."""
+    return [
+        _kept(element.name, name, _pulls(run, mechanism), _stretch(element, run, mechanism))
+        for name, run in zip(tensions(element), runs(element["path"]), strict=True)
+    ]
+
+
+def _stretch(element: Element, run: tuple[Turn, ...], mechanism: Mechanism) -> Callable[[Complex], complex] | None:
+    """Natural length minus length, for a straight piece whose length is given."""
+    if element["length"] is None:
+        return None
+    first, second = (mechanism.spot(turn.center) for turn in run)
+    length = mechanism.number(element["length"])
+
+    def gap(where: Complex) -> complex:
+        (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
+        return length - cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
+
+    return gap
+
+
+def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
+    circles = [(mechanism.spot(turn.center), turn.sense * mechanism.number(turn.radius)) for turn in run]
+
+    def pushes(where: Complex) -> list[Push]:
+        found = []
+        for (first, r1), (second, r2) in zip(circles, circles[1:], strict=False):
+            (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
+            ux, uy = _along(bx - ax, by - ay, r2 - r1)
+            found += [
+                Push(first.body, (ax + r1 * uy, ay - r1 * ux), ux, uy),
+                Push(second.body, (bx + r2 * uy, by - r2 * ux), -ux, -uy),
+            ]
+        return found
+
+    return pushes
+
+
+def _along(dx: complex, dy: complex, offset: complex) -> Point:
+    """u with d = L u + offset k×u."""
+    square = dx * dx + dy * dy
+    length = cmath.sqrt(square - offset * offset)
+    return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
+
+
+CONTACTS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
+    "contact": sliding,
+    "guide": sliding,
+    "slider": slider,
+    "touch": sliding,
+    "rolling": holding,
+    "sticking": holding,
+    "string": string,
+}

@@ -1,0 +1,145 @@
+"""Relations on a problem with what is to be decided, true ones and near misses."""
+
+import pytest
+
+from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
+from rbpsym.verify.claims_worlds import Worlds
+
+PROVED, REFUTED, UNDECIDED, DEFINITION = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED, Outcome.DEFINITION
+LADDER = {
+    "M": "M",
+    "g": "g",
+    r"\ell": "ell",
+    r"\theta": "theta",
+    r"\theta_0": "theta_0",
+    r"\omega": "speed of theta",
+    r"\alpha": "acceleration of theta",
+    r"\vec{V}": "velocity of ladder.cm",
+    r"\vec R": "position of ladder.cm",
+    r"\vec N_w": "force N_w on ladder",
+    "N_w": "N_w",
+    "N_f": "N_f",
+    "W_T": "net work on ladder, translational",
+    r"W_\theta": "net work on ladder, rotational",
+    "E": "energy",
+    "U": "energy, up to a constant",
+    "C": "a constant",
+    r"\vec L": "angular momentum of ladder about O",
+    "L_s": "angular momentum of ladder about O, spin",
+    "L_o": "angular momentum of ladder about O, orbital",
+    "I": "moment of inertia of ladder",
+    "I_c": "moment of inertia of ladder about O",
+    "K": "kinetic energy of ladder",
+    "z": "defined here",
+    r"\vec\tau": "net torque on ladder about ladder.cm",
+    r"\phi": "minus theta",
+    r"\vec p": "linear momentum of ladder",
+    "s": "magnitude of velocity of ladder.cm",
+    "v_0": "start of speed of theta",
+    "q": "unknown",
+    "a_x": "x component of acceleration of ladder.cm",
+    "P": "rate of kinetic energy of ladder",
+    "m_1": "mass of ladder",
+}
+ROWS = [
+    (r"\alpha=-\frac{3g}{4\ell}\cos\theta", PROVED),
+    (r"\alpha=-\frac{3g}{4\ell}\sin\theta", REFUTED),
+    (r"\alpha=-\frac{3g}{2\ell}\cos\theta", REFUTED),
+    (r"\omega^2=\frac{3g}{2\ell}(\sin\theta_0-\sin\theta)", PROVED),
+    (r"\omega^2=\frac{3g}{2\ell}\sin\theta_0", REFUTED),
+    (r"N_w=\frac34 Mg(3\sin\theta-2\sin\theta_0)\cos\theta", PROVED),
+    (r"N_f=\frac{Mg}{4}(1-6\sin\theta\sin\theta_0+9\sin^2\theta)", PROVED),
+    (r"N_f=Mg", REFUTED),
+    (r"W_T=\frac12 M V^2", PROVED),
+    (r"W_\theta=\frac16 M\ell^2\omega^2", PROVED),
+    (r"W_\theta=\frac12 M\ell^2\omega^2", REFUTED),
+    (r"W_T+W_\theta=Mg\ell(\sin\theta_0-\sin\theta)", PROVED),
+    (r"W_T+W_\theta=\frac23 M\ell^2\omega^2", PROVED),
+    (r"W_\theta=\int_{\theta_0}^{\theta}\ell(N_w\sin\theta-N_f\cos\theta)d\theta", PROVED),
+    (r"W_\theta=\int_{\theta}^{\theta_0}\ell(N_w\sin\theta-N_f\cos\theta)d\theta", REFUTED),
+    (r"W_\theta=-\int_{\theta}^{\theta_0}\ell(N_w\sin\theta-N_f\cos\theta)d\theta", PROVED),
+    (r"W_\theta=\int_{0}^{\theta}\ell(N_w\sin\theta-N_f\cos\theta)d\theta", REFUTED),
+    (r"\int_{0}^{\theta}\cos\theta d\theta=\sin\theta", PROVED),
+    (r"\frac23M\ell^2\omega^2+Mg\ell\sin\theta=E", PROVED),
+    (r"\frac23M\ell^2\omega^2+Mg\ell\sin\theta=C", PROVED),
+    (r"\frac23M\ell^2\omega^2+Mg\ell\sin\theta=\text{const}", PROVED),
+    (r"\frac23M\ell^2\omega^2-Mg\ell\sin\theta=\text{const}", REFUTED),
+    (r"\frac23M\ell^2\omega^2+Mg\ell(\sin\theta-1)=U", PROVED),
+    (r"\frac43M\ell^2\omega^2+2Mg\ell\sin\theta=U", REFUTED),
+    (r"\vec L=\frac23M\ell^2\omega\hat k", PROVED),
+    (r"\vec L=\frac43M\ell^2\omega\hat k", REFUTED),
+    (r"L_s=-\frac13M\ell^2\omega", PROVED),
+    (r"L_o=M\ell^2\omega", PROVED),
+    (r"I=\frac{M\ell^2}{3}", PROVED),
+    (r"I_c=I+M\ell^2=\frac43M\ell^2", PROVED),
+    (r"K=\frac12MV^2+\frac12I\omega^2", PROVED),
+    (r"s=\ell|\omega|", PROVED),
+    (r"V=\ell\omega", REFUTED),
+    (r"v_0=0", PROVED),
+    (r"\vec\tau=\ell(N_f\cos\theta-N_w\sin\theta)\hat k", PROVED),
+    (r"\vec\tau=\vec 0", Outcome.UNREAD),
+    (r"\vec R\cdot\vec V=0", PROVED),
+    (r"\vec R\times\vec p=\vec L", REFUTED),
+    (r"\frac{d\vec R}{dt}=\vec V", PROVED),
+    (r"M\frac{d^2\vec R}{dt^2}=\vec N_w", REFUTED),
+    (r"M a_x=N_w", PROVED),
+    (r"P=\frac{d}{dt}K", PROVED),
+    (r"m_1=M", PROVED),
+    (r"m_1=2M", REFUTED),
+    (r"\sin\phi=-\sin\theta", PROVED),
+    (r"\omega^2>0", REFUTED),
+    (r"I>0", PROVED),
+    (r"I<I_c", PROVED),
+    (r"\alpha<0", PROVED),
+    (r"N_w>0", REFUTED),
+    (r"\sin\theta\approx\theta", PROVED),
+    (r"\sin\theta\approx2\theta", REFUTED),
+    (r"\cos\theta\approx\theta", REFUTED),
+    (r"W_\theta\ne0", PROVED),
+    (r"z=M\ell", DEFINITION),
+    (r"z=z+1", Outcome.NOT_COMPUTED),
+    (r"q=1", REFUTED),
+    (r"M=V_w", Outcome.UNREAD),
+    (r"\vec V=M", Outcome.NOT_COMPUTED),
+    (r"\theta\to0", Outcome.NOT_COMPUTED),
+]
+
+
+def decided(latex, depth=""):
+    setting = Setting("ladder", "sliding-ladder", symbols={key: Meaning(value) for key, value in LADDER.items()})
+    claim = Claim("a", setting, Printed(latex), holds=depth)
+    return Checker(WORLDS).check_safely(claim)
+
+
+WORLDS = Worlds()
+
+
+@pytest.mark.parametrize(("latex", "wanted"), ROWS, ids=[row[0] for row in ROWS])
+def test_a_relation_is_decided(latex, wanted):
+    result = decided(latex)
+    assert result.outcome is wanted, (result.detail, result.links)
+    if wanted is REFUTED:
+        assert any("left = " in link.detail for link in result.links)
+
+
+@pytest.mark.parametrize(
+    ("latex", "depth", "wanted"),
+    [
+        (r"\alpha=-\frac{3g}{4\ell}\cos\theta", "identity", False),
+        (r"\alpha=-\frac{3g}{4\ell}\cos\theta", "motion", True),
+        (r"\omega^2=\frac{3g}{2\ell}(\sin\theta_0-\sin\theta)", "motion", True),
+        (r"\vec R\cdot\vec V=0", "identity", True),
+    ],
+)
+def test_a_claim_may_ask_for_more(latex, depth, wanted):
+    assert (decided(latex, depth).outcome is PROVED) is wanted
+
+
+def test_what_one_claim_defines_the_next_may_use():
+    checker = Checker(WORLDS)
+    setting = Setting("ladder", "sliding-ladder", symbols={key: Meaning(value) for key, value in LADDER.items()})
+    first, second = (
+        Claim("a", setting, Printed(latex)) for latex in (r"z=2\ell\cos\theta", r"z^2=4\ell^2-4\ell^2\sin^2\theta")
+    )
+    assert [checker.check(claim).outcome for claim in (first, second)] == [DEFINITION, PROVED]

@@ -1,0 +1,48 @@
+"""Near misses: what was meant is found, decided, and told."""
+
+import pytest
+
+from rbpsym.statement.library import library_folder
+from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_loader import load_claims
+from rbpsym.verify.claims_model import Outcome, Printed
+from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.diagnosis import diagnosis
+
+FILE = load_claims(library_folder() / "claims" / "paper.toml")
+CLAIMS = {claim.id: claim for claim in FILE.claims}
+CHECKER = Checker(Worlds(library_folder() / "claims"), diagnosis)
+INERTIA = r"\frac{m\ell^2}{3}+M\ell^2+\frac{MR^2}{2}"
+ROWS = [
+    ("eq-12", rf"\alpha=\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\sin\theta", "sign"),
+    ("eq-12", rf"\alpha=-\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\cos\theta", "sin in place of cos"),
+    ("eq-12", r"\alpha=-\frac{g\ell(\frac m2+M)}{\frac{m\ell^2}{3}+M\ell^2}\sin\theta", "I_cm of disk is missing"),
+    ("eq-12", rf"\alpha=-\frac{{g\ell(m+M)}}{{{INERTIA}}}\sin\theta", "factor 1/2"),
+    ("eq-12", r"\alpha=-\frac{g\ell(\frac m2+M)}{\frac{m\ell^2}{3}+M\ell+\frac{MR^2}{2}}\sin\theta", "exponent of ℓ"),
+    ("eq-12", r"\alpha=-\frac{g\ell(\frac M2+m)}{\frac{M\ell^2}{3}+m\ell^2+\frac{mR^2}{2}}\sin\theta", "exchanged"),
+    ("eq-22", rf"\alpha=-\frac{{g\ell(\frac m2+M)}}{{{INERTIA}}}\sin\theta", "is too much"),
+    ("eq-34", r"\alpha=-\frac{3g}{2\ell}\cos\theta", "factor 1/2"),
+    ("eq-31", r"\mathpzc{w}_c=\frac16M\ell^2\omega^2", "sign"),
+    ("eq-30", r"\mathcal{W}_{\theta}=\int_{\theta_0}^\theta d\theta\,\ell(N_w\sin\theta+N_f\cos\theta)", "sign of N_f"),
+    ("eq-19", r"\vec L_{disk}=\frac{MR^2}{2}\vec\beta", "it holds about disk.cm"),
+    ("eq-6", r"\vec\tau_{net}=\vec R_{cm}\times\vec F_{net}", "I_cm α⃗ is missing"),
+    ("eq-33", r"\frac12M\ell^2\omega^2+Mg\ell\sin\theta=E", "factor 4/3"),
+    ("eq-37", r"\mathpzc{w}_T=-k\ell^2(\sin\theta-\cos\theta_0)^2", "cos in place of sin"),
+    ("velocity-of-cm", r"\vec V_{cm}=\vec R_{cm}\times\vec\omega", "order of the vector product"),
+    ("eq-11", r"\vec\tau_{net}=-g(\frac{m\ell}{2}+MR)\sin\theta\hat k", "in place of R"),
+]
+
+
+@pytest.mark.parametrize(("name", "latex", "words"), ROWS, ids=[f"{row[0]}: {row[2]}" for row in ROWS])
+def test_a_near_miss_is_named(name, latex, words):
+    claim = CLAIMS[name]
+    found = CHECKER.check(
+        claim if claim.right is None else type(claim)(claim.id, claim.setting, claim.printed), Printed(latex)
+    )
+    assert found.outcome is Outcome.REFUTED
+    assert words in found.diagnosis and found.seconds < 1
+
+
+def test_what_is_far_off_gets_no_diagnosis():
+    found = CHECKER.check(CLAIMS["eq-34"], Printed(r"\alpha=\frac{g^3}{\ell^5}\cos^3\theta\sin\theta"))
+    assert found.outcome is Outcome.REFUTED and not found.diagnosis

@@ -1,0 +1,159 @@
+r"""A LaTeX text is walked: environments, numbers, labels, macros, files put in; and hostile ones refused."""
+
+import time
+
+import pytest
+
+from rbpsym.errors import RbpsymError
+from rbpsym.verify.paper_bind import printed
+from rbpsym.verify.paper_macros import definitions, expanded
+from rbpsym.verify.paper_walk import read_paper
+
+TEXT = r"""\documentclass{article} % \begin{equation} in a comment
+\newcommand{\half}[1]{\frac{#1}{2}}
+\newcommand\vv{\vec v}
+\def\kin#1#2{\half{#1} #2^2}
+\newcommand{\force}[1][F]{\vec #1}
+\DeclareMathOperator{\sgn}{sgn}
+\begin{document}
+Inline $E = \kin{m}{v}$ costs \$5, and \(a<b\); no relation in $x$.
+\begin{equation}\label{one} a=b \end{equation}
+\begin{equation*} c=d \end{equation*}
+\[ e=f \]
+$$ g=h $$
+\begin{align}
+ i &= j \label{two} \\
+ k &= l \nonumber \\
+   &= m \label{three}
+\end{align}
+\begin{eqnarray} n&=&o\nonumber\\ &=&p \end{eqnarray}
+\begin{gather} q=r \tag{A} \\ s=t \end{gather}
+\begin{multline} u \\ =v \end{multline}
+\begin{equation}\begin{split} w&=x\\&=y \end{split}\label{split}\end{equation}
+\begin{subequations}\label{group}
+\begin{equation} z=a \end{equation}
+\begin{equation} z=b \end{equation}
+\end{subequations}
+\begin{equation} z=c \end{equation}\label{behind}
+\begin{verbatim} \begin{equation} no=no \end{equation} \end{verbatim}
+\begin{equation}\label{one} z=d \end{equation}
+\end{document}
+"""
+NUMBERS = ["1", "", "", "", "2", "3", "4", "A", "5", "6", "7", "8a", "8b", "9", "10"]
+
+
+@pytest.fixture
+def paper(tmp_path):
+    path = tmp_path / "text.tex"
+    path.write_text(TEXT)
+    return read_paper(path)
+
+
+def test_displayed_formulas_have_the_numbers_that_latex_gives(paper):
+    assert [formula.number for formula in paper.displayed] == NUMBERS
+
+
+def test_labels_and_lines(paper):
+    labelled = {label: (formula.number, formula.line) for formula in paper.displayed for label in formula.labels}
+    assert labelled["one"] == ("10", 28) and labelled["two"] == ("2", 13) and labelled["three"] == ("3", 14)
+    assert [formula.line for formula in paper.formulas if not formula.displayed] == [8, 8, 8]
+
+
+def test_rows_with_numbers_of_their_own_are_formulas_of_their_own(paper):
+    rows = [formula.latex.split() for formula in paper.displayed if formula.number in ("2", "3", "4")]
+    assert ["&=" in row or "=" in "".join(row) for row in rows] == [True] * 3
+    assert "k" in rows[1] and "m" in rows[1]
+
+
+def test_labels_that_are_wrong_are_remarked(paper):
+    told = [remark for _, _, remark in paper.remarks]
+    assert any("“behind” stands behind its equation" in remark for remark in told)
+    assert any("“one” is defined a second time (first in line 9)" in remark for remark in told)
+
+
+def test_macros_are_put_in(paper):
+    first = paper.formulas[0]
+    assert "".join(printed(first, paper).latex.split()) == r"E=\frac{m}{2}v^2"
+
+
+@pytest.mark.parametrize(
+    ("latex", "wanted"),
+    [
+        (r"\half{x}", r"\frac{x}{2}"),
+        (r"\half x", r"\frac{x}{2}"),
+        (r"\vv x", r"\vec v  x"),
+        (r"\force", r"\vec F"),
+        (r"\force[N]", r"\vec N"),
+        (r"\kin{\half{a}}b", r"\frac{\frac{a}{2}}{2} b^2"),
+        (r"\sgn x", r"\operatorname{sgn} x"),
+        (r"\halfway", r"\halfway"),
+    ],
+)
+def test_arguments_of_macros(paper, latex, wanted):
+    assert "".join(expanded(latex, paper.macros).split()) == "".join(wanted.split())
+
+
+def test_input_beside_the_text(tmp_path):
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "a.tex").write_text("\n$$ x=1 $$\n")
+    (tmp_path / "main.tex").write_text(
+        "\\begin{equation}a=b\\end{equation}\n\\input{parts/a}\n$$ y=2 $$ % \\input{no}\n"
+    )
+    found = read_paper(tmp_path / "main.tex").displayed
+    assert [(formula.latex.strip(), formula.file.split("/")[-1], formula.line) for formula in found] == [
+        ("a=b", "main.tex", 1),
+        ("x=1", "a.tex", 2),
+        ("y=2", "main.tex", 3),
+    ]
+
+
+HOSTILE = {
+    "outside": (r"\input{/etc/passwd}", "outside the folder"),
+    "above": (r"\input{../secret}", "outside the folder"),
+    "itself": (r"\input{main}", "inputs itself"),
+    "missing": (r"\input{nothing}", "no file “nothing”"),
+    "null": ("\\input{a\0b}", "no name of a file"),
+    "open": (r"\begin{equation} a=b", "never closed"),
+    "dollar": (r"$a=b", "never closed"),
+    "open macro": (r"\newcommand{\x}{ {", "never closed"),
+    "long line": ("x" * 300_000, "a line of more than"),
+    "not UTF-8": (b"\xff\xfe\x00", "not UTF-8"),
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_texts_get_a_sentence_quickly(tmp_path, name):
+    text, words = HOSTILE[name]
+    path = tmp_path / "main.tex"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    begun = time.perf_counter()
+    with pytest.raises(RbpsymError) as caught:
+        read_paper(path)
+    assert words in str(caught.value) and time.perf_counter() - begun < 0.2
+
+
+def test_a_link_out_of_the_folder_is_refused(tmp_path):
+    folder = tmp_path / "paper"
+    folder.mkdir()
+    (tmp_path / "secret.tex").write_text("secret")
+    (folder / "a.tex").symlink_to(tmp_path / "secret.tex")
+    (folder / "main.tex").write_text(r"\input{a}")
+    with pytest.raises(RbpsymError, match="outside the folder"):
+        read_paper(folder / "main.tex")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\newcommand{\x}{\x\x}",
+        r"\def\x{\y\y}\def\y{\x\x}",
+        r"\newcommand{\x}[1]{\x{#1#1}}",
+        "".join(rf"\def\{chr(97 + k)}{{\{chr(98 + k)}\{chr(98 + k)}}}" for k in range(25)) + r"\def\x{\a}",
+    ],
+)
+def test_macros_that_never_end_are_refused_quickly(text):
+    macros, _ = definitions(text)
+    begun = time.perf_counter()
+    with pytest.raises(RbpsymError):
+        expanded(r"\x{a}", macros)
+    assert time.perf_counter() - begun < 0.2

@@ -1,0 +1,162 @@
+"""Verdicts: obligations, witnesses, vectors, comparisons, and what must not be proved."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from fractions import Fraction
+
+import pytest
+
+from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.scalar import PI, generator_of, lift, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra.vector import EX, EY, Space
+from rbpsym.equality.assumptions import Assumptions, positive
+from rbpsym.equality.decide import compare, equal, scalars_equal, vectors_equal
+from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, all_of, proved, undecided
+from rbpsym.errors import ReadError
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
+from tests.equality.rows import names_in, read_assumptions
+
+X, THETA = t.Sym("x"), t.Sym("theta")
+
+
+def decide(left: str, right: str, assuming: str = ""):
+    """The verdict on two typed formulas."""
+    names = names_in(f"{left} {right}")
+    return equal(read_infix(left, names), read_infix(right, names), read_assumptions(assuming, names))
+
+
+def test_division_leaves_an_obligation() -> None:
+    verdict = decide("x/x", "1")
+    assert verdict.is_proved
+    assert [duty.relation for duty in verdict.open_obligations] == [t.relation(X, "!=", t.ZERO)]
+
+
+def test_an_obligation_is_discharged() -> None:
+    verdict = decide("x/x", "1", "positive")
+    assert verdict.obligations and not verdict.open_obligations
+
+
+@pytest.mark.parametrize(
+    ("left", "assuming", "open_ones"),
+    [
+        ("1/cos(theta)", "0 < theta < pi/2", 0),
+        ("1/cos(theta)", "0 < theta < pi", 1),
+        ("tan(theta)", "", 1),
+        ("sqrt(x)", "", 1),
+        ("sqrt(x**2 + 1)", "", 0),
+        ("sqrt(1 - cos(theta))", "", 0),
+        ("ln(x)", "nonnegative x", 1),
+        ("asin(x)", "", 1),
+        ("asin(x)", "-1 < x < 1", 0),
+        ("x**(-2)", "nonzero x", 0),
+        ("x/(x**2 - 2*x + 2)", "", 0),
+        ("1/2", "", 0),
+        ("x/(m + M)", "positive m M", 0),
+        ("x/(m - M)", "positive m M", 1),
+    ],
+)
+def test_obligations_of_a_formula(left: str, assuming: str, open_ones: int) -> None:
+    assert len(decide(left, left, assuming).open_obligations) == open_ones
+
+
+def test_witness_is_small_and_readable() -> None:
+    verdict = decide("sin(2*theta)", "sin(theta)")
+    assert verdict.witness.is_exact
+    assert str(verdict) == "REFUTED: at cos(theta) = 4/5, sin(theta) = 3/5: left = 24/25, right = 3/5"
+
+
+def test_half_angles_in_a_witness() -> None:
+    assert "cos(theta/2)" in str(decide("sin(theta/2)", "sin(theta)/2"))
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "assuming"),
+    [
+        # true wherever a generic point lies, false at an isolated point of the domain
+        ("sqrt(x**2*(x - 1)) + sqrt((x - 1)**2)", "sqrt(x**2*(x - 1)) + x - 1", ""),
+        ("sqrt(-x**2) + sqrt((x - 1)**2)", "x - 1 + sqrt(-x**2)", ""),
+        ("sqrt(x) + sqrt(-x*y) + sqrt(y**2)", "sqrt(x) + sqrt(-x*y) - y", ""),
+        ("sqrt(x) + sqrt(x*y) + abs(y)", "sqrt(x) + sqrt(x*y) + y", ""),
+        ("sqrt(-x**2 - y**2) + abs(x - 1)", "sqrt(-x**2 - y**2) + x - 1", ""),
+        # nothing to prove: no point of the domain
+        ("ln(-x**2)", "ln(-x**2) + 1", ""),
+        ("sqrt(-1)", "sqrt(-1)*2", ""),
+    ],
+)
+def test_isolated_points_are_not_forgotten(left: str, right: str, assuming: str) -> None:
+    assert decide(left, right, assuming).kind is not PROVED
+
+
+def test_an_identically_vanishing_denominator_proves_nothing() -> None:
+    for text in ("x/(cos(2*x) - 1 + 2*sin(x)**2)", "x/(sin(x)**2 + cos(x)**2 - 1)", "x*(x - x)**(-1)"):
+        assert decide(text, text).kind is UNDECIDED
+
+
+def test_a_quantity_known_only_by_name_refutes_nothing() -> None:
+    force = generator_of("opaque", "work of an unknown force")
+    assert scalars_equal(force, lift(1)).kind is UNDECIDED
+    assert scalars_equal(force * 2, force + force).is_proved
+
+
+def test_scope_gives_names_their_meaning() -> None:
+    scope = Scope(scalars={"I": symbol("m") * symbol("R") ** 2 * Fraction(1, 2)}, vectors={"r": Space(EX * symbol("R"))})
+    m, radius = t.Sym("m"), t.Sym("R")
+    half = t.Div(t.Mul((m, t.Pow(radius, t.TWO))), t.TWO)
+    assert equal(t.Sym("I"), half, scope=scope).is_proved
+    assert equal(t.Dot(t.Vec("r"), t.Vec("r")), t.Pow(radius, t.TWO), scope=scope).is_proved
+    assert equal(t.Vec("r"), t.Mul((radius, t.Unit("x"))), scope=scope).is_proved
+    assert equal(t.Vec("r"), t.Mul((radius, t.Unit("y"))), scope=scope).is_refuted
+
+
+def test_a_vector_is_no_scalar() -> None:
+    with pytest.raises(ReadError):
+        equal(t.Unit("x"), t.ONE)
+    assert equal(t.Add((t.Unit("x"), t.Neg(t.Unit("x")))), t.ZERO).is_proved
+
+
+def test_vectors_equal() -> None:
+    a = symbol("a")
+    turned = Space(EX * cosine(a) + EY * sine(a))
+    assert vectors_equal(turned, turned).is_proved
+    assert vectors_equal(turned, Space(EX * cosine(a) - EY * sine(a))).is_refuted
+
+
+def test_a_point_that_satisfies_a_relation_between_ranges() -> None:
+    theta, start = symbol("theta"), symbol("theta_0")
+    given = Assumptions(ranges={"theta": (lift(0), start), "theta_0": (lift(0), PI * Fraction(1, 2))})
+    assert compare(sine(theta), sine(start), given).is_proved
+    assert compare(cosine(theta), cosine(start), given).is_refuted
+    assert compare(sine(theta) ** 2 + cosine(theta) ** 2, lift(1), given).is_refuted
+    assert compare(sine(theta) ** 2 + cosine(theta) ** 2, lift(1), given, strict=False).is_proved
+
+
+def test_the_free_disk_swings_faster() -> None:
+    m, big, ell, radius, g = map(symbol, ["m", "M", "ell", "R", "g"])
+    given = positive("m", "M", "ell", "R", "g")
+    pull, inertia = g * ell * (m / 2 + big), m * ell**2 / 3 + big * ell**2
+    fixed, free = pull / (inertia + big * radius**2 / 2), pull / inertia
+    assert compare(fixed, free, given).is_proved
+    assert compare(free, fixed, given).is_refuted
+    assert compare(fixed, free, given.without("M")).kind is not PROVED
+
+
+def test_verdicts_together() -> None:
+    assert all_of([proved("a"), undecided("b")]).kind is UNDECIDED
+    assert all_of([undecided("b"), decide("x", "y")]).kind is REFUTED
+    assert all_of([proved("a"), proved("a")]) == proved("a")
+
+
+def test_too_large_is_undecided() -> None:
+    names = [f"x{k}" for k in range(12)]
+    big = read_infix(f"({' + '.join(names)})**12", names)
+    verdict = equal(big, t.Add((big, t.Num(1))))
+    assert verdict.kind is UNDECIDED and ("beyond" in verdict.reason or "terms" in verdict.reason)
+
+
+def test_sympy_is_not_imported() -> None:
+    code = "import rbpsym.equality.decide, rbpsym.equality.radicals, sys; sys.exit('sympy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
