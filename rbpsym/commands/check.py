@@ -76,7 +76,7 @@ def command(names, problems, as_json, junit, html, github, only, failures, cache
     from rbpsym.commands.progress import Progress
     from rbpsym.verify.claims_cache import Certificates, default_folder
 
-    certificates = Certificates.opened(None if no_cache else cache or default_folder())
+    certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
     with Progress("check") as progress:
         found = everything(names, problems, certificates, simulation, progress)
     certificates.store()

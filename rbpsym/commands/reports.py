@@ -204,6 +204,7 @@ def escaped(text: str, whole: bool = False) -> str:
 def as_html(found: Found) -> str:
     """A page: one row a formula, its LaTeX beside what was found."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
 
     from rbpsym.document.resources import data_folder
 
@@ -215,6 +216,7 @@ def as_html(found: Found) -> str:
             "name": name_of(result),
             "word": word(result),
             "lines": list(lines(result)),
+            "drawn": [Markup(link.mathml) if link.mathml else str(link.relation) for link in result.links],
             "kind": "unexpected" if not result.expected else result.outcome.name.lower(),
         }
         for result in found.results

@@ -6,6 +6,7 @@ All formats break a formula in the same places: widths are estimates in em, from
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -91,7 +92,10 @@ def node_width(node: Node, notation: Notation = DEFAULT) -> float:
 def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
     """The lines of a displayed formula in a column of that many em."""
     parts = node.rows if isinstance(node, System) else (node,)
-    return tuple(line for part in parts for line in chain_lines(part, notation, column))
+    lefts = [width(layout_rows(part, notation).rows[0][0]) for part in parts]
+    widest_left = max((left for left in lefts if left <= 0.5 * column), default=0.0)
+    room = [column - max(widest_left - left, 0.0) for left in lefts]
+    return tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
 
 
 def display_lines(block: Display, notation: Notation, column: float) -> tuple[Line, ...]:
@@ -154,7 +158,8 @@ def cut(term: b.Row) -> tuple[b.Row, ...]:
     fence = items[place]
     first, *middle, last = terms(fence.body)
     before = b.Row((*items[:place], b.Fence(fence.opening, first, "", fence.tall)))
-    after = b.Row((b.Fence("", last, fence.closing, fence.tall), *items[place + 1 :]))
+    sign, *rest = last.items
+    after = b.Row((sign, b.Fence("", b.Row(tuple(rest)), fence.closing, fence.tall), *items[place + 1 :]))
     return before, *middle, after
 
 
@@ -226,12 +231,17 @@ def reason_fits(block: Display, notation: Notation, column: float) -> bool:
     return used + 5.0 <= 0.92 * column
 
 
-def is_wide(block: Table, place: int, notation: Notation) -> bool:
-    """Is there more in a narrow column than one line of it takes?"""
-    return max(text_width(row[place], notation) for row in (block.header, *block.rows)) > NARROW
+def is_wrapped(block: Table, place: int, notation: Notation, column: float) -> bool:
+    """Must a narrow column of words be wrapped, for the table to have room in a column of the page?"""
+    return column_width(block, place, notation) > NARROW and table_width(block, notation, math.inf) > column
 
 
 NARROW = 9.0
+
+
+def column_width(block: Table, place: int, notation: Notation) -> float:
+    """The width of a column whose cells do not wrap, in em."""
+    return max(text_width(row[place], notation) for row in (block.header, *block.rows))
 
 
 def is_wordy(block: Table, place: int) -> bool:
@@ -241,11 +251,10 @@ def is_wordy(block: Table, place: int) -> bool:
     )
 
 
-def table_width(block: Table, notation: Notation) -> float:
-    """The width of a table whose cells do not wrap, in em."""
-    rows = (block.header, *block.rows)
-    widths = [max(text_width(row[place], notation) for row in rows) for place in range(len(block.header))]
-    widths = [min(w, NARROW) if letter == "p" else w for w, letter in zip(widths, block.columns, strict=True)]
+def table_width(block: Table, notation: Notation, narrow: float = NARROW) -> float:
+    """The width of a table whose cells do not wrap, but for its narrow columns of words, in em."""
+    widths = [column_width(block, place, notation) for place in range(len(block.header))]
+    widths = [min(w, narrow) if letter == "p" else w for w, letter in zip(widths, block.columns, strict=True)]
     return sum(widths) + 1.1 * len(widths)
 
 

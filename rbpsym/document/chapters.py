@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from rbpsym.derivation.step import Derivation, Step, StepRef
-from rbpsym.document.breaking import table_width
+from rbpsym.document.breaking import lines, table_width
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref, Section, Text
-from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, notation_of
+from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, problem_notation
 from rbpsym.document.tables import done_table, forces_table, works_table
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import DEFAULT
 
 ORDER = ("kinematics", "inertia", "momentum", "forces", "motion", "reactions", "work", "energy", "contact", "oscillations")
 MOST_ROWS = 6  # formulas under one number
+MOST_LINES = 12
+COLUMN = 36.0  # em: about the width of a page
 WIDEST = 44.0  # em: a table that is wider would have to be set in small letters
 
 
@@ -81,10 +84,13 @@ class Teller:
 
     def together(self, steps: Sequence[Step], key: str, **slots: object) -> Iterator[Block]:
         """Steps of one kind under one sentence and one number; a single one in its own words."""
-        if len(steps) == 1 or len(steps) > MOST_ROWS:
+        if len(steps) < 2:
             yield from self.steps(steps)
-        elif steps:
-            yield Paragraph(self.said.say(key, count=len(steps), **slots))
+            return
+        yield Paragraph(self.said.say(key, count=len(steps), **slots))
+        if is_tall(steps, self.said):
+            yield from (display(step, self.said) for step in steps)
+        else:
             yield joined(steps, self.said)
 
 
@@ -99,6 +105,13 @@ def known_key(key: str, said: Words) -> str | None:
 def display(step: Step, said: Words) -> Display:
     """The formula of a step, numbered, boxed if it is a result."""
     return Display(step.statement, said.prefix + step.id, True, step.is_result)
+
+
+def is_tall(steps: Sequence[Step], said: Words) -> bool:
+    """Do the formulas of some steps take too much room to stand under one number?"""
+    notation = problem_notation(said.problem) if said.problem else DEFAULT
+    rows = sum(len(lines(step.statement, notation, COLUMN)) for step in steps)
+    return len(steps) > MOST_ROWS or rows > MOST_LINES
 
 
 def joined(steps: Sequence[Step], said: Words) -> Display:
@@ -164,8 +177,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     teller = Teller(said)
     kinds = {kind: [s for s in steps if s.rule == kind] for kind in ("work", "workless", "work_energy", "work_done", "solution")}
     if kinds["work"]:
-        yield from _intro("work", derivation, said, table=Ref(said.prefix + "table.works"))
-        yield works_table(kinds["work"], said)
+        yield from _integrals(kinds["work"], derivation, said)
     forces = [step.slots["force"] for step in kinds["workless"]]
     yield from teller.together(kinds["workless"], "work.cancel_all", forces=forces)
     whole, halves = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))[0], []
@@ -177,10 +189,21 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
         yield from _done(kinds["work_done"], derivation, said)
 
 
+def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
+    """The works as integrals: a table, or one below the other if they are long."""
+    table = works_table(steps, said)
+    if table_width(table, problem_notation(derivation.study.problem)) <= WIDEST:
+        yield Paragraph(said.say("work.intro", table=Ref(table.label)))
+        yield table
+        return
+    yield Paragraph(said.say("work.intro_below"))
+    yield from (joined([step], said) for step in steps)
+
+
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
     table = done_table(steps, said)
-    if table_width(table, notation_of(derivation.study.problem)) <= WIDEST:
+    if table_width(table, problem_notation(derivation.study.problem)) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", table=Ref(table.label)))
         yield table
         return
@@ -224,6 +247,18 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     yield from teller.steps(others)
 
 
+def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
+    """Each position of rest; of one that is not shown with its formulas at least the sentence."""
+    teller = Teller(said)
+    yield from _intro("oscillations", derivation, said)
+    for step in derivation.chapter("oscillations"):
+        if step in steps:
+            yield from teller.step(step)
+        elif step.rule == "equilibrium" and not step.slots.get("told"):
+            yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
+
+
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {
     "kinematics": _kinematics, "forces": _forces, "reactions": _reactions, "work": _work, "contact": _contact,
+    "oscillations": _oscillations,
 }

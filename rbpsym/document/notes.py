@@ -8,8 +8,8 @@ from dataclasses import replace
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.model import Document, Inlines, Section, Text, words
-from rbpsym.document.notes_figures import notation_of
-from rbpsym.document.notes_checks import checks_section, results_section
+from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
+from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
@@ -24,12 +24,21 @@ def notes(derivation: Derivation, language: str = "en", detail: str = "standard"
     said = Words(language, problem)
     return Document(
         words(said.title(problem.title)), tuple(problem_sections(derivation, language, detail, "", 1)),
-        source=words(problem.source), language=language, notation=notation_of(problem),
+        source=words(problem.source), language=language, notation=notation_of(derivation),
     )
 
 
-def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int) -> list[Section]:
-    """All sections of a problem; `prefix` keeps its labels apart from those of other problems."""
+def notation_of(derivation: Derivation) -> Notation:
+    """How the names of a derived problem are printed."""
+    return problem_notation(derivation.study.problem)
+
+
+def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int,
+                     checks: str = "") -> list[Section]:
+    """All sections of a problem; `prefix` keeps its labels apart from those of other problems.
+
+    `checks` is the label of a table of checks for the whole document, "" for one of its own.
+    """
     shown = shown_steps(derivation, detail)
     said = Words(language, derivation.study.problem, prefix, shown)
     same = repeated(derivation, shown, said)
@@ -38,7 +47,7 @@ def problem_sections(derivation: Derivation, language: str, detail: str, prefix:
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
         results_section(derivation, said, level),
-        checks_section(derivation, said, level),
+        checks_section(derivation, said, level, checks),
     ]
 
 
@@ -52,6 +61,9 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
 BRIEF = frozenset({"angular_momentum", "balance", "workless", "conservation", "combination"})
 
 
+CHECKS = "table.checks"
+
+
 def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "standard") -> Document:
     """The notes of a course: theory, problems and comparisons in its order."""
     course, sections = derived.course, []
@@ -61,9 +73,10 @@ def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "st
         if part.kind == "problem":
             derivation = derived.derivations[part.name]
             sections.append(Section(words(said.title(derivation.study.problem.title)), (), prefix + "part", 1))
-            sections += problem_sections(derivation, language, detail, prefix, 2)
+            sections += problem_sections(derivation, language, detail, prefix, 2, CHECKS)
         else:
             sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)
+    sections.append(course_checks_section(derived, said, CHECKS))
     notation = _common_notation(derived)
     return Document(
         words(said.title(course.title)), tuple(sections), words(said.title(course.subtitle) if course.subtitle else ""),

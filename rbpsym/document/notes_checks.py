@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation, Step
+from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.words import Words
 
@@ -39,10 +40,26 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str =
     own = checks_table(derivation.steps, said)
     intro = said.say("checks.all" if whole else "checks.some", table=Ref(table or own.label), **counts)
     items = [*_methods(summary, said), *_oracles(summary, said),
-             *(said.say(skipped.phrase, **skipped.slots) for skipped in derivation.skipped)]
+             *(_left_out(skipped, said) for skipped in derivation.skipped)]
     blocks: tuple[Block, ...] = (Paragraph(intro), *(() if table else (own,)),
                                  Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
+
+
+def _left_out(skipped: Skipped, said: Words) -> Inlines:
+    """Why a method was not used."""
+    return said.say(skipped.phrase, **{**skipped.slots, "method": said.say(f"method.{skipped.method}")})
+
+
+def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Section:
+    """What was proved in the whole course, and how."""
+    steps = [step for part in (*derived.derivations.values(), *derived.lessons.values()) for step in part.steps]
+    kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps)
+    counts = {name: kinds[name] for name in ("proved", "refuted", "undecided")}
+    key = "checks.course" if kinds["proved"] == len(steps) else "checks.some"
+    intro = said.say(key, steps=len(steps), table=Ref(label), **counts)
+    table = replace(checks_table(steps, said), label=label)
+    return Section(said.say("section.checks"), (Paragraph(intro), table), "section.checks", 1)
 
 
 def checks_table(steps: Iterable[Step], said: Words) -> Table:

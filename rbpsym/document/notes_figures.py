@@ -18,7 +18,7 @@ def figure_label(said: Words) -> str:
     return said.prefix + "figure.system"
 
 
-def notation_of(problem: Problem) -> Notation:
+def problem_notation(problem: Problem) -> Notation:
     """How the names of a problem are printed."""
     return notation_for({q.name for q in problem.parameters} | {c.name for c in problem.coordinates}, problem.notation)
 
@@ -26,7 +26,7 @@ def notation_of(problem: Problem) -> Notation:
 def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """The drawing of the whole system."""
     sketch = sketch_of(derivation)
-    alt = describe(sketch, said.language, notation_of(derivation.study.problem))
+    alt = describe(sketch, said.language, problem_notation(derivation.study.problem))
     return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
 
 
@@ -39,7 +39,8 @@ def free_bodies_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """Each body alone with the forces on it; the axes are drawn once."""
     sketch = sketch_of(derivation)
     names = [body.name for body in sketch.bodies]
-    alt = " ".join(describe_free_body(sketch, name, said.language, notation_of(derivation.study.problem)) for name in names)
+    notation = problem_notation(derivation.study.problem)
+    alt = " ".join(describe_free_body(sketch, name, said.language, notation) for name in names)
     scenes = tuple(
         free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1])
         for name in names

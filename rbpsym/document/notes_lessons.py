@@ -23,7 +23,8 @@ def lesson_sections(lesson: Lesson, about: Derivation | None, language: str, pre
 
 def _title(lesson: Lesson, said: Words) -> Inlines:
     if lesson.kind == "comparison":
-        return said.say("comparison.title", first=said.title(lesson.slots["first"]), second=said.title(lesson.slots["second"]))
+        first, second = (said.title(lesson.slots[name]) for name in ("first", "second"))
+        return said.say("comparison.title", first=first, second=second)
     return said.say(f"section.{lesson.kind}")
 
 

@@ -13,7 +13,7 @@ from rbpsym.document.places import growth
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Body, Coordinate, Problem
+from rbpsym.statement.model import Body, Coordinate, PlacedShape, Problem
 
 
 def statement_section(derivation: Derivation, said: Words, level: int) -> Section:
@@ -55,7 +55,17 @@ def _described(body: Body, said: Words) -> Inlines:
 def _shape(body: Body, said: Words) -> Inlines:
     if body.mass is None or not said.has(f"shape.{body.shape.kind}"):
         return said.say("shape.varying")
+    parts = [_part(part, said) for part in body.shape.parts if not part.removed]
+    holes = [_part(part, said) for part in body.shape.parts if part.removed]
+    if parts and all(said.has(f"part.{part.shape.kind}") for part in body.shape.parts):
+        return said.say("shape.cut" if holes else "shape.made", mass=body.mass, parts=parts, holes=holes)
     return said.say(f"shape.{body.shape.kind}", mass=body.mass, **body.shape.sizes)
+
+
+def _part(part: PlacedShape, said: Words) -> Inlines:
+    """A part of a composite by its shape and sizes."""
+    key = f"part.{part.shape.kind}"
+    return said.say(key, **part.shape.sizes) if said.has(key) else ()
 
 
 def _freedom(derivation: Derivation, said: Words) -> Inlines:

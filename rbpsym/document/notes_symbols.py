@@ -9,7 +9,7 @@ from rbpsym.document.model import Inlines, Math, Table, words
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER, Quantity
-from rbpsym.statement.model import Coordinate, Problem
+from rbpsym.statement.model import Problem
 
 Row = tuple[Inlines, Inlines, Inlines]
 

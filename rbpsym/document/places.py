@@ -32,6 +32,9 @@ def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
         return said.say(f"point.end.{_side(ref, pose)}")
     if point == "cm" and not _is_centre(ref, pose):
         return said.say("point.cm")
+    shape = pose.study.problem.body(ref.body).shape.kind
+    if said.has(f"point.{shape}.{point}"):
+        return said.say(f"point.{shape}.{point}")
     return said.say("point.center") if point in CENTERS else said.say("point.named", point=point.replace("_", " "))
 
 
@@ -63,8 +66,15 @@ def line_in_words(line: Line, pose: DrawnPose, said: Words) -> Inlines:
     a, b = pose.node(line.a), pose.node(line.b)
     kind = "floor" if abs(a) < 1e-9 else "wall" if abs(b) < 1e-9 else "line"
     kind = "line" if kind == "floor" and not _is_below(line, pose) else kind
-    shown = t.equation(t.add(t.mul(line.a, t.Sym("x")), t.mul(line.b, t.Sym("y"))), line.c)
-    return said.say(f"line.{kind}", line=shown)
+    return said.say(f"line.{kind}", line=line_equation(line))
+
+
+def line_equation(line: Line) -> t.Node:
+    """The line as y = ... where that can be read off, else as a x + b y = c."""
+    x, y = t.Sym("x"), t.Sym("y")
+    if line.b == t.ONE and line.a != t.ZERO:
+        return t.equation(y, t.add(t.mul(x, t.neg(line.a)), line.c))
+    return t.equation(t.add(t.mul(line.a, x), t.mul(line.b, y)), line.c)
 
 
 def _is_below(line: Line, pose: DrawnPose) -> bool:

@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures.sketch import (
-    AngleMark, LengthMark, RadiusMark, Sketch, SketchBody, SketchCoil, SketchCouple, SketchForce, SketchLine,
-    SketchLink, SketchPart, SketchPoint,
+    AngleMark,
+    LengthMark,
+    RadiusMark,
+    Sketch,
+    SketchBody,
+    SketchCoil,
+    SketchCouple,
+    SketchForce,
+    SketchLine,
+    SketchLink,
+    SketchPart,
+    SketchPoint,
 )
 from rbpsym.document.pose import DrawnPose
 from rbpsym.mechanics.numbers import number
@@ -149,7 +159,7 @@ def _vertex(pose: DrawnPose, body: str) -> Point:
     """A hinge of the body, a point that touches a horizontal line, else its centre."""
     hinges = [p.at for p in _points(pose) if body in p.bodies and p.kind == "pivot"]
     touches = [pose.ref(e["point"]) for e in _elements(pose, "contact")
-               if e["point"].body == body and "line" in e.values and abs(pose.node(e["line"].a)) < 1e-9]
+               if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < 1e-9]
     pins = [p.at for p in _points(pose) if body in p.bodies]
     return next(iter([*hinges, *touches, *pins]), pose.point(pose.study.system.bodies[body].center))
 
@@ -169,7 +179,8 @@ def _size_marks(pose: DrawnPose, kinds: tuple[str, ...]) -> Iterator[tuple[str, 
 
 
 def _lengths(pose: DrawnPose) -> Iterator[LengthMark]:
-    ends = {"length": ("start", "end"), "width": ("left", "right"), "height": ("bottom", "top"), "base": ("left", "right")}
+    ends = {"length": ("start", "end"), "width": ("top_left", "top_right"), "height": ("top_right", "bottom_right"),
+            "base": ("left", "right")}
     for name, key, size in _size_marks(pose, tuple(ends)):
         points = pose.study.problem.body(name).points
         if all(end in points for end in ends[key]):
@@ -217,7 +228,8 @@ def _forces(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchForce]:
     for force in pose.study.system.forces:
         direction = _direction(pose, force) if force.vector else (0.0, 0.0)
         if direction != (0.0, 0.0):
-            yield SketchForce(force.on, names.get((force.name, force.on), t.Vec(force.name)), pose.point(force.point), direction)
+            label = names.get((force.name, force.on), t.Vec(force.name))
+            yield SketchForce(force.on, label, pose.point(force.point), direction)
 
 
 def _couples(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchCouple]:
@@ -241,7 +253,7 @@ def _couple_letter(force: Force) -> t.Sym:
 
     shown = present(force.couple)
     plain = shown.arg if isinstance(shown, t.Neg) else shown
-    return plain if isinstance(plain, t.Sym) else t.Sym(f"tau_{force.name}")
+    return plain if isinstance(plain, t.Sym) else t.Sym(force.name)
 
 
 def _gravity(pose: DrawnPose) -> dict[str, object]:

@@ -57,7 +57,8 @@ def works_table(steps: list[Step], said: Words) -> Table:
     """Both works of each force as integrals, with unknown forces as symbols."""
     several = len({step.slots["body"].name for step in steps}) > 1
     rows = tuple((_whose(step, several, said), *_halves(step)) for step in steps)
-    return Table(_header(said), rows, said.say("caption.works"), "pll" if several else "lll", said.prefix + "table.works")
+    align = "pll" if several else "lll"
+    return Table(_header(said), rows, said.say("caption.works"), align, said.prefix + "table.works")
 
 
 def _header(said: Words) -> tuple[Inlines, ...]:
@@ -96,5 +97,5 @@ def done_table(steps: list[Step], said: Words) -> Table:
 
 def _done_row(halves: dict[str, Step], several: bool, said: Words) -> tuple[Inlines, ...]:
     step = next(iter(halves.values()))
-    cells = [(Math(halves[half].statement.items[-1]),) if half in halves else (Math(t.ZERO),) for half in ("T", "theta")]
-    return (_whose(step, several, said), *cells)
+    values = [halves[half].statement.items[-1] if half in halves else t.ZERO for half in ("T", "theta")]
+    return (_whose(step, several, said), *((Math(value),) for value in values))

@@ -90,9 +90,10 @@ def of_cosine(lower: Bound, upper: Bound, is_nonnegative: IsNonnegative) -> Boun
         if is_nonnegative(lower - PI * k) and is_nonnegative(PI * (k + 1) - upper):
             ends = cosine(upper), cosine(lower)
             return Bounds(*ends) if k % 2 == 0 else Bounds(*reversed(ends))
+    quarter = PI * Fraction(1, 2)
     for k in (0, -1, 1, -2, 2):
         middle = PI * k
-        if is_nonnegative(lower - middle + PI * Fraction(1, 2)) and is_nonnegative(middle + PI * Fraction(1, 2) - upper):
+        if is_nonnegative(lower - middle + quarter) and is_nonnegative(middle + quarter - upper):
             return Bounds(NOTHING, UNITY, upper_in=True) if k % 2 == 0 else Bounds(lift(-1), NOTHING, lower_in=True)
     return FULL_WAVE
 

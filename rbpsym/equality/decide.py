@@ -72,15 +72,11 @@ def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool) -> Ve
     found = sign(b - a, assumptions)
     if found.kind == "positive" or (not strict and found.is_nonnegative):
         return proved(f"right - left is {found.kind}: {found.certificate}")
-    fails = (lambda x, y: _sign(x - y) in ((0, 1) if strict else (1,)))
-    witness = find_witness(a, b, assumptions, (), fails)
+    failing = (0, 1) if strict else (1,)
+    witness = find_witness(a, b, assumptions, (), lambda x, y: enclosure.sign_of(x - y) in failing)
     if witness is not None:
         return refuted("the relation fails at a point", witness)
     return undecided("the sign of the difference could not be determined")
-
-
-def _sign(number: Number) -> int | None:
-    return enclosure.sign_of(number)
 
 
 def _guarded(decide: Callable[[], Verdict]) -> Verdict:

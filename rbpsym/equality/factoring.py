@@ -15,6 +15,7 @@ MOST_TERMS = 400
 
 
 def divisor(poly: Poly, exponent: int) -> Poly:
+    """A power (mostly negative) of a polynomial as a power of one generator."""
     return generator(atoms.intern("factor", poly)) ** exponent
 
 

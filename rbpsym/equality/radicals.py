@@ -78,7 +78,8 @@ def _is_strict(constraint: Constraint, reading: Reading, except_for: list[Poly])
     """Whether the other factors surely do not vanish where the constraint holds."""
     if constraint.is_strict:
         return True
-    return all(not reading.study.poly(f) & ZERO for f in constraint.factors if f not in except_for)
+    vanishing = [factor for factor, k in constraint.factors.items() if k > 0 and reading.study.poly(factor) & ZERO]
+    return set(vanishing) <= set(except_for)
 
 
 def _is_void(broken: list[Constraint], reading: Reading, forced: Signs) -> bool:
@@ -94,8 +95,10 @@ def _is_void(broken: list[Constraint], reading: Reading, forced: Signs) -> bool:
 
 def _may_flip(constraint: Constraint, reading: Reading, forced: Signs) -> bool:
     free = [factor for factor in constraint.odd() if factor not in forced and _is_unknown(factor, reading)]
-    uses = [factor for other in reading.constraints for factor in other.factors]
-    nested = any(atoms.atom(index).kind in ("root", "ln") for factor in uses for index in factor.atoms())
+    different = {(other.sign, frozenset(other.odd())) for other in reading.constraints}
+    uses = [factor for _, factors in different for factor in factors]
+    inside = [factor for other in reading.constraints for factor in other.factors]
+    nested = any(atoms.atom(index).kind in ("root", "ln") for factor in inside for index in factor.atoms())
     single = all(uses.count(factor) == 1 for factor in free)
     return single and not nested and _is_strict(constraint, reading, except_for=free)
 

@@ -53,7 +53,7 @@ def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose]) -> S
     values += [scalar(node) for e in problem.interactions for v in e.values.values() for node in _nodes(v)]
     if not any(depends_on(value, CLOCK) for value in values):
         return scope
-    return replace(scope, rates={**scope.rates, CLOCK: UNITY})
+    return replace(scope, rates={**scope.rates, CLOCK: UNITY}, start={**scope.start, CLOCK: NOTHING})
 
 
 def _nodes(value: object) -> list[Node]:

@@ -16,6 +16,7 @@ from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
+from rbpsym.statement.curves import toucher
 from rbpsym.statement.model import Element, Line, PointRef
 
 
@@ -58,6 +59,12 @@ class Joint:
     gaps: Callable[[Element, Geometry], tuple[tuple[Scalar, str], ...]] = _none
     rates: Callable[[Element, Geometry], tuple[tuple[str, Scalar], ...]] = _none
     is_one_sided: bool = False
+
+    def fixed_lines(self, element: Element) -> tuple[tuple[str, Line], ...]:
+        """(body, fixed line that it touches); none for other curves and other kinds."""
+        if element.values.get("line") is None or element["of"] is not None:
+            return ()
+        return ((toucher(element), element["line"]),)
 
 
 def unknown(element: Element) -> tuple[Vector, tuple[str, str]]:

@@ -30,7 +30,8 @@ class Dynamics:
 
     `accelerations` is None where a coupled block is too large for closed formulas. `reactions`
     are in coordinates and speeds (and in accelerations, where these stay unsolved).
-    `workless` says of each constraint whether its forces drop out of M q̈ = f.
+    `ideal` says of each force of a constraint whether it drops out of M q̈ = f; `workless` whether
+    its whole power vanishes (that of an ideal force does unless a support is driven).
     """
 
     mass_matrix: Matrix
@@ -38,6 +39,7 @@ class Dynamics:
     accelerations: Mapping[str, Scalar] | None
     reactions: Mapping[str, Scalar]
     workless: Mapping[str, bool]
+    ideal: Mapping[str, bool]
 
 
 def torque_about_center(force: Force, state: BodyState) -> Scalar:
@@ -58,7 +60,7 @@ def partials(system: System) -> dict[str, tuple[tuple[Vector, Scalar], ...]]:
 
 
 def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dict[str, bool]]:
-    """(M, f, which constraints are workless). Raises StatementError if a force needs M q̈ = f to be known."""
+    """(M, f, which forces of constraints are ideal). Raises StatementError if a force needs M q̈ = f to be known."""
     along = partials(system)
     resting = dict.fromkeys(system.accelerations, NOTHING)
     mass = tuple(tuple(_mass(system, along, r, s) for s in range(len(system.speeds))) for r in range(len(system.speeds)))
@@ -114,11 +116,26 @@ def _inertial(system: System, along, still, r: int) -> Scalar:
 
 def solve(system: System) -> Dynamics:
     """Accelerations and unknown forces. Raises StatementError if the statement does not determine them."""
-    mass, forcing, workless = equations_of_motion(system)
-    if not all(workless.values()):
-        return _solve_together(system, mass, forcing, workless)
+    mass, forcing, ideal = equations_of_motion(system)
+    if not all(ideal.values()):
+        return _solve_together(system, mass, ideal)
     accelerations = _accelerations(system, mass, forcing)
-    return Dynamics(mass, forcing, accelerations, _reactions(system, accelerations), workless)
+    return Dynamics(mass, forcing, accelerations, _reactions(system, accelerations), _workless(system, ideal), ideal)
+
+
+def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
+    """Ideal forces whose power at rest in the coordinates (that of driven supports) vanishes too."""
+    if not system.has_clock:
+        return dict(ideal)
+    still = dict.fromkeys(system.speeds, NOTHING)
+    carried = {name: (state.velocity.substitute(still), substitute(state.omega, still))
+               for name, state in system.bodies.items()}
+    return {name: fine and is_zero(_carried_power(system, carried, name)) for name, fine in ideal.items()}
+
+
+def _carried_power(system: System, carried, name: str) -> Scalar:
+    forces = (f for f in system.forces if f.name == name)
+    return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in forces), NOTHING)
 
 
 def _accelerations(system: System, mass: Matrix, forcing: tuple[Scalar, ...]) -> dict[str, Scalar] | None:
@@ -182,14 +199,19 @@ def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
 
 
 def _contradictory(system: System) -> StatementError:
+    """Named are the constraints that the poses do not keep by themselves, or else all of them."""
+    asking = dict.fromkeys(c.constraint for c in system.conditions if not is_zero(c.value))
+    names = tuple(asking) or tuple(element.name for element in system.problem.constraints)
+    fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
     return StatementError(
-        "the constraints contradict each other: the equations of the bodies have no solution",
+        f"the constraints contradict the motion of the bodies: their equations have no solution with "
+        f"{', '.join(f'“{name}”' for name in names)}{fixed}",
         instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
-        place=system.problem.constraints[0].place if system.problem.constraints else None,
+        place=system.element(names[0]).place if names else None,
     )
 
 
-def _solve_together(system: System, mass: Matrix, forcing, workless) -> Dynamics:
+def _solve_together(system: System, mass: Matrix, ideal: Mapping[str, bool]) -> Dynamics:
     """Accelerations and forces in one elimination, where a constraint force does not drop out."""
     unknowns = (*system.unknowns, *system.accelerations)
     rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
@@ -200,4 +222,6 @@ def _solve_together(system: System, mass: Matrix, forcing, workless) -> Dynamics
         raise _contradictory(system)
     accelerations = {name: solution.values[name] for name in system.accelerations}
     reactions = {name: solution.values[name] for name in system.unknowns}
-    return Dynamics(mass, forcing, accelerations, reactions, workless)
+    gained = [accelerations[name] for name in system.accelerations]
+    forcing = tuple(short(sum((m * a for m, a in zip(row, gained, strict=True)), NOTHING)) for row in mass)
+    return Dynamics(mass, forcing, accelerations, reactions, _workless(system, ideal), ideal)

@@ -79,7 +79,7 @@ def is_conserved(system: System, dynamics: Dynamics, value: Scalar) -> bool | No
 
 def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
     """-∫ Q dq for one coordinate whose generalized force Q depends on position alone."""
-    if len(system.independent) != 1 or not all(dynamics.workless.values()) or system.implicit:
+    if len(system.independent) != 1 or not all(dynamics.ideal.values()) or system.implicit:
         return None
     [name], [forcing] = system.independent, dynamics.forcing
     [[inertia]] = dynamics.mass_matrix
@@ -93,6 +93,8 @@ def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
     """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq."""
+    if system.has_clock:
+        return relative_energy(system, dynamics)
     total = sum(kinetic_energy(system), NOTHING)
     potential = potential_energy(system)
     if potential is None:
@@ -100,4 +102,17 @@ def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
     if potential is None:
         return None
     energy = short(total + potential)
+    return energy if is_conserved(system, dynamics, energy) is not False else None
+
+
+def relative_energy(system: System, dynamics: Dynamics) -> Scalar | None:
+    """½ m(q) q̇² - ∫Q dq for one coordinate relative to supports that are driven (Jacobi's integral).
+
+    Goldstein, Classical Mechanics, 2.7. None if it is not constant.
+    """
+    potential = effective_potential(system, dynamics)
+    if potential is None:
+        return None
+    [name], [[inertia]] = system.independent, dynamics.mass_matrix
+    energy = short(inertia * symbol(f"{name}_dot") ** 2 * HALF + potential)
     return energy if is_conserved(system, dynamics, energy) is not False else None

@@ -58,7 +58,7 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
 
     `example` holds the author's own numbers for some of them ("0.25 m", "60 deg").
     """
-    numbers = {q.name: _parameter(q.name, place, q) for place, q in enumerate(problem.parameters)}
+    numbers = {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}
     _make_room(problem, numbers)
     numbers |= _starts(problem, numbers)
     numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
@@ -89,8 +89,8 @@ def _read(text: str) -> float | None:
     return math.radians(value) if unit in ("deg", "°") else value
 
 
-def _parameter(name: str, place: int, quantity) -> float:
-    if quantity.dimension == ACCELERATION and name == "g":
+def _parameter(place: int, quantity) -> float:
+    if quantity.dimension == ACCELERATION:
         return 9.81
     if quantity.sign == "real":
         return 0.4 + 0.1 * (place % 3)

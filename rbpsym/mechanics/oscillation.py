@@ -47,7 +47,7 @@ def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
 
 def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> tuple[Equilibrium, ...]:
     """The positions of rest within the ranges of the coordinates, as far as closed forms go."""
-    if system.implicit or not all(dynamics.workless.values()) or len(system.independent) > 4:
+    if system.implicit or not all(dynamics.ideal.values()) or len(system.independent) > 4:
         return ()
     forces = resting_forces(system, dynamics)
     if any(depends_on(force, "t") for force in forces):

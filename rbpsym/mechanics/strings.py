@@ -66,22 +66,24 @@ def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
 
 
 def pulls(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    """The tension on both ends of every segment."""
+    """The tension on both ends of every run; where the string slides round a circle, both pulls act at its centre."""
     found: list[Force] = []
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
-        for part in segments(run, geometry):
-            found += _ends(name, part, len(run) == 2)
+        parts = segments(run, geometry)
+        first, last = parts[0], parts[-1]
+        others = [turn.body or "ground" for turn in (run[-1], run[0])] if len(parts) == 1 else ["string", "string"]
+        found += _pull(name, run[0], others[0], first.start, first.along)
+        for before, after in zip(parts, parts[1:], strict=False):
+            found += _pull(name, after.first, "string", geometry.where(after.first.center), after.along - before.along)
+        found += _pull(name, run[-1], others[1], last.end, -last.along)
     return tuple(found)
 
 
-def _ends(name: str, part: Segment, is_straight: bool) -> list[Force]:
-    pull = part.along * symbol(name)
-    ends = ((part.first, part.second, part.start, pull), (part.second, part.first, part.end, -pull))
-    return [
-        Force(name, turn.body, (other.body if is_straight else None) or "string", place, vector,
-              unknowns=(name,), where=turn.center.label)
-        for turn, other, place, vector in ends if turn.body is not None
-    ]
+def _pull(name: str, turn: Turn, by: str, place: Vector, direction: Vector) -> list[Force]:
+    """The tension on the body of a place on the path, if it belongs to one."""
+    if turn.body is None:
+        return []
+    return [Force(name, turn.body, by, place, direction * symbol(name), unknowns=(name,), where=turn.center.label)]
 
 
 def speeds_along(element: Element, geometry: Geometry) -> tuple[tuple[str, Scalar], ...]:

@@ -110,6 +110,11 @@ class System:
         """Names of all unknown force components, in the order of the statement."""
         return tuple(dict.fromkeys(n for force in self.forces for n in force.unknowns))
 
+    @property
+    def has_clock(self) -> bool:
+        """Whether something depends on the time explicitly (a support that is driven)."""
+        return "t" in self.scope.rates
+
     def on(self, body: str) -> tuple[Force, ...]:
         """The forces on one body."""
         return tuple(force for force in self.forces if force.on == body)

@@ -1,6 +1,7 @@
 """Translational work ∫F·dR_cm and rotational work ∫τ_cm dφ of every force on every body.
 
-The integrand for a coordinate q is F·∂R_cm/∂q and τ_cm ∂φ/∂q; unknown forces stay as symbols
+The integrand for a coordinate q is F·∂R_cm/∂q and τ_cm ∂φ/∂q (for the time, where something is
+driven, F·∂R_cm/∂t and τ_cm ∂φ/∂t); unknown forces stay as symbols
 in it. The value is the integral from the start along the motion.
 """
 
@@ -68,15 +69,20 @@ def _work(system: System, forces: list[Force], reactions, squares) -> ForceWork:
 
 def _center_partial(state: BodyState, name: str, system: System) -> Vector:
     """∂R_cm/∂q, through ∂V/∂q̇ (the same, and right when speeds depend on each other)."""
+    if name == "t":
+        return state.velocity.substitute(dict.fromkeys(system.speeds, NOTHING))
     return state.velocity.derivative(f"{name}_dot")
 
 
 def _angle_partial(state: BodyState, name: str, system: System) -> Scalar:
+    if name == "t":
+        return substitute(state.omega, dict.fromkeys(system.speeds, NOTHING))
     return derivative(state.omega, f"{name}_dot")
 
 
 def _half(system: System, integrand, reactions: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> Work:
-    parts = {name: short(integrand(name)) for name in system.independent}
+    names = (*system.independent, "t") if system.has_clock else system.independent
+    parts = {name: short(integrand(name)) for name in names}
     parts = {name: part for name, part in parts.items() if not is_zero(part)}
     return Work(parts, _value(system, parts, reactions, squares))
 
@@ -107,7 +113,7 @@ def power(system: System, item: ForceWork) -> Scalar:
     total = NOTHING
     for half in (item.translational, item.rotational):
         for name, part in half.parts.items():
-            total = total + part * symbol(f"{name}_dot")
+            total = total + part * system.scope.rates[name]
     return total
 
 

@@ -15,7 +15,9 @@ from rbpsym.algebra.calculus import derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import EX, EY, Vector
+from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.lines import normal
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 
@@ -161,10 +163,10 @@ def _directions(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Ve
     yield "x", EX
     yield "y", EY
     for element in study.problem.constraints:
-        if element.kind == "contact" and element["point"].body in bodies:
-            from rbpsym.mechanics.lines import normal
-
-            across = normal(element["line"])
+        for touch in JOINTS[element.kind].fixed_lines(element):
+            if touch[0] not in bodies:
+                continue
+            across = normal(touch[1])
             if across.x and across.y:
                 yield f"across {element.name}", across
                 yield f"along {element.name}", -across.turned()

@@ -99,7 +99,7 @@ def _conserved(draft: Draft) -> None:
     value = draft.study.first_integral
     shown = _as_sum(draft)
     letter = draft.define(draft.free("E"), value)
-    items = [letter, t.add(*letters), shown] if draft.study.potential is not None else [letter, draft.show(value)]
+    items = [letter, t.add(*letters), shown] if draft.study.potential is not None and not draft.study.system.has_clock else [letter, draft.show(value)]
     draft.add("energy", "conservation", t.equation(*items), "energy.conserved", is_result=True,
               premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
               data={"value": value}, ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
@@ -158,6 +158,6 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
               speed=speed, obligations=(t.relation(speed, "!=", t.ZERO),))
     value = short(-(rest / slope))
     draft.add("motion.from_energy", "solution", t.equation(acceleration, isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")),
-              "energy.motion", premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"),
+              "energy.motion", premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"), speed=speed,
               data={"rows": [inner], "values": {f"{name}_ddot": value}})
     return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

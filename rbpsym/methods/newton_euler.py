@@ -33,11 +33,12 @@ def _equations(draft: Draft, name: str):
         pushes = [draft.show(tidy(getattr(f.vector, axis))) for f in forces if getattr(f.vector, axis)]
         left = draft.show(tidy(state.mass * getattr(state.acceleration, axis)))
         if pushes or left != t.ZERO:
-            rows.append(t.equation(left, t.add(*pushes)))
+            rows.append(t.equation(left, t.add(*pushes)) if left != t.ZERO else t.equation(t.add(*pushes), t.ZERO))
     turns = [short(torque_about_center(f, state)) for f in forces]
     if any(turns) or state.moment * state.alpha:
         shown = [torque_node(draft, f, state.center) for f, v in zip(forces, turns, strict=True) if v]
-        rows.append(t.equation(draft.show(state.moment * state.alpha), t.add(*shown)))
+        spin = draft.show(state.moment * state.alpha)
+        rows.append(t.equation(spin, t.add(*shown)) if spin != t.ZERO else t.equation(t.add(*shown), t.ZERO))
     if not rows:
         return None
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))

@@ -106,21 +106,21 @@ def integral(draft: Draft, name: str, part: Scalar) -> t.Node:
 
 def start_of(draft: Draft, name: str) -> t.Node:
     """The start of a coordinate as the author wrote it, else a constant with index 0."""
+    if name == "t":
+        return t.ZERO
     coordinate = next(c for c in draft.study.problem.coordinates if c.name == name)
     return coordinate.start if coordinate.start is not None else t.Sym(f"{name}_0")
 
 
 def _cancelling(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     """Constraint by constraint: the sum of all works vanishes although the single ones don't."""
-    for element in draft.study.problem.constraints:
-        items = [item for item in works if item.force == element.name]
+    for name in dict.fromkeys(item.force for item in works):
+        items = [item for item in works if item.force == name]
         terms = [t.Sym(name_of(draft, item, half)) for item in items for half, word in HALVES
                  if getattr(item, word).parts]
-        if not draft.study.dynamics.workless.get(element.name):
-            continue
-        if terms:
-            draft.add(f"workless.{element.name}", "workless", t.equation(t.add(*terms), t.ZERO), "work.cancels",
-                      premises=[f"work.{i.force}.{i.on}" for i in items], force=t.Vec(element.name),
+        if terms and draft.study.dynamics.workless.get(name):
+            draft.add(f"workless.{name}", "workless", t.equation(t.add(*terms), t.ZERO), "work.cancels",
+                      premises=[f"work.{i.force}.{i.on}" for i in items], force=t.Vec(name),
                       works=terms, count=len(terms))
 
 
@@ -188,6 +188,8 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     total = sum(draft.context.works.values(), NOTHING)
     gained = draft.context.rate_of(sum(draft.study.kinetic, NOTHING))
     row = short((gained - total) / symbol(f"{name}_dot"))
+    rough = {n: v for n, v in draft.study.dynamics.reactions.items() if derivative(row, n)}
+    row = short(substitute(row, rough)) if rough else row
     slope = derivative(row, f"{name}_ddot")
     rest = substitute(row, {f"{name}_ddot": NOTHING})
     value = short(-(rest / slope))

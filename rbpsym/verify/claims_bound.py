@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import function
+from rbpsym.algebra.calculus import depends_on, function
 from rbpsym.algebra.evaluate import Scope
 from rbpsym.algebra.normal import shorten
 from rbpsym.algebra.poly import ONE, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.errors import Undecided
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +76,9 @@ class Motion:
 
     scope: rates and start values; moved: accelerations and unknown forces replaced; squares: of the
     speeds, from the start; ledger: the rates of quantities that are zero at the start (works);
-    is_free: any state may be the start. is_tied: conditions that are not solved tie the coordinates.
+    unsettled: unknown forces and accelerations; lawless: what changes with time in a way that is
+    not known, if not replaced; is_free: any state may be the start. is_tied: conditions that are
+    not solved tie the coordinates.
     """
 
     scope: Scope
@@ -85,9 +88,22 @@ class Motion:
     speeds: tuple[str, ...] = ()
     starts: frozenset[str] = frozenset()
     unsettled: frozenset[str] = frozenset()
+    lawless: frozenset[str] = frozenset()
     is_free: bool = False
     is_tied: bool = False
     ledger: dict[str, Scalar] = field(default_factory=dict)
+
+    def is_lawless(self, value: Scalar) -> bool:
+        """Does it hold something of which no rate is known?"""
+        return any(depends_on(value, name) for name in self.lawless)
+
+    def settled(self, value: Scalar) -> Scalar:
+        """The value, as it is on the motion if it holds unknown forces. Raises Undecided if its rate is not known."""
+        if self.is_lawless(value):
+            value = self.moved(value)
+        if self.is_lawless(value):
+            raise Undecided("it is not known how this changes with time")
+        return value
 
     def work(self, power: Scalar) -> Scalar:
         """The quantity that grows at this rate from zero at the start."""

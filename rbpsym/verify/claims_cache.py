@@ -47,23 +47,26 @@ class Certificates:
 
     folder: Path | None
     engine: str = ""
+    draws: bool = False
     entries: dict[str, dict] = field(default_factory=dict)
     new: list[str] = field(default_factory=list)
 
     @classmethod
-    def opened(cls, folder: Path | None) -> Certificates:
-        """The certificates of a folder; None remembers nothing."""
+    def opened(cls, folder: Path | None, draws: bool = False) -> Certificates:
+        """The certificates of a folder; None remembers nothing. `draws`: formulas in MathML are wanted."""
         if folder is None:
-            return cls(None)
-        return cls(folder, engine(), _loaded(folder / NAME))
+            return cls(None, draws=draws)
+        return cls(folder, engine(), draws, _loaded(folder / NAME))
 
     def get(self, key: str) -> Result | None:
         """The result under a key."""
         entry = self.entries.get(key)
         try:
-            return None if entry is None else _result(entry)
+            found = None if entry is None else _result(entry)
         except (KeyError, TypeError, ValueError):
             return None
+        drawn = found is None or not self.draws or all(link.mathml for link in found.links)
+        return found if drawn else None
 
     def put(self, key: str, result: Result) -> None:
         """Remember a result."""

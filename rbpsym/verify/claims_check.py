@@ -30,11 +30,15 @@ Study = Callable[[str], World]
 
 @dataclass(frozen=True)
 class Checker:
-    """Claims of one file, decided in their order; `world` finds the world of a setting."""
+    """Claims of one file, decided in their order.
+
+    world: finds the world of a setting. memory: what claims of a setting defined. draws: with MathML.
+    """
 
     world: Callable[[Setting], World]
     diagnose: Callable[[t.Node, Claim, Ground], str] | None = None
     memory: dict[str, dict[str, Scalar | Space]] = field(default_factory=dict)
+    draws: bool = False
 
     def check(self, claim: Claim, printed: Printed | None = None) -> Result:
         """The result of a claim; `printed` is the formula as another text has it."""
@@ -94,7 +98,14 @@ class Checker:
             link = decide(relation, ground, claim.holds)
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
                 link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
-            yield replace(link, relation=to_text(relation))
+            yield replace(link, relation=to_text(relation), mathml=self._drawn(relation))
+
+    def _drawn(self, relation: t.Chain) -> str:
+        if not self.draws:
+            return ""
+        from rbpsym.notation.mathml import to_mathml
+
+        return to_mathml(relation)
 
     def _right(self, node: t.Node, claim: Claim, ground: Ground) -> str:
         found = [decide(relation, ground, claim.holds) for relation in relations(node)]

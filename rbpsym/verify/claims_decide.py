@@ -8,6 +8,7 @@ It is refuted at a state of the motion at which the sides differ. All by `equali
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
@@ -16,10 +17,11 @@ from rbpsym.algebra.vector import Space
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
+from rbpsym.errors import Undecided
 from rbpsym.verify.claims_bound import without_even_roots
 from rbpsym.verify.claims_integrals import as_vector
 from rbpsym.verify.claims_question import HOW, Question, are_same
-from rbpsym.verify.claims_refute import refutation
+from rbpsym.verify.claims_refute import disorder, refutation, witness_of
 
 
 def equal_values(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:
@@ -50,8 +52,11 @@ def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
 
 
 def _is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
-    rate = question.rate(value)
-    return any(are_same(question.seen(rate, depth), NOTHING, question) for depth in depths)
+    for depth in depths:
+        with suppress(Undecided):
+            if are_same(question.seen(question.rate(value, depth), depth), NOTHING, question):
+                return True
+    return False
 
 
 def constant_value(value: Scalar, question: Question) -> Verdict:
@@ -70,7 +75,8 @@ def up_to_constant(value: Scalar, other: Scalar, question: Question) -> Verdict:
     """Whether two values differ by a constant, as an identity in positions and speeds."""
     if _is_constant(value - other, question, ("identity",)):
         return proved("equal up to a constant")
-    found = refutation(question.rate(value), question.rate(other), Question(question.ground, "identity"))
+    gained, same = (v - question.begin(v) for v in (value, other))
+    found = witness_of(gained, same, question.motion.assumptions)
     return found if found.is_refuted else undecided("the difference was not shown to be a constant")
 
 
@@ -80,13 +86,13 @@ def up_to_constant(value: Scalar, other: Scalar, question: Question) -> Verdict:
 def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     """Whether a < b (<=, >, >=) in every state."""
     low, high = (a, b) if op in ("<", "<=") else (b, a)
-    found = undecided("")
+    strict = op in ("<", ">")
     for depth in question.depths:
         pair = _squared([question.seen(v, depth) for v in (low, high)], question)
-        found = compare(*pair, question.motion.assumptions, strict=op in ("<", ">"))
+        found = compare(*pair, question.motion.assumptions, strict=strict)
         if found.is_proved:
             return found
-    return found
+    return disorder(low, high, question, strict=strict)
 
 
 def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:

@@ -16,7 +16,7 @@ from rbpsym.algebra.evaluate import Scope, scalar, space_derivative, time_deriva
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.algebra.vector import Space
+from rbpsym.algebra.vector import Space, Vector
 from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
@@ -57,11 +57,20 @@ def _injected(found: Scalar | Space, ground: Ground) -> t.Node:
 def _path(node: t.PathIntegral, ground: Ground) -> t.Node:
     scope = ground.scope
     force, path = value(node.integrand, scope), value(node.path, scope)
-    along = space_derivative(path, scope) if isinstance(path, Space) else time_derivative(path, scope)
+    along = _rate(path, ground)
     if isinstance(force, Space) != isinstance(along, Space):
         raise ReadError("a vector and a scalar are multiplied under the integral")
     power = force.dot(along) if isinstance(force, Space) else force * along
     return _injected(ground.motion.work(power), ground)
+
+
+def _rate(found: Scalar | Space, ground: Ground) -> Scalar | Space:
+    """d/dt. Raises Undecided for a quantity of which no rate is known."""
+    settled = ground.motion.settled
+    if not isinstance(found, Space):
+        return time_derivative(settled(found), ground.scope)
+    parts = {angle: settled(length) for angle, length in found.plane.parts.items()}
+    return space_derivative(Space(Vector(parts), settled(found.z)), ground.scope)
 
 
 def _integral(node: t.Integral, ground: Ground) -> t.Node:
@@ -81,7 +90,7 @@ def _integral(node: t.Integral, ground: Ground) -> t.Node:
 def _is_settled(inside: Scalar, name: str, ground: Ground) -> bool:
     """Is the integrand a function of the variable and of constants alone?"""
     moving = [other for other in ground.scope.rates if other != name]
-    return not any(depends_on(inside, other) for other in (*moving, *ground.motion.unsettled))
+    return not any(depends_on(inside, other) for other in (*moving, *ground.motion.lawless))
 
 
 def _along(inside: Scalar, name: str, lower: Scalar, upper: Scalar, ground: Ground) -> Scalar:
@@ -142,7 +151,10 @@ def _without_mass(node: t.Node) -> t.Node:
 
 def _derivative(node: t.Deriv, ground: Ground) -> t.Node:
     if node.wrt == "t":
-        return node
+        found = value(node.of, ground.scope)
+        for _ in range(node.order):
+            found = _rate(found, ground)
+        return _injected(found, ground)
     if node.wrt == "m" and isinstance(node.of, t.Vec) and (found := ground.bound(node.of.name)) and found.density:
         return t.Vec(f"{node.of.name}/dm")
     name = ground.generator(node.wrt)

@@ -106,7 +106,7 @@ class Link:
     """One relation of a chain with its outcome.
 
     relation: its tree, or its text in a result. how: by what it was proved. detail: the witness,
-    or the reason why not. diagnosis: what seems to be meant.
+    or the reason why not. diagnosis: what seems to be meant. mathml: the relation, drawn.
     """
 
     relation: Node | str
@@ -114,6 +114,7 @@ class Link:
     how: str = ""
     detail: str = ""
     diagnosis: str = ""
+    mathml: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,6 +47,7 @@ class ProblemWorld:
             tuple(f"{n}_dot" for n in coordinates),
             frozenset(starts),
             frozenset((*study.system.unknowns, *study.system.accelerations)),
+            frozenset((*study.system.unknowns, *study.system.accelerations)),
             is_tied=bool(study.system.implicit),
         )
 

@@ -12,6 +12,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal
 from rbpsym.equality.points import all_atoms
+from rbpsym.errors import Undecided
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.verify.claims_bound import Motion
 from rbpsym.verify.claims_ground import Ground
@@ -51,9 +52,11 @@ class Question:
         found = self.motion.moved(found)
         return with_squares(found, self.motion.squares) if depth == "start" else found
 
-    def rate(self, found: Scalar) -> Scalar:
-        """d/dt, works and integrals included."""
-        return time_derivative(found, self.ground.scope)
+    def rate(self, found: Scalar, depth: str = "motion") -> Scalar:
+        """d/dt, works and integrals included. Raises Undecided where it is not known (an unknown force's, say)."""
+        if depth == "identity" and self.motion.is_lawless(found):
+            raise Undecided("it is not known how this changes with time")
+        return time_derivative(self.motion.settled(found), self.ground.scope)
 
     def begin(self, found: Scalar) -> Scalar:
         """The value in the start state."""

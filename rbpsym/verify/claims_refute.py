@@ -6,7 +6,7 @@ speeds are those of the motion from the start. Where a speed remains, both signs
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 
 from rbpsym.algebra import atoms
@@ -17,8 +17,9 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.domain import Condition
+from rbpsym.equality.enclosure import Number, are_disjoint, sign_of
 from rbpsym.equality.verdict import Verdict, refuted, undecided
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.mechanics.motion import along_motion, with_squares
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
@@ -29,16 +30,23 @@ def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
     if question.motion.is_tied:
         return undecided("the coordinates are tied by conditions that are not solved in closed form")
     for find in (_at_start, _at_any_state, _along):
-        with suppress(ZeroDivisionError):
+        with suppress(ZeroDivisionError, Undecided):
             found = find(a, b, question)
             if found.is_refuted:
                 return found
     return undecided("neither a proof nor a state of the motion at which the sides differ was found")
 
 
-def _witness(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Condition] = ()) -> Verdict:
+def witness_of(
+    a: Scalar,
+    b: Scalar,
+    assumptions: Assumptions,
+    domain: Iterable[Condition] = (),
+    differ: Callable[[Number, Number], bool] = are_disjoint,
+) -> Verdict:
+    """REFUTED with a point at which the values differ (or are not ordered), UNDECIDED if none is found."""
     try:
-        point = find_witness(a, b, assumptions, domain)
+        point = find_witness(a, b, assumptions, domain, differ)
     except (RbpsymError, ZeroDivisionError):
         point = None
     return refuted("the sides differ at a point", point) if point else undecided("no point was found")
@@ -49,7 +57,7 @@ def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
     if not (tells_of_start(a, question) or tells_of_start(b, question)):
         return undecided("")
     x, y = question.begin(a), question.begin(b)
-    return undecided("") if holds_unknowns(x - y, question) else _witness(x, y, question.motion.assumptions)
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
 
 
 def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -59,7 +67,7 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
     x, y = (question.seen(v, "motion") for v in (a, b))
     if holds_unknowns(x, question) or holds_unknowns(y, question):
         return undecided("")
-    return _witness(x, y, question.motion.assumptions)
+    return witness_of(x, y, question.motion.assumptions)
 
 
 def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -86,9 +94,8 @@ def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
     bound_speeds = not question.motion.is_free and any(_is_speed(index) for index in gap.atoms())
     if bound_speeds or holds_unknowns(gap, question):
         return undecided("")
-    domain = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in squares.items()]
-    found = _witness(left, right, question.motion.assumptions, domain)
-    return found if found.is_refuted else _witness(left, right, question.motion.assumptions)
+    found = witness_of(left, right, question.motion.assumptions, _reachable(question))
+    return found if found.is_refuted else witness_of(left, right, question.motion.assumptions)
 
 
 def _is_speed(index: int) -> bool:
@@ -121,3 +128,30 @@ def _work_done(power: Scalar, question: Question) -> Scalar | None:
             return None
         return definite(integrand, name, motion.scope.start[name], symbol(name))
     return None
+
+
+def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> Verdict:
+    """A state of the motion in which low is not below high.
+
+    Any position is one, if nothing is said of speeds and of the start; else the squares of the speeds
+    are those of the motion from the start, and not negative there.
+    """
+    motion, domain = question.motion, []
+    pair = [question.seen(value, "motion") for value in (low, high)]
+    if not motion.is_free and any(tells_of_start(v, question) or _holds_speed(v) for v in pair):
+        pair = [question.seen(value, "start") for value in pair]
+        domain = _reachable(question)
+    if motion.is_tied or any((_holds_speed(v) and not motion.is_free) or holds_unknowns(v, question) for v in pair):
+        return undecided("the sign of the difference is not known for the motion from the start")
+    signs = (0, 1) if strict else (1,)
+    return witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs)
+
+
+def _holds_speed(value: Scalar) -> bool:
+    return any(_is_speed(index) for index in value.atoms())
+
+
+def _reachable(question: Question) -> list[Condition]:
+    """The squares of the speeds are not negative."""
+    squares = question.motion.squares.items()
+    return [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in squares]

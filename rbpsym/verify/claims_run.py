@@ -51,7 +51,7 @@ class Remembering(Checker):
 def checker(file: ClaimsFile, cache: Certificates) -> Remembering:
     """The checker of a claims file."""
     folder = Path(file.file).parent
-    return Remembering(Worlds(folder), _diagnosed, cache=cache, folder=folder)
+    return Remembering(Worlds(folder), _diagnosed, draws=cache.draws, cache=cache, folder=folder)
 
 
 def _diagnosed(relation, claim: Claim, ground) -> str:

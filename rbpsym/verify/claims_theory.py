@@ -28,6 +28,9 @@ COUNT = 3
 POSITIVE = Assumptions({"M": "positive", "I_cm": "positive"})
 
 
+LAWLESS = frozenset({"alpha", "X_ddot", "Y_ddot", *(f"F{k}_{axis}" for k in range(1, COUNT + 1) for axis in "xy")})
+
+
 def _pair(name: str) -> Space:
     return Space(cartesian(symbol(f"{name}_x"), symbol(f"{name}_y")))
 
@@ -61,6 +64,7 @@ class TheoryWorld:
             {},
             ("omega", "X_dot", "Y_dot"),
             frozenset(f"{name}_start" for name in start),
+            lawless=LAWLESS,
             is_free=True,
         )
 

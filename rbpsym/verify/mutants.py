@@ -182,7 +182,9 @@ def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
         if question.motion.is_free and any(isinstance(node, t.Delta) for _, node in sites(relation)):
             return _drifts(relation, ground, question)
         ready = t.Chain(tuple(prepared(item, ground) for item in relation.items), relation.ops)
-        return any(_fails(ready, look) for look in looks) or _drifts(relation, ground, question)
+        return any(_fails(ready, look) for look in looks) or (
+            looks[0].gap(ready) is None and _drifts(relation, ground, question)
+        )
     except (RbpsymError, ArithmeticError, ValueError, KeyError, TypeError):
         return False
 
@@ -196,8 +198,10 @@ def _side_of_constant(relation: t.Chain, ground: Ground) -> t.Node | None:
 
 
 def _varies(node: t.Node, ground: Ground, question: Question) -> bool:
-    rate = question.seen(question.rate(valued(node, ground)), "motion")
-    return bool(rate) and abs(number(rate, Numbers(7))) > DIFFERENT
+    found, numbers = valued(node, ground), Numbers(7)
+    parts = found.components() if isinstance(found, Space) else (found,)
+    rates = [question.seen(question.rate(part), "motion") for part in parts]
+    return any(abs(number(rate, numbers)) > DIFFERENT for rate in rates if rate)
 
 
 def _fails(relation: t.Chain, look: Sample) -> bool:

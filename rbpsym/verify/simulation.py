@@ -30,6 +30,7 @@ from rbpsym.verify.simulation_placement import Placement
 from rbpsym.verify.simulation_start import Conditions, Start, idle_angles, start_state
 
 GENERIC_STATES = 8
+GENERIC_TIME = 0.3
 FAINT = 1e-2
 
 
@@ -72,6 +73,7 @@ def simulate(
     bench = _Bench(derived)
     bench.compare_generic_states()
     bench.compare_motion(bench.generic, from_start=False)
+    bench.placement.mechanism.clock = 0.0
     declared = bench.declared_start()
     if declared is not None:
         bench.compare_motion(declared, from_start=True)
@@ -121,6 +123,7 @@ class _Bench:
         guess = self._coordinates({})
         kept = conditions(mechanism, self._poses(guess).tolist())
         self.conditions = Conditions(self.placement, kept, idle)
+        mechanism.clock = GENERIC_TIME
         self.generic = self._start({}, _speeds(derived.system, 0.7))
         reader = self.placement.reader(self.generic.q)
         self.equations = Equations(mechanism, laws(mechanism, reader), kept, idle)
@@ -130,7 +133,7 @@ class _Bench:
 
     def _coordinates(self, changed: Mapping[str, float]) -> dict[str, float]:
         """Numbers for the coordinates; dependent ones as the system has them (a first guess)."""
-        names = {**self.sample, **changed}
+        names = {**self.sample, "t": self.placement.mechanism.clock, **changed}
         names |= {n: number(v, names) for n, v in self.derived.system.dependent.items() if n not in changed}
         return names
 
@@ -166,27 +169,32 @@ class _Bench:
 
     def compare_motion(self, start: Start, *, from_start: bool) -> None:
         """Along the motion from a state; from the declared start also what depends on position alone."""
-        first = self.equations.at(start.where, start.speed)
-        time = duration(start.speed, first.gained, self.placement.mechanism.reach())
+        gained = self.equations.at(start.where, start.speed).gained
+        time = duration(start.speed, gained, self.placement.mechanism.reach())
         account = self.account if from_start else {}
-        done = trajectory(self._rate(account), np.concatenate([start.where, start.speed, np.zeros(len(account))]), time)
+        mechanism, began = self.placement.mechanism, self.placement.mechanism.clock
+        first = np.concatenate([start.where, start.speed, np.zeros(len(account)), [began]])
+        done = trajectory(self._rate(account), first, time)
         q, energies, size = start.q, [], self.equations.size
         for state in done:
+            mechanism.clock = float(state[-1])
             q, known, values = self._compare(state[:size], state[size : 2 * size], q)
             if self.derived.integral is not None:
                 energies.append((known.of(self.derived.integral), self.equations.kinetic_energy(state[size : 2 * size])))
             if from_start:
-                self._compare_positions(known, values, state[2 * size :])
+                self._compare_positions(known, values, state[2 * size : -1])
         self.drifts.append(_drift(energies))
+        mechanism.clock = began
 
     def _rate(self, account: Mapping[tuple[str, str, bool], int]):
-        """d/dt of (X, V, works)."""
+        """d/dt of (X, V, works, t)."""
         size, equations = self.equations.size, self.equations
 
         def rate(time: float, state: np.ndarray) -> np.ndarray:
             where, speed = state[:size], state[size : 2 * size]
+            equations.mechanism.clock = float(state[-1])
             balance = equations.at(where, speed)
-            return np.concatenate([speed, balance.gained, equations.powers(speed, balance, account)])
+            return np.concatenate([speed, balance.gained, equations.powers(speed, balance, account), [1.0]])
 
         return rate
 

@@ -1,6 +1,6 @@
 """A mechanism in maximal coordinates: every body has its own x, y (centre of mass) and angle.
 
-Built from the statement alone. The state is X = (x, y, φ) and V = dX/dt of all bodies in a
+Built from the statement alone; `clock` is the time of the state that is looked at. The state is X = (x, y, φ) and V = dX/dt of all bodies in a
 row; angles and torques are counter-clockwise positive.
 """
 
@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.notation.tree import Node, Sym, walk
 from rbpsym.statement.model import Body, PointRef, Problem
 from rbpsym.verify.simulation_numbers import Numbers
@@ -66,7 +67,7 @@ class Mechanism:
     """The bodies of a statement as numbers, and the meaning of its references."""
 
     def __init__(self, problem: Problem, numbers: Mapping[str, float], slips: Mapping[str, int] | None = None) -> None:
-        self.problem, self.slips = problem, slips or {}
+        self.problem, self.slips, self.clock = problem, slips or {}, 0.0
         self.constants = {q.name for q in problem.parameters} | set(problem.implicit)
         self.numbers = {name: value for name, value in numbers.items() if name in self.constants}
         self.known = Numbers(self.numbers)
@@ -86,6 +87,10 @@ class Mechanism:
     def pair(self, nodes: tuple[Node, Node]) -> tuple[float, float]:
         """The values of a pair."""
         return self.number(nodes[0]), self.number(nodes[1])
+
+    def at_time(self, value: Scalar) -> float:
+        """The value of an expression in parameters and t, at the time that the clock shows."""
+        return Numbers({**self.numbers, "t": self.clock}).of(value)
 
     def is_constant(self, *nodes: Node) -> bool:
         """Whether only parameters occur."""

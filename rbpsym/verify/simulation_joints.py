@@ -19,11 +19,12 @@ Entries = list[tuple[int, float]]
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A condition at a state: value (to vanish), its derivative by X, and d²/dt² at A = 0."""
+    """A condition at a state: value (to vanish), its derivatives by X and by t, and d²/dt² at A = 0."""
 
     value: float
     entries: Entries
     bias: float
+    drift: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +79,10 @@ def turning(first: int, second: int, offset: float, element: Element) -> Kept:
 
 def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     held = mechanism.spot(element["point"])
+    if element["at"] is not None and not mechanism.is_constant(*element["at"]):
+        from rbpsym.verify.simulation_contacts import driven_pivot
+
+        return driven_pivot(element, mechanism)
     here = placed(held, start, [0.0] * len(start)).place if element["at"] is None else mechanism.pair(element["at"])
     return _meeting(Spot(-1, *here), held, element.name)
 

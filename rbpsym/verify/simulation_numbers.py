@@ -10,7 +10,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.notation.tree import Node
 
 FUNCTIONS = {
@@ -58,9 +58,9 @@ class Numbers:
 
 
 class Stated:
-    """An expression of the statement as a function of the coordinates, with two derivatives.
+    """An expression of the statement as a function of the coordinates and t, with two derivatives.
 
-    `rates(...)` is ∂/∂q for every coordinate; `bend` the part of d²/dt² without q̈.
+    `slopes` are ∂/∂q for every coordinate; `drift` is ∂/∂t; `bend` the part of d²/dt² without q̈.
     """
 
     def __init__(self, node: Node, coordinates: tuple[str, ...]) -> None:
@@ -72,10 +72,16 @@ class Stated:
         return tuple(derivative(self.value, name) for name in self.coordinates)
 
     @cached_property
+    def drift(self) -> Scalar:
+        """∂/∂t."""
+        return derivative(self.value, "t")
+
+    @cached_property
     def bend(self) -> Scalar:
-        """Σ ∂²/∂q∂q' q̇ q̇'."""
-        total = NOTHING
+        """Σ ∂²/∂q∂q' q̇ q̇' + 2 Σ ∂²/∂q∂t q̇ + ∂²/∂t²."""
+        total = derivative(self.drift, "t")
         for name, slope in zip(self.coordinates, self.slopes, strict=True):
+            total = total + derivative(slope, "t") * symbol(f"{name}_dot") * 2
             for other in self.coordinates:
                 total = total + derivative(slope, other) * symbol(f"{name}_dot") * symbol(f"{other}_dot")
         return total

@@ -66,7 +66,7 @@ class Placement:
 
     def numbers(self, q: State, speeds: State | None = None) -> dict[str, float]:
         """Parameters, coordinates and speeds by name."""
-        found = {**self.mechanism.numbers, **dict(zip(self.names, map(float, q), strict=True)), "t": 0.0}
+        found = {**self.mechanism.numbers, **dict(zip(self.names, map(float, q), strict=True)), "t": self.mechanism.clock}
         if speeds is not None:
             found |= {f"{name}_dot": float(v) for name, v in zip(self.names, speeds, strict=True)}
         return found
@@ -90,8 +90,9 @@ class Placement:
 
     def speeds(self, q: State, where: State, speed: State) -> np.ndarray:
         """q̇ of the velocities of the bodies."""
-        seen = [dotted(link.of(where, speed).entries, speed) for link in self.links]
-        return np.linalg.lstsq(self.slopes(Numbers(self.numbers(q))), np.array(seen), rcond=None)[0]
+        known = Numbers(self.numbers(q))
+        seen = [dotted(link.of(where, speed).entries, speed) - known.of(link.stated.drift) for link in self.links]
+        return np.linalg.lstsq(self.slopes(known), np.array(seen), rcond=None)[0]
 
     def accelerations(self, q: State, rates: State, where: State, speed: State, gained: State) -> np.ndarray:
         """q̈ of the accelerations `gained` of the bodies."""

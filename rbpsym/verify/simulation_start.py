@@ -36,23 +36,26 @@ class Conditions:
         places = [item.is_place for item in kept]
         self.places = np.array([True] * len(placement.links) + places + [True] * len(idle), dtype=bool)
 
-    def at(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(values, derivative by z)."""
+    def at(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(values, derivative by z, derivative by t)."""
         q, where = z[: self.count], z[self.count :].tolist()
-        known, values, rows = Numbers(self.placement.numbers(q)), [], []
+        known, values, rows, drifts = Numbers(self.placement.numbers(q)), [], [], []
         still = [0.0] * len(where)
         for link in self.placement.links:
             row = link.of(where, still)
             values.append(row.value - known.of(link.stated.value))
+            drifts.append(-known.of(link.stated.drift))
             rows.append(self._row(row.entries, known.row(link.stated.slopes)))
         for item in self.kept:
             row = item.at(where, still)
             values.append(row.value)
+            drifts.append(row.drift)
             rows.append(self._row(row.entries, None))
         for column in self.idle:
             values.append(where[column])
+            drifts.append(0.0)
             rows.append(self._row([(column, 1.0)], None))
-        return np.array(values), np.array(rows).reshape(-1, len(z))
+        return np.array(values), np.array(rows).reshape(-1, len(z)), np.array(drifts)
 
     def _row(self, entries, slopes) -> list[float]:
         row = [0.0] * (self.count + 3 * len(self.placement.mechanism.centers))
@@ -67,12 +70,12 @@ def _settled(conditions: Conditions, guess: np.ndarray, held: Collection[int]) -
     """The nearest z that satisfies the conditions; the columns `held` stay as they are."""
     z, free = guess.copy(), [k for k in range(len(guess)) if k not in held]
     for _ in range(MOST_STEPS):
-        values, slopes = conditions.at(z)
+        values, slopes, _ = conditions.at(z)
         if np.abs(values).max(initial=0.0) < 1e-14:
             return z
         places = conditions.places
         z[free] -= np.linalg.lstsq(slopes[np.ix_(places, free)], values[places], rcond=None)[0]
-    if np.abs(conditions.at(z)[0]).max(initial=0.0) > 1e-10:
+    if np.abs(conditions.at(z)[0][conditions.places]).max(initial=0.0) > 1e-10:
         raise NotApplicable("no state of the bodies that satisfies all constraints was found near the sample state")
     return z
 
@@ -93,10 +96,11 @@ def start_state(
     names = conditions.placement.names
     guess = np.concatenate([[q[name] for name in names], where])
     z = _settled(conditions, guess, [k for k, name in enumerate(names) if name in held])
-    span = _allowed(conditions.at(z)[1])
-    wanted = [(k, rates[name]) for k, name in enumerate(names) if name in rates]
+    _, slopes, drifts = conditions.at(z)
+    span, carried = _allowed(slopes), -np.linalg.lstsq(slopes, drifts, rcond=None)[0] if len(slopes) else np.zeros(len(z))
+    wanted = [(k, rates[name] - carried[k]) for k, name in enumerate(names) if name in rates]
     share = np.linalg.lstsq(span[[k for k, _ in wanted]], np.array([v for _, v in wanted]), rcond=None)[0]
-    z_dot, count = span @ share, len(names)
+    z_dot, count = carried + span @ share, len(names)
     return Start(z[:count], z_dot[:count], z[count:], z_dot[count:], span.shape[1])
 
 

@@ -149,3 +149,11 @@ def test_a_broken_or_unwritable_cache_is_no_error(folder):
 def test_a_problem_is_derived(folder, capsys):
     assert run("sliding-ladder") == 0
     assert "derivation: sliding-ladder" in " ".join(capsys.readouterr().out.split())
+
+
+def test_formulas_of_the_page_are_drawn_and_nothing_of_the_text_is_markup(folder):
+    text = CLAIMS.replace(r"\cos\theta", r"\cos\theta\text{<b>}").replace("an opinion", "<script>alert(1)</script>")
+    (folder / "marked.toml").write_text(text)
+    run("marked.toml", "--html", "report.html")
+    page = (folder / "report.html").read_text()
+    assert "<math " in page and "<script>" not in page and "<b>" not in page

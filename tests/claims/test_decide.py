@@ -89,6 +89,11 @@ ROWS = [
     (r"m_1=2M", REFUTED),
     (r"\sin\phi=-\sin\theta", PROVED),
     (r"\omega^2>0", REFUTED),
+    (r"\omega^2\ge0", PROVED),
+    (r"\omega\le0", UNDECIDED),
+    (r"Mg\ell(\sin\theta_0-\sin\theta)\ge0", UNDECIDED),
+    (r"\sin\theta_0-\sin\theta\ge\frac12", REFUTED),
+    (r"\sin\theta>\frac12", REFUTED),
     (r"I>0", PROVED),
     (r"I<I_c", PROVED),
     (r"\alpha<0", PROVED),
@@ -143,3 +148,36 @@ def test_what_one_claim_defines_the_next_may_use():
         Claim("a", setting, Printed(latex)) for latex in (r"z=2\ell\cos\theta", r"z^2=4\ell^2-4\ell^2\sin^2\theta")
     )
     assert [checker.check(claim).outcome for claim in (first, second)] == [DEFINITION, PROVED]
+
+
+LAWLESS = [
+    (r"\frac{dN_w}{dt}=0", REFUTED), (r"N_w=n_0", REFUTED), (r"\frac{d\alpha}{dt}=0", REFUTED),
+    (r"\alpha=\alpha_0", REFUTED),
+    (r"N_w=\text{const}", REFUTED),
+    (r"\frac{dN_f}{dt}=\frac{Mg}{2}(9\sin\theta-3\sin\theta_0)\omega\cos\theta", PROVED),
+    (r"\int_{\theta_0}^{\theta}N_w d\theta=N_w(\theta-\theta_0)", REFUTED), (r"\frac{d^3\theta}{dt^3}=0", REFUTED),
+]  # fmt: skip
+THEORY = [
+    (r"\vec F=\text{const}", UNDECIDED), (r"\frac{d\vec F}{dt}=0", UNDECIDED), (r"\alpha=\text{const}", UNDECIDED),
+    (r"\int_{\theta_0}^{\theta}\tau d\theta=\tau(\theta-\theta_0)", UNDECIDED), (r"\vec F=M\vec A", PROVED),
+    (r"\vec V=\text{const}", REFUTED), (r"M=\text{const}", PROVED), (r"\frac{d\theta}{dt}=\omega", PROVED),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "wanted"), LAWLESS, ids=[row[0] for row in LAWLESS])
+def test_unknown_forces_and_accelerations_are_never_taken_for_constants(latex, wanted):
+    more = {"n_0": "start of N_w", r"\alpha_0": "start of acceleration of theta"}
+    symbols = {key: Meaning(value) for key, value in {**LADDER, **more}.items()}
+    claim = Claim("a", Setting("lawless", "sliding-ladder", symbols=symbols), Printed(latex))
+    assert Checker(WORLDS).check(claim).outcome is wanted
+
+
+@pytest.mark.parametrize(("latex", "wanted"), THEORY, ids=[row[0] for row in THEORY])
+def test_the_forces_of_the_theory_may_change(latex, wanted):
+    symbols = {
+        r"\vec F": "net force", "M": "mass", r"\vec A": "acceleration of the centre of mass", r"\theta": "angle",
+        r"\vec V": "velocity of the centre of mass", r"\alpha": "angular acceleration", r"\omega": "angular velocity",
+        r"\tau": "net torque", r"\theta_0": "start of the angle",
+    }  # fmt: skip
+    setting = Setting("theory", theory="plane-motion", symbols={key: Meaning(value) for key, value in symbols.items()})
+    assert Checker(WORLDS).check(Claim("a", setting, Printed(latex))).outcome is wanted

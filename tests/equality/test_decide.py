@@ -103,7 +103,8 @@ def test_a_quantity_known_only_by_name_refutes_nothing() -> None:
 
 
 def test_scope_gives_names_their_meaning() -> None:
-    scope = Scope(scalars={"I": symbol("m") * symbol("R") ** 2 * Fraction(1, 2)}, vectors={"r": Space(EX * symbol("R"))})
+    inertia = symbol("m") * symbol("R") ** 2 * Fraction(1, 2)
+    scope = Scope(scalars={"I": inertia}, vectors={"r": Space(EX * symbol("R"))})
     m, radius = t.Sym("m"), t.Sym("R")
     half = t.Div(t.Mul((m, t.Pow(radius, t.TWO))), t.TWO)
     assert equal(t.Sym("I"), half, scope=scope).is_proved

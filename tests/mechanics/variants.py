@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.statement.library import problem_files
 from tests.mechanics.textbook import answer, read
 
-UNTOUCHED = ("shape", "type", "title", "source", "level", "topic", "meaning", "#")
+UNTOUCHED = ("shape", "type", "title", "source", "level", "topic", "meaning")
 
 
 def shipped(name: str) -> str:
@@ -33,7 +33,7 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
     """Every name of the problem replaced wherever it is used."""
     pattern = re.compile(r"\b(" + "|".join(sorted(names, key=len, reverse=True)) + r")(?=\b|_dot\b|_ddot\b)")
     lines = []
-    for line in text.splitlines():
+    for line in re.sub(r"\s*#.*", "", text).splitlines():
         if line.startswith(UNTOUCHED):
             lines.append(line)
         elif '= "' in line and ": " in line:  # a parameter: its dimension stays

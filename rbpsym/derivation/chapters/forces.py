@@ -28,6 +28,8 @@ def is_reaction(draft: Draft, force: Force) -> bool:
 def force_node(draft: Draft, force: Force) -> t.Node:
     """The vector as it is named: N on the second body, -N on the first, W_rod for one of several weights."""
     same = [f for f in draft.study.system.forces if f.name == force.name]
+    if not force.vector:
+        return t.neg(t.Sym(force.name)) if is_reaction(draft, force) else t.Sym(force.name)
     if is_reaction(draft, force):
         return t.neg(t.Vec(force.name))
     if len(same) > 1 and not any(is_reaction(draft, f) for f in same):

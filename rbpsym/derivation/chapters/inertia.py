@@ -53,16 +53,16 @@ def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> Non
         integral = _sum(draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements])
         radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
         draft.add(f"moment.{name}", "mass_integral", t.equation(moment, radius, integral, draft.show(state.moment)),
-                  "inertia.integral", body=BodyRef(name), **_spread(elements))
+                  "inertia.integral", body=BodyRef(name), **_spread(draft, elements))
         return
     _by_parallel_axis(draft, name, state, moment, elements)
 
 
-def _spread(elements: tuple[MassElement, ...]) -> dict[str, object]:
+def _spread(draft: Draft, elements: tuple[MassElement, ...]) -> dict[str, object]:
     """How the mass is spread: its density along a line, over a surface or in a volume, if it is one piece."""
     if len(elements) != 1 or elements[0].kind == "point":
         return {"variant": "pieces"}
-    return {"variant": elements[0].kind, "density": elements[0].density}
+    return {"variant": elements[0].kind, "density": _density(draft, elements[0])}
 
 
 def _shifted_rod(elements: tuple[MassElement, ...], state: BodyState) -> tuple[Scalar, Scalar] | None:
@@ -87,16 +87,23 @@ def _square(element: MassElement, center: tuple[Scalar, Scalar] | None) -> Scala
 def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node | None = None) -> t.Node:
     """density × ∫∫ weight × measure, the sign of a removed part in front."""
     found = draft.show(weight * scalar(element.measure), factor=True) if node is None else t.mul(node, element.measure)
+    density = _density(draft, element)
     if not element.ranges:
-        found = t.mul(element.density, found)
+        found = t.mul(density, found)
         return t.neg(found) if element.sign < 0 else found
     varying = {item.variable for item in element.ranges}
-    inside = bool(t.names(element.density) & varying)
-    found = t.mul(element.density, found) if inside else found
+    inside = bool(t.names(density) & varying)
+    found = t.mul(density, found) if inside else found
     for item in reversed(element.ranges):
         found = t.Integral(found, item.variable, item.lower, item.upper)
-    found = found if inside else t.mul(element.density, found)
+    found = found if inside else t.mul(density, found)
     return t.neg(found) if element.sign < 0 else found
+
+
+def _density(draft: Draft, element: MassElement) -> t.Node:
+    """The density as it is written, or worked out where that is shorter."""
+    shown = draft.show(scalar(element.density), factor=True)
+    return shown if len(list(t.walk(shown))) < len(list(t.walk(element.density))) else element.density
 
 
 def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:

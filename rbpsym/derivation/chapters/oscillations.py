@@ -21,7 +21,6 @@ def write(draft: Draft) -> None:
 
 def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
-    condition = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     names = [t.Sym(name) for name in item.at]
     forces = [force for force in resting_forces(draft.study.system, draft.study.dynamics) if force]
     zero = t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces)) if len(forces) > 1 else (
@@ -30,11 +29,11 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     linear = _is_linearized(draft, item)
     there = _at(draft, zero, item)
     draft.add(f"equilibrium.{place}", "equilibrium", there if isinstance(there, t.System) else t.System((there,)),
-              f"oscillations.{verdict}", level=FULL if linear else STANDARD,
+              f"oscillations.{verdict}", level=FULL if linear or item.stable is False else STANDARD,
               premises=[f"motion.{n}" for n in draft.study.system.independent], names=names, count=len(names),
-              place=condition, data={"at": item.at})
+              place=rows, told=linear, data={"at": item.at})
     if linear:
-        _linearized(draft, item, place, f"oscillations.linear.{verdict}", condition)
+        _linearized(draft, item, place, f"oscillations.linear.{verdict}", rows)
     elif item.stable:
         _modes(draft, item, place)
 
@@ -70,7 +69,7 @@ def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
     return single and known and bool(item.frequencies_squared) and len(item.at) == 1
 
 
-def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, condition: t.Node) -> None:
+def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
     """q̈ ≈ -ϑ² (q - q₀) and the frequency."""
     accelerations = draft.study.dynamics.accelerations
     [name] = item.at
@@ -83,7 +82,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, condit
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     linear = _linear(draft, shown, deviation)
     draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", linear),
-              phrase, place=condition, premises=[f"equilibrium.{place}", f"motion.{name}"], coordinate=t.Sym(name),
+              phrase, place=there, premises=[f"equilibrium.{place}", f"motion.{name}"], coordinate=t.Sym(name),
               data={"value": value, "name": name, "at": item.at, "slope": slope, "scalar": -square})
     if item.stable:
         draft.context.scalars[letter.name] = _root(square)

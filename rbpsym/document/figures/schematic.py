@@ -190,8 +190,15 @@ def free_side(mark: LengthMark, sketch: Sketch) -> int:
     """+1 if the left side of a length is the emptier one, else -1."""
     (x, y), (u, v) = mark.start, mark.end
     others = [body.center for body in sketch.bodies] + [point.at for point in sketch.points]
+    others += [nearest(line, ((x + u) / 2, (y + v) / 2)) for line in sketch.lines]
     left = sum((u - x) * (q - y) - (v - y) * (p - x) for p, q in others)
     return -1 if left > 1e-9 else 1
+
+
+def nearest(line: SketchLine, point: Point) -> Point:
+    """The point of a line that is nearest to another point."""
+    away = (line.a * point[0] + line.b * point[1] - line.c) / (line.a**2 + line.b**2)
+    return point[0] - away * line.a, point[1] - away * line.b
 
 
 DRAW = {

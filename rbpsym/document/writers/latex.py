@@ -168,7 +168,7 @@ def column(block: Table, place: int, page: Page) -> str:
     """The letter of one column."""
     letter = block.columns[place]
     if letter == "p":
-        wide = breaking.is_wide(block, place, page.notation)
+        wide = breaking.is_wrapped(block, place, page.notation, page.column)
         return rf">{{\raggedright\arraybackslash}}m{{{breaking.NARROW}em}}" if wide else "l"
     return "X" if letter == "l" and breaking.is_wordy(block, place) else letter
 

@@ -130,7 +130,7 @@ def table(block: Table, page: Page) -> str:
 
 def column(block: Table, place: int, page: Page) -> str:
     """The width of a column: words share the room that is left, or wrap in a narrow one."""
-    if block.columns[place] == "p" and breaking.is_wide(block, place, page.notation):
+    if block.columns[place] == "p" and breaking.is_wrapped(block, place, page.notation, page.column):
         return f"{breaking.NARROW}em"
     wordy = block.columns[place] == "l" and breaking.is_wordy(block, place)
     return "1fr" if wordy else "auto"

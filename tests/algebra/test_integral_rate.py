@@ -1,0 +1,27 @@
+"""The rate of an integral with an unknown integrand, by its limits."""
+
+import pytest
+
+from rbpsym.algebra.evaluate import Scope, rate
+from rbpsym.algebra.scalar import symbol
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+
+N, SPEED = symbol("N"), symbol("theta_dot")
+SCOPE = Scope(rates={"theta": SPEED}, start={"theta": symbol("theta_0")})
+START, NOW = t.Sym("theta_0"), t.Sym("theta")
+
+
+@pytest.mark.parametrize(("lower", "upper", "wanted"), [(START, NOW, N * SPEED), (NOW, START, -(N * SPEED))])
+def test_from_the_start_to_now_and_back(lower, upper, wanted):
+    assert rate(t.Integral(t.Sym("N"), "theta", lower, upper), SCOPE) == wanted
+
+
+def test_between_other_limits_the_integral_itself_is_differentiated():
+    found = rate(t.Integral(t.Fn("cos", NOW), "theta", t.ZERO, NOW), SCOPE)
+    assert found == rate(t.Fn("sin", NOW), SCOPE)
+
+
+def test_a_sum_over_particles_has_no_value_of_its_own():
+    with pytest.raises(RbpsymError, match="has no value"):
+        rate(t.Sum(t.Sym("m")), SCOPE)

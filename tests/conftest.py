@@ -1,0 +1,18 @@
+"""For all tests: where RBPSYM_REQUIRE_TOOLS is set, what would be skipped fails instead."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Generator
+
+import pytest
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """A test that is skipped (for want of TeX, a browser, ...) proves nothing: .ci/run wants all of them."""
+    report = yield
+    if os.environ.get("RBPSYM_REQUIRE_TOOLS") and report.skipped and not hasattr(report, "wasxfail"):
+        report.outcome = "failed"
+        report.longrepr = f"{item.nodeid} was skipped, but RBPSYM_REQUIRE_TOOLS is set: {report.longrepr}"
+    return report
