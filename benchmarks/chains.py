@@ -121,7 +121,9 @@ def measured(method: str, n: int) -> tuple[float, int]:
     """The median of several processes."""
     found = []
     for _ in range(RUNS[method]):
-        out = subprocess.run([sys.executable, __file__, "--one", method, str(n)], check=True, capture_output=True, text=True)
+        out = subprocess.run(
+            [sys.executable, __file__, "--one", method, str(n)], check=True, capture_output=True, text=True
+        )
         seconds, operations = out.stdout.split()
         found.append((float(seconds), int(operations)))
     return median(seconds for seconds, _ in found), found[0][1]
@@ -133,10 +135,16 @@ def main(sizes: tuple[int, ...]) -> int:
     for n in sizes:
         table = {method: measured(method, n) for method in METHODS}
         for method, (seconds, operations) in table.items():
-            print(f"{n:>3} {method:>10} {seconds:>9.3f} {operations:>11} {seconds / table['rbpsym'][0]:>11.1f}", flush=True)
+            print(
+                f"{n:>3} {method:>10} {seconds:>9.3f} {operations:>11} {seconds / table['rbpsym'][0]:>11.1f}",
+                flush=True,
+            )
     ours, theirs = table["rbpsym"], table["kane"]
     fine = theirs[0] >= AHEAD * ours[0] and ours[1] < theirs[1]
-    print("fine" if fine else "missed", f"(target: {AHEAD:g} times faster than KanesMethod at n = {sizes[-1]}, with fewer operations)")
+    print(
+        "fine" if fine else "missed",
+        f"(target: {AHEAD:g} times faster than KanesMethod at n = {sizes[-1]}, with fewer operations)",
+    )
     return 0 if fine else 1
 
 

@@ -63,6 +63,8 @@ def results(study: Study) -> dict[str, Any]:
         "works": _works(study),
         "equilibria": _equilibria(study),
         "conditions": [_condition(loss, study) for loss in study.losses],
+        "static_friction": [_need(item, study) for item in study.friction_needs],
+        "phases": _phases(study),
     }
 
 
@@ -130,3 +132,28 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
 
 def _condition(loss, study: Study) -> dict[str, Any]:
     return {"force": loss.force, "vanishes": text(loss.factor, study), "at": _table(loss.at, study) or None}
+
+
+def _need(item, study: Study) -> dict[str, Any]:
+    """f/N of a contact that static friction holds, the coefficient that it needs, and whether the declared one will do."""
+    return {"contact": item.constraint, "friction": item.friction, "ratio": text(item.ratio, study),
+            "needed": text(item.needed, study), "coefficient": text(item.limit, study), "enough": item.holds}
+
+
+def _phases(study: Study) -> list[dict[str, Any]]:
+    """How each phase after the first begins, and the accelerations in it."""
+    if not study.problem.phases:
+        return []
+    from rbpsym.mechanics.phases import stages
+
+    return [_phase(stage) for stage in stages(study.problem)[1:]]
+
+
+def _phase(stage) -> dict[str, Any]:
+    began, study = stage.began, stage.study
+    return {
+        "name": stage.name, "time": text(began.before.time, study), "at": _table(began.before.places, study),
+        "speeds_before": _table(began.before.speeds, study), "speeds": _table(began.speeds, study),
+        "impulses": _table(began.impulses, study), "energy_lost": text(began.energy_lost, study),
+        "accelerations": _accelerations(study), "reactions": _table(study.dynamics.reactions, study),
+    }

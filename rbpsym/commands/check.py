@@ -48,7 +48,7 @@ class Found:
 @click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
 @click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
 @click.option("--github", is_flag=True, help="Print annotations for GitHub's pages too.")
-@click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number or label is this.")
+@click.option("--only", metavar="WORD", default="", help="Only formulas whose id, number, label or erratum is this.")
 @click.option("--failures", is_flag=True, help="Show only what is not as expected.")
 @click.option(
     "--cache", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path), help="Where certificates are kept."
@@ -102,7 +102,7 @@ def selected(found: Found, word: str) -> Found:
     """Only the results of one id, number or label."""
     if not word:
         return found
-    kept = [result for result in found.results if word in (result.id, result.number, result.label)]
+    kept = [result for result in found.results if word in (result.id, result.number, result.label, result.erratum)]
     if not kept:
         raise click.UsageError(f"nothing here is called “{word}”.")
     return Found(kept, found.remarks)

@@ -68,12 +68,11 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
     """The chapters of one road, or of all of them, as a document."""
     from rbpsym.document.chapters import chapter_sections
     from rbpsym.document.model import Document, words
-    from rbpsym.document.notes import notation_of, shown_steps
-    from rbpsym.document.words import Words
+    from rbpsym.document.notes import notation_of, shown_steps, words_of
 
     problem = derivation.study.problem
     of_method = {step.id for step in derivation.steps if method == "all" or step.chapter in CHAPTERS[method]}
-    said = Words(language, problem, "", shown_steps(derivation, detail) & of_method)
+    said = words_of(derivation, shown_steps(derivation, detail) & of_method, language)
     sections = tuple(chapter_sections(derivation, said, 1))
     return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation))
 
@@ -81,10 +80,11 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
 def reasons(derivation: Derivation, method: str, language: str) -> Iterator[str]:
     """Why a method does not apply."""
     from rbpsym.document.notes import notation_of
+    from rbpsym.document.notes_checks import left_out
     from rbpsym.document.words import Words
     from rbpsym.document.writers.plain_text import plain_text
 
     said, notation = Words(language, derivation.study.problem), notation_of(derivation)
     for skipped in derivation.skipped:
         if method in ("all", skipped.method):
-            yield plain_text(said.say(skipped.phrase, **skipped.slots), notation, language)
+            yield plain_text(left_out(skipped, said), notation, language)

@@ -41,7 +41,7 @@ def lines(result: Result) -> Iterator[str]:
     if result.diagnosis:
         yield f"near miss: {result.diagnosis}"
     if result.right:
-        yield f"right form: {result.right}"
+        yield f"right form {result.right}: {result.right_latex.strip()}"
 
 
 def name_of(result: Result) -> str:
@@ -116,6 +116,7 @@ def record(result: Result) -> dict[str, Any]:
         "diagnosis": result.diagnosis,
         "erratum": result.erratum,
         "right": result.right,
+        "right_latex": result.right_latex,
         "note": result.note,
         "links": [
             {

@@ -24,12 +24,13 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict
+from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Chain, System
 
 MARKS: Mapping[Kind, tuple[str, str]] = {PROVED: ("✓", "green"), REFUTED: ("✗", "red"), UNDECIDED: ("?", "yellow")}
+SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
 WIDEST = 100
 
 
@@ -70,7 +71,8 @@ def _paragraph(block: Paragraph, screen: Screen) -> Iterator[str]:
 
 
 def _display(block: Display, screen: Screen) -> Iterator[str]:
-    verdict = screen.verdicts.get(block.label)
+    found = [screen.verdicts[label] for label in (block.label, *block.also) if label in screen.verdicts]
+    verdict = all_of(found) if found else None
     mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
     rows = _rows(block, screen)
     number = f"({block.number})" if block.number else ""
@@ -99,19 +101,28 @@ def _table(block: Table, screen: Screen) -> Iterator[str]:
     from rich.text import Text
 
     drawn = Drawn(box=SIMPLE_HEAD, pad_edge=False)
-    sides = {"l": "left", "c": "center", "r": "right"}
     for head, side in zip(block.header, block.columns, strict=True):
-        drawn.add_column(Text(screen.text(head)), justify=sides[side], overflow="fold")
+        drawn.add_column(Text(screen.text(head)), justify=SIDES[side], overflow="fold")
     for row in block.rows:
         drawn.add_row(*(Text(screen.text(cell)) for cell in row))
     console = Console(width=screen.width - 4, color_system=None, highlight=False)
     with console.capture() as capture:
         console.print(drawn)
     yield from (f"    {line}".rstrip() for line in capture.get().strip("\n").splitlines())
+    if block.caption:
+        yield from _told("table", block.number, screen.text(block.caption), screen)
 
 
 def _figure(block: FigureBlock, screen: Screen) -> Iterator[str]:
-    yield from (f"  {row}" for row in wrap(block.alt, screen.width - 2))
+    yield from _told("figure", block.number, block.alt, screen)
+
+
+def _told(kind: str, number: str, text: str, screen: Screen) -> Iterator[str]:
+    """Number and caption of a table or figure."""
+    from rbpsym.document.phrases import plain
+
+    head = plain(f"block.{kind}", screen.language, number=number)
+    yield from (f"    {row}" for row in wrap(f"{head}. {text}", screen.width - 4))
 
 
 def _items(block: ItemList, screen: Screen) -> Iterator[str]:

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from rbpsym.derivation.step import Derivation, Step, StepRef
-from rbpsym.document.breaking import lines, table_width
-from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref, Section, Text
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document.breaking import table_width
+from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, problem_notation
 from rbpsym.document.tables import done_table, forces_table, works_table
+from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, joined
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import DEFAULT
 
-ORDER = ("kinematics", "inertia", "momentum", "forces", "motion", "reactions", "work", "energy", "contact", "oscillations")
-MOST_ROWS = 6  # formulas under one number
-MOST_LINES = 12
-COLUMN = 36.0  # em: about the width of a page
-WIDEST = 44.0  # em: a table that is wider would have to be set in small letters
+ORDER = (
+    "kinematics", "inertia", "momentum", "forces", "motion", "reactions", "work", "energy", "contact", "oscillations",
+)
+WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
 def chapter_sections(derivation: Derivation, said: Words, level: int) -> Iterator[Section]:
@@ -47,88 +46,6 @@ def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[
 def _title(name: str, derivation: Derivation) -> str:
     """The chapter on contacts is about forces along the motion where none is lost."""
     return "along" if name == "contact" and not derivation.study.losses else name
-
-
-class Teller:
-    """Says steps one after the other: what was said before is said shorter, what was shown is referred to."""
-
-    def __init__(self, said: Words) -> None:
-        self.said = said
-        self.before: set[str] = set()
-
-    def steps(self, steps: Iterable[Step]) -> Iterator[Block]:
-        """Sentence and formula in turn."""
-        for step in steps:
-            yield from self.step(step)
-
-    def step(self, step: Step) -> Iterator[Block]:
-        """The sentence of a step and its formula; only a sentence if the formula was shown already."""
-        known = self.said.same.get(step.id)
-        text = self.sentence(step, f"{step.phrase}_known" if known else step.phrase, **step.slots)
-        if text:
-            yield Paragraph(text)
-        if known is None:
-            yield display(step, self.said)
-
-    def sentence(self, step: Step, key: str, **slots: object) -> Inlines:
-        """What is said before a step, in the variant for a second time if there is one."""
-        found = known_key(key, self.said)
-        if found is None:
-            return ()
-        again = f"{found}_again"
-        chosen = again if found in self.before and self.said.has(again) else found
-        self.before.add(found)
-        known = self.said.same.get(step.id)
-        text = self.said.say(chosen, **slots, **({"first": StepRef(known)} if known else {}))
-        return text if any(not isinstance(i, Text) or i.text.strip() for i in text) else ()
-
-    def together(self, steps: Sequence[Step], key: str, **slots: object) -> Iterator[Block]:
-        """Steps of one kind under one sentence and one number; a single one in its own words."""
-        if len(steps) < 2:
-            yield from self.steps(steps)
-            return
-        yield Paragraph(self.said.say(key, count=len(steps), **slots))
-        if is_tall(steps, self.said):
-            yield from (display(step, self.said) for step in steps)
-        else:
-            yield joined(steps, self.said)
-
-
-def known_key(key: str, said: Words) -> str | None:
-    """The key, or that of “other” of its kind; None where nothing is said."""
-    if said.has(key):
-        return key
-    other = key.rsplit(".", 1)[0] + ".other"
-    return other if said.has(other) else None
-
-
-def display(step: Step, said: Words) -> Display:
-    """The formula of a step, numbered, boxed if it is a result."""
-    return Display(step.statement, said.prefix + step.id, True, step.is_result)
-
-
-def is_tall(steps: Sequence[Step], said: Words) -> bool:
-    """Do the formulas of some steps take too much room to stand under one number?"""
-    notation = problem_notation(said.problem) if said.problem else DEFAULT
-    rows = sum(len(lines(step.statement, notation, COLUMN)) for step in steps)
-    return len(steps) > MOST_ROWS or rows > MOST_LINES
-
-
-def joined(steps: Sequence[Step], said: Words) -> Display:
-    """The formulas of several steps below each other, with one number."""
-    rows = tuple(row for step in steps for row in
-                 (step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)))
-    first, *others = (said.prefix + step.id for step in steps)
-    return Display(t.System(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
-
-
-def by_kind(steps: Iterable[Step], kinds: Sequence[str]) -> list[list[Step]]:
-    """The steps in groups whose phrases begin with these, in this order; all others before."""
-    groups: list[list[Step]] = [[] for _ in range(len(kinds) + 1)]
-    for step in steps:
-        place = next((k for k, kind in enumerate(kinds, 1) if step.phrase == kind or step.phrase.startswith(f"{kind}.")), 0)
-        groups[place].append(step)
-    return groups
 
 
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
@@ -175,13 +92,14 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as symbols, what cancels, the theorem in its halves, then the works carried out."""
     teller = Teller(said)
-    kinds = {kind: [s for s in steps if s.rule == kind] for kind in ("work", "workless", "work_energy", "work_done", "solution")}
+    rules = ("work", "workless", "work_energy", "work_done", "solution")
+    kinds = {rule: [step for step in steps if step.rule == rule] for rule in rules}
     if kinds["work"]:
         yield from _integrals(kinds["work"], derivation, said)
     forces = [step.slots["force"] for step in kinds["workless"]]
     yield from teller.together(kinds["workless"], "work.cancel_all", forces=forces)
-    whole, halves = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))[0], []
-    halves = [step for step in kinds["work_energy"] if step not in whole]
+    whole, *split = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))
+    halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
         yield from _halves(halves, teller, said)
     yield from teller.steps((*whole, *kinds["solution"]))
@@ -239,11 +157,11 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     """The forces along the motion together, then where they vanish."""
     teller = Teller(said)
     others, along = by_kind(steps, ("contact.along",))
-    sources = [s for step in along for s in step.slots.get("sources", ())]
-    results = [step for step in along if step.is_result]
-    yield from teller.together(results, "contact.along_all", sources=sources, forces=[s.slots["force"] for s in results])
-    rest = [step for step in along if not step.is_result]
-    yield from teller.together(rest, "contact.along_all", sources=sources, forces=[s.slots["force"] for s in rest])
+    sources = [source for step in along for source in step.slots.get("sources", ())]
+    for boxed in (True, False):
+        group = [step for step in along if step.is_result is boxed]
+        forces = [step.slots["force"] for step in group]
+        yield from teller.together(group, "contact.along_all", sources=sources, forces=forces)
     yield from teller.steps(others)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
+from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.model import Document, Inlines, Section, Text, words
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
@@ -33,16 +33,20 @@ def notation_of(derivation: Derivation) -> Notation:
     return problem_notation(derivation.study.problem)
 
 
+def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en", prefix: str = "") -> Words:
+    """How notes that show these steps speak: what stands already on the page is only referred to."""
+    said = Words(language, derivation.study.problem, prefix, shown)
+    same = repeated(derivation, shown, said)
+    return replace(said, shown=shown - set(same), same=same)
+
+
 def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int,
                      checks: str = "") -> list[Section]:
     """All sections of a problem; `prefix` keeps its labels apart from those of other problems.
 
     `checks` is the label of a table of checks for the whole document, "" for one of its own.
     """
-    shown = shown_steps(derivation, detail)
-    said = Words(language, derivation.study.problem, prefix, shown)
-    same = repeated(derivation, shown, said)
-    said = replace(said, shown=shown - set(same), same=same)
+    said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     return [
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
@@ -54,11 +58,26 @@ def problem_sections(derivation: Derivation, language: str, detail: str, prefix:
 def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     """Ids of the steps that are shown at a level of detail."""
     level = DETAILS[detail]
-    kept = (s for s in derivation.steps if s.level <= level or s.is_result or (level == 1 and s.rule in BRIEF))
+    kept = (s for s in derivation.steps if s.level <= level or s.is_result or (level == 1 and _is_brief(s)))
     return frozenset(step.id for step in kept)
 
 
-BRIEF = frozenset({"angular_momentum", "balance", "workless", "conservation", "combination"})
+def _is_brief(step: Step) -> bool:
+    """Is it a step that a book would print: not the way of a calculation, but what the next one starts from?"""
+    return step.level <= DETAILS["standard"] and step.rule in BRIEF.get(step.chapter, ())
+
+
+BRIEF: Mapping[str, frozenset[str]] = {
+    "kinematics": frozenset({"statement"}),
+    "inertia": frozenset({"mass_integral", "parallel_axis", "statement"}),
+    "momentum": frozenset({"angular_momentum"}),
+    "forces": frozenset({"torque"}),
+    "motion": frozenset({"torque", "balance", "combination", "solution"}),
+    "reactions": frozenset({"balance"}),
+    "work": frozenset({"work", "workless", "work_energy"}),
+    "energy": frozenset({"kinetic_energy", "potential", "conservation", "first_integral"}),
+    "oscillations": frozenset({"linearization"}),
+}
 
 
 CHECKS = "table.checks"

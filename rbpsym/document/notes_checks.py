@@ -40,13 +40,13 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str =
     own = checks_table(derivation.steps, said)
     intro = said.say("checks.all" if whole else "checks.some", table=Ref(table or own.label), **counts)
     items = [*_methods(summary, said), *_oracles(summary, said),
-             *(_left_out(skipped, said) for skipped in derivation.skipped)]
+             *(left_out(skipped, said) for skipped in derivation.skipped)]
     blocks: tuple[Block, ...] = (Paragraph(intro), *(() if table else (own,)),
                                  Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 
 
-def _left_out(skipped: Skipped, said: Words) -> Inlines:
+def left_out(skipped: Skipped, said: Words) -> Inlines:
     """Why a method was not used."""
     return said.say(skipped.phrase, **{**skipped.slots, "method": said.say(f"method.{skipped.method}")})
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.derivation.step import Derivation, Lesson, Step
-from rbpsym.document.chapters import Teller
 from rbpsym.document.model import Block, Inlines, Paragraph, Section
+from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 
 

@@ -58,7 +58,14 @@ class Words:
         if values and all(isinstance(value, StepRef) for value in values):
             marks = [self.step(value.id) for value in values if self.same.get(value.id, value.id) in self.shown]
             return list(dict.fromkeys(marks)) or [phrase("ref.above", self.language)]
-        return [self.word(value) for value in values]
+        return [self.label(value) if isinstance(value, str) else self.word(value) for value in values]
+
+    def label(self, text: str) -> Inlines:
+        """A point as the file names it: "rod.end" is the end of the rod."""
+        body, _, point = text.partition(".")
+        if point and self.problem and body in self.problem.body_names:
+            return phrase("point.of", self.language, point=point.replace("_", " "), body=self.the(body))
+        return (Text(text),)
 
     def step(self, id: str) -> Inlines:
         """The number of a step, or a word for one that is not shown."""

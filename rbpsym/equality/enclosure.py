@@ -14,6 +14,7 @@ from math import isqrt
 
 BITS = 128
 _ONE = 1 << BITS
+MOST_EXPONENT = 4000
 
 
 class Outside(ArithmeticError):
@@ -230,6 +231,8 @@ def exp(number: Number) -> Number:
 
 
 def _exp(x: Fraction) -> Number:
+    if abs(x) > MOST_EXPONENT:
+        raise Outside("an exponential that is too large or too small to be enclosed")
     halvings = max(0, int(abs(x)).bit_length())
     small = _short(x / (1 << halvings))
     result: Number = _wider(_series(Fraction(1), lambda k: small[0] / k, Fraction(8)), 4 * small[1])

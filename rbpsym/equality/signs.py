@@ -20,6 +20,7 @@ from rbpsym.equality.sign_rules import QUICK, RULES
 from rbpsym.errors import LimitError, Undecided
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
+LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +79,7 @@ class Study:
         """What sign a polynomial may have."""
         if poly in self.found:
             return self.found[poly]
-        self.found[poly], self.left = ANY, self.left - 1
+        self.found[poly], self.left = ANY, self.left - 1 - len(poly) ** 2 // LONG
         mask = self._narrowed(poly, ANY, QUICK)
         if mask not in DECIDED and self.left > 0 and not self.samples.has_both_signs(poly):
             mask = self._narrowed(poly, mask, RULES)

@@ -97,12 +97,22 @@ def _is_linear(value: Scalar, name: str, names: tuple[str, ...]) -> bool:
 
 def contradiction(condition: Condition, element: Element, text: str) -> StatementError:
     """The sentence for a condition that the given poses can't satisfy while they move."""
+    if condition.what in APART:
+        return StatementError(
+            f"{element.kind} “{element.name}”: in the given poses {' and '.join(_subjects(element))} "
+            f"{APART[condition.what]} (that would ask for {text} = 0)",
+            instead="change the place (center) of the body so that it does, or leave the place out: the constraint gives it.",
+            place=element.place,
+        )
     return StatementError(
         f"the constraint “{element.name}” ({element.kind} of {' and '.join(_subjects(element))}) contradicts the poses: "
         f"it asks for {text} = 0, which does not hold while the coordinates vary",
         instead="check the pose (center, angle) of the bodies that it joins, and which point it names.",
         place=element.place,
     )
+
+
+APART = {"gap": "does not touch the curve", "length": "are not at the distance of the string's length"}
 
 
 def _subjects(element: Element) -> list[str]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import Geometry
@@ -98,9 +98,19 @@ def _on_circle(element: Element, geometry: Geometry) -> Meeting:
     here, middle = geometry.where(touching_point(element)), geometry.where(element["circle"])
     side = _side_of_circle(element, geometry, middle)
     radius, rim = scalar(element["radius"]), rim_of(element)
-    reach, apart = radius + rim * side, (here - middle).settled()
-    up = apart * (reach.inverse() * side)
-    return Meeting(here - up * rim if rim else here, up, apart.dot(apart) - reach * reach, toucher(element), curve_body(element))
+    up, gap = _away(here - middle, radius + rim * side, geometry)
+    up = up * side
+    return Meeting(here - up * rim if rim else here, up, gap, toucher(element), curve_body(element))
+
+
+def _away(apart: Vector, reach: Scalar, geometry: Geometry) -> tuple[Vector, Scalar]:
+    """(unit vector from the middle where the distance is `reach`, what vanishes there)."""
+    apart = apart.settled()
+    if len(apart.parts) != 1:
+        return apart * reach.inverse(), apart.dot(apart) - reach * reach
+    [(angle, length)] = apart.parts.items()
+    sign = geometry.sign(length) or 1
+    return Vector({angle: UNITY * sign}), length * sign - reach
 
 
 def _side_of_circle(element: Element, geometry: Geometry, middle: Vector) -> int:

@@ -1,8 +1,16 @@
-"""Friction: which way things slip at the start."""
+"""Friction: which way things slip at the start, and how much static friction is needed."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_sense
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.system import System
@@ -20,3 +28,39 @@ def slip_senses(system: System) -> dict[str, int]:
     geometry = geometry_of(system)
     rough = [e for e in system.problem.constraints if e.values.get("coefficient") is not None]
     return {element.name: slip_sense(element, geometry, meeting(element, geometry)) for element in rough}
+
+
+@dataclass(frozen=True, slots=True)
+class FrictionNeed:
+    """Static friction keeps a contact from slipping as long as |ratio| = |f|/N ≤ the coefficient.
+
+    `ratio` is f/N as a function of the state (of the position alone, where the speed is known);
+    `needed` is |f|/N if its sign is decided. `limit` is the declared coefficient, `holds` whether it
+    is enough (None: it depends, or no coefficient is declared).
+    """
+
+    constraint: str
+    friction: str
+    ratio: Scalar
+    needed: Scalar | None
+    limit: Scalar | None
+    holds: bool | None
+
+
+def friction_needs(system: System, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> tuple[FrictionNeed, ...]:
+    """For every contact that static friction holds, from the unknown forces as functions of the state."""
+    held = [e for e in system.problem.constraints if "limit" in e.values and e["friction"] in reactions]
+    return tuple(_need(e, reactions, assumptions) for e in held if reactions[e.name])
+
+
+SIZES = {"positive": 1, "nonnegative": 1, "zero": 1, "negative": -1, "nonpositive": -1}
+ENOUGH = {"positive": True, "nonnegative": True, "zero": True, "negative": False}
+
+
+def _need(element, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> FrictionNeed:
+    ratio = short(reactions[element["friction"]] / reactions[element.name])
+    way = SIZES.get(sign(ratio, assumptions).kind)
+    needed = None if way is None else ratio * way
+    limit = None if element["limit"] is None else scalar(element["limit"])
+    holds = None if None in (needed, limit) else ENOUGH.get(sign(limit - needed, assumptions).kind)
+    return FrictionNeed(element.name, element["friction"], ratio, needed, limit, holds)

@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.mechanics import energy, events, motion, oscillation, work
+from rbpsym.mechanics import energy, events, friction, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -130,6 +130,12 @@ class Study:
         """Contacts that end."""
         along = self.reactions_along_motion
         return events.losses(self.system, along) if along else ()
+
+    @cached_property
+    def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:
+        """How much static friction the contacts that do not slip need."""
+        known = self.reactions_along_motion or self.dynamics.reactions
+        return friction.friction_needs(self.system, known, self.assumptions)
 
     @cached_property
     def origins(self) -> dict[str, Vector]:

@@ -157,7 +157,8 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"),
               speed=speed, obligations=(t.relation(speed, "!=", t.ZERO),))
     value = short(-(rest / slope))
-    draft.add("motion.from_energy", "solution", t.equation(acceleration, isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")),
-              "energy.motion", premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"), speed=speed,
+    shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
+    draft.add("motion.from_energy", "solution", t.equation(acceleration, shown), "energy.motion",
+              premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"), speed=speed,
               data={"rows": [inner], "values": {f"{name}_ddot": value}})
     return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

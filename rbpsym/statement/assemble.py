@@ -16,6 +16,7 @@ from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.model import Pair, PointRef, Problem
 from rbpsym.statement.names import check_name
 from rbpsym.statement.quantities import CoordinateReader, read_parameters
+from rbpsym.statement.phases import read_phases
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of
@@ -33,6 +34,7 @@ SECTIONS: dict[str, str] = {
     "bodies": "shape, mass, sizes, pose",
     "interactions": "forces and couples that are known laws",
     "constraints": "conditions and the unknown forces that keep them",
+    "phases": "parts of the motion after the first: events, blows, other constraints",
     "origins": "points about which angular momenta are wanted",
     "notation": 'how names are printed: theta_dot = "omega"',
     "meanings": "meanings in other languages: [meanings.es]",
@@ -71,7 +73,7 @@ def assemble(table: Table, name: str) -> Problem:
         **_about(table, name),
     )
     check_problem(problem, table)
-    return problem
+    return replace(problem, phases=read_phases(table, problem, around))
 
 
 def _about(table: Table, name: str) -> dict[str, object]:

@@ -179,6 +179,21 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
+class Phase:
+    """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
+
+    `event` is a key of `phases.EVENTS`, `subject` the constraint that it is about; `impulses` are
+    elements of the kinds of `phases.IMPULSES`. The starts in `problem` are those of the first phase.
+    """
+
+    name: str
+    event: str
+    subject: str | None
+    impulses: tuple[Element, ...]
+    problem: Problem
+
+
+@dataclass(frozen=True, slots=True)
 class Problem:
     """A whole statement. `notation` maps names to the glyph names that print them.
 
@@ -205,6 +220,7 @@ class Problem:
     level: str = ""
     topic: str = ""
     implicit: tuple[str, ...] = ()
+    phases: tuple[Phase, ...] = ()
     file: str = field(default="", compare=False)
 
     def body(self, name: str) -> Body:

@@ -82,7 +82,9 @@ class Checker:
         ground = self.ground(claim.setting, words, *filter(None, (node, right)))
         links = tuple(self.links(node, claim, ground))
         right = self._right(right, claim, ground) if right else ""
-        return replace(blank, outcome=worst([link.outcome for link in links]), links=links, right=right)
+        form = claim.right.latex if claim.right else ""
+        outcome = worst([link.outcome for link in links])
+        return replace(blank, outcome=outcome, links=links, right=right, right_latex=form)
 
     def ground(self, setting: Setting, words: Glossary, *nodes: t.Node) -> Ground:
         """The ground of some formulas, with what earlier claims of their setting defined."""

@@ -68,6 +68,8 @@ def _rate(found: Scalar | Space, ground: Ground) -> Scalar | Space:
     """d/dt. Raises Undecided for a quantity of which no rate is known."""
     settled = ground.motion.settled
     if not isinstance(found, Space):
+        if len(found.num) > MOST_DERIVED:
+            raise LimitError(f"the derivative of an expression of more than {MOST_DERIVED} terms is not carried out")
         return time_derivative(settled(found), ground.scope)
     parts = {angle: settled(length) for angle, length in found.plane.parts.items()}
     return space_derivative(Space(Vector(parts), settled(found.z)), ground.scope)
@@ -185,7 +187,7 @@ def _at(node: t.At, ground: Ground) -> t.Node:
     return _injected(substitute(found, image), ground)
 
 
-MOST_TERMS = 1500
+MOST_TERMS, MOST_DERIVED = 1500, 150
 PRODUCTS = (t.Mul, t.Div, t.Dot, t.Cross)
 EARLY: dict[type, Callable[..., t.Node]] = {t.Sum: _sum, t.BodyIntegral: _body}
 LATE: dict[type, Callable[..., t.Node]] = {

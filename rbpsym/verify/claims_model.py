@@ -122,7 +122,7 @@ class Result:
     """What was found out about a claim, or (`kind` "derivation") about a whole derivation.
 
     file and line: in the text; declared: file and line of the claim. right: the outcome of the
-    declared correct form of an erratum.
+    declared correct form of an erratum, right_latex that form.
     """
 
     id: str
@@ -139,6 +139,7 @@ class Result:
     erratum: str = ""
     note: str = ""
     right: str = ""
+    right_latex: str = ""
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
     kind: str = "claim"

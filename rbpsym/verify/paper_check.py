@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rbpsym.errors import RbpsymError
+from rbpsym.verify.claims_cache import digest
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import Claim, Outcome, Result, Setting
-from rbpsym.verify.paper_bind import Pair, printed
+from rbpsym.verify.paper_bind import Pair, plain, printed
 from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 
@@ -63,7 +64,7 @@ class PaperChecker:
         return str(told_at(error, self.paper.text, formula.offset) if is_own else error)
 
     def _without_claim(self, formula: Formula, setting: Setting | None) -> Result:
-        name = formula.labels[0] if formula.labels else formula.number or f"line {formula.line}"
+        name = next(iter(formula.labels), "") or formula.number or digest(plain(formula.latex))[:8]
         claim = Claim(f"unclaimed: {name}", setting or Setting("none"), None, formula.number)
         blank = Result(
             claim.id,

@@ -152,7 +152,7 @@ def test_a_problem_is_derived(folder, capsys):
 
 
 def test_formulas_of_the_page_are_drawn_and_nothing_of_the_text_is_markup(folder):
-    text = CLAIMS.replace(r"\cos\theta", r"\cos\theta\text{<b>}").replace("an opinion", "<script>alert(1)</script>")
+    text = CLAIMS.replace(r"\alpha=", r"\alpha\text{<b>}=").replace("an opinion", "<script>alert(1)</script>")
     (folder / "marked.toml").write_text(text)
     run("marked.toml", "--html", "report.html")
     page = (folder / "report.html").read_text()

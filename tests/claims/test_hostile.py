@@ -51,9 +51,9 @@ HOSTILE = [
 
 
 def checked(latex):
-    begun = time.perf_counter()
+    begun = time.process_time()
     result = Checker(WORLDS).check_safely(Claim("a", SETTING, Printed(latex)))
-    return result, time.perf_counter() - begun
+    return result, time.process_time() - begun
 
 
 @pytest.mark.parametrize("latex", HOSTILE, ids=[latex[:24].replace("\0", "0") for latex in HOSTILE])

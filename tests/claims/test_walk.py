@@ -126,10 +126,10 @@ def test_hostile_texts_get_a_sentence_quickly(tmp_path, name):
     text, words = HOSTILE[name]
     path = tmp_path / "main.tex"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    begun = time.perf_counter()
+    begun = time.process_time()
     with pytest.raises(RbpsymError) as caught:
         read_paper(path)
-    assert words in str(caught.value) and time.perf_counter() - begun < 0.2
+    assert words in str(caught.value) and time.process_time() - begun < 0.2
 
 
 def test_a_link_out_of_the_folder_is_refused(tmp_path):
@@ -153,7 +153,7 @@ def test_a_link_out_of_the_folder_is_refused(tmp_path):
 )
 def test_macros_that_never_end_are_refused_quickly(text):
     macros, _ = definitions(text)
-    begun = time.perf_counter()
+    begun = time.process_time()
     with pytest.raises(RbpsymError):
         expanded(r"\x{a}", macros)
-    assert time.perf_counter() - begun < 0.2
+    assert time.process_time() - begun < 0.2

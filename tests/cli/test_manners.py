@@ -251,6 +251,15 @@ def test_prose_is_wrapped(columns: str) -> None:
     assert max(map(wide, prose)) <= int(columns)
 
 
+def test_every_block_of_a_document_can_be_shown() -> None:
+    from typing import get_args
+
+    from rbpsym.commands.terminal import BLOCKS
+    from rbpsym.document.model import Block
+
+    assert set(BLOCKS) == set(get_args(Block))
+
+
 # --- public names
 
 

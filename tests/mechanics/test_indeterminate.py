@@ -30,7 +30,10 @@ type = "pivot"
 point = "rod.start"
 """
 BOB = '\n[bodies.bob]\nshape = "particle"\nmass = "M"\n'
-DISK = '\n[bodies.disk]\nshape = "disk"\nmass = "M"\nradius = "L"\nangle = "theta"\ncenter = ["L*sin(theta)", "-L*cos(theta)"]\n'
+DISK = (
+    '\n[bodies.disk]\nshape = "disk"\nmass = "M"\nradius = "L"\nangle = "theta"\n'
+    'center = ["L*sin(theta)", "-L*cos(theta)"]\n'
+)
 
 
 def constraint(name: str, **keys: str) -> str:
@@ -42,38 +45,52 @@ def constraint(name: str, **keys: str) -> str:
 ROWS = {
     "two pivots at one point": (ROD + constraint("G", type='"pivot"', point='"rod.start"'), ("F_x", "G_x")),
     "welded twice": (
-        ROD + DISK
+        ROD
+        + DISK
         + constraint("N", type='"weld"', points='["rod.end", "disk.center"]')
         + constraint("P", type='"weld"', points='["rod.end", "disk.center"]'),
         ("N_x", "P_x", "tau_N", "tau_P"),
     ),
     "weld and pin": (
-        ROD + DISK
+        ROD
+        + DISK
         + constraint("N", type='"weld"', points='["rod.end", "disk.center"]')
         + constraint("P", type='"pin"', points='["rod.end", "disk.center"]'),
         ("N_x", "P_x"),
     ),
-    "pivot and wall at one point": (ROD + constraint("A", type='"contact"', point='"rod.start"', line='"x = 0"'), ("F_x", "A")),
+    "pivot and wall at one point": (
+        ROD + constraint("A", type='"contact"', point='"rod.start"', line='"x = 0"'),
+        ("F_x", "A"),
+    ),
     "pivot at a point that moves": (ROD + constraint("G", type='"pivot"', point='"rod.end"'), ("“G”", "rod.end")),
     "contact that the pose does not keep": (
-        ROD + constraint("A", type='"contact"', point='"rod.end"', line='"y = 0"'), ("“A”", "rod.end")
+        ROD + constraint("A", type='"contact"', point='"rod.end"', line='"y = 0"'),
+        ("“A”", "rod.end"),
     ),
     "contact beside the point": (
-        ROD + constraint("A", type='"contact"', point='"rod.start"', line='"y = -L"'), ("“A”", "rod.start")
+        ROD + constraint("A", type='"contact"', point='"rod.start"', line='"y = -L"'),
+        ("“A”", "rod.start"),
     ),
-    "pivot elsewhere": (ROD.replace('point = "rod.start"', 'point = "rod.start"\nat = ["L", "0"]'), ("“F”", "rod.start")),
+    "pivot elsewhere": (
+        ROD.replace('point = "rod.start"', 'point = "rod.start"\nat = ["L", "0"]'),
+        ("“F”", "rod.start"),
+    ),
     "pin of points that are apart": (
-        ROD + DISK + constraint("N", type='"pin"', points='["rod.center", "disk.center"]'), ("“N”", "rod.center")
+        ROD + DISK + constraint("N", type='"pin"', points='["rod.center", "disk.center"]'),
+        ("“N”", "rod.center"),
     ),
     "weld of bodies that turn against each other": (
-        ROD + DISK.replace('angle = "theta"', 'angle = "2*theta"')
+        ROD
+        + DISK.replace('angle = "theta"', 'angle = "2*theta"')
         + constraint("N", type='"weld"', points='["rod.end", "disk.center"]', angle='"0"'),
         ("“N”",),
     ),
     "coordinate without mass": (
-        ROD.replace("[bodies.rod]", '[coordinates.phi]\nmeaning = "idle"\n\n[bodies.rod]')
-        .replace("[interactions.W]", '[bodies.idle]\nshape = "disk"\nmass = "0"\nradius = "L"\ncenter = "O"\nangle = "phi"\n'
-                 '\n[interactions.W]') + constraint("H", type='"pivot"', point='"idle.center"'),
+        ROD.replace("[bodies.rod]", '[coordinates.phi]\nmeaning = "idle"\n\n[bodies.rod]').replace(
+            "[interactions.W]",
+            '[bodies.idle]\nshape = "disk"\nmass = "0"\nradius = "L"\ncenter = "O"\nangle = "phi"\n\n[interactions.W]',
+        )
+        + constraint("H", type='"pivot"', point='"idle.center"'),
         ("phi",),
     ),
     "body without place": (ROD + BOB, ("“bob”",)),

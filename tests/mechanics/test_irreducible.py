@@ -9,8 +9,8 @@ from rbpsym.mechanics.roots import _is_irreducible, numerator_factors
 
 a, b, c, x = (symbol(name) for name in "abcx")
 s, k = sine(x), cosine(x)
-VALUES = [a + b, a * b + c, 3 * s - 2 * a, 1 - 6 * s * a + 9 * s * s, a * s * (b + c), (a + b) * (a - b), a * a + 2 * a * b + b * b,
-          a * b + b * c + a * c, s * k * a, a * a * b + c, a - a * b, s * s + k]  # fmt: skip
+VALUES = [a + b, a * b + c, 3 * s - 2 * a, 1 - 6 * s * a + 9 * s * s, a * s * (b + c), (a + b) * (a - b),
+          a * a + 2 * a * b + b * b, a * b + b * c + a * c, s * k * a, a * a * b + c, a - a * b, s * s + k]  # fmt: skip
 
 
 @pytest.mark.parametrize("value", VALUES, ids=str)

@@ -159,8 +159,7 @@ line = "y = 0"
 """,
         {
             "accelerations/x": "0",
-            "accelerations/theta":
-                "3*cos(theta)*(b*theta_dot**2*sin(theta) - g)/(b*(1 + 3*cos(theta)**2))",
+            "accelerations/theta": "3*cos(theta)*(b*theta_dot**2*sin(theta) - g)/(b*(1 + 3*cos(theta)**2))",
             "reactions/N": "M*(g - b*theta_dot**2*sin(theta))/(1 + 3*cos(theta)**2)",
         },
     ),

@@ -210,7 +210,9 @@ def test_pendulum(system: Textbook) -> None:
 def test_katers_pendulum() -> None:
     """A rod swings as fast about its end as about its centre of oscillation, two thirds down."""
     rod = 'shape = "rod"\nmass = "M"\nlength = "L"\npoints = { other = ["L/6", "0"] }'
-    first = Textbook("end", pendulum("L", rod, "start", "theta - pi/2"), {"accelerations/theta": "-3*g/(2*L)*sin(theta)"})
+    first = Textbook(
+        "end", pendulum("L", rod, "start", "theta - pi/2"), {"accelerations/theta": "-3*g/(2*L)*sin(theta)"}
+    )
     second = Textbook("two thirds", pendulum("L", rod, "other", "theta + pi/2"), first.results)
     assert not differences(first)
     assert not differences(second)

@@ -14,9 +14,30 @@ LADDERS = ("sliding-ladder", "sliding-ladder-with-spring")
 PENDULUMS = ("rod-and-disk-fixed", "rod-and-disk-free")
 
 NAMES = {
-    "m": "b", "M": "m", "ell": "q", "R": "r_1", "g": "a", "k": "kappa", "theta": "phi", "phi": "psi",
-    "theta_0": "alpha_1", "omega_0": "v", "phi_0": "w", "beta_0": "z", "ladder": "plank", "rod": "bar", "disk": "wheel",
-    "W": "G", "F": "A", "N": "B", "N_w": "S", "N_f": "T", "F_s": "K", "tau": "C", "omega": "nu", "beta": "eta",
+    "m": "b",
+    "M": "m",
+    "ell": "q",
+    "R": "r_1",
+    "g": "a",
+    "k": "kappa",
+    "theta": "phi",
+    "phi": "psi",
+    "theta_0": "alpha_1",
+    "omega_0": "v",
+    "phi_0": "w",
+    "beta_0": "z",
+    "ladder": "plank",
+    "rod": "bar",
+    "disk": "wheel",
+    "W": "G",
+    "F": "A",
+    "N": "B",
+    "N_w": "S",
+    "N_f": "T",
+    "F_s": "K",
+    "tau": "C",
+    "omega": "nu",
+    "beta": "eta",
 }
 
 
@@ -52,11 +73,24 @@ SIGNLESS = ("kinetic_energy/total", "potential_energy", "first_integral")
 def test_ladder_on_the_other_wall(name: str) -> None:
     original = shipped(name)
     variant = edited(original, (r'center = \["ell', 'center = ["-ell'), ('"pi - theta"', '"theta"'))
-    paths = {p: (p, 1) for p in (*SIGNLESS, "accelerations/theta", "speed_squared/theta", "reactions/N_w", "reactions/N_f",
-                                 "reactions_along_motion/N_w", "reactions_along_motion/N_f",
-                                 "works/N_w/ladder/translational/value", "works/N_f/ladder/rotational/value",
-                                 "conditions/0/vanishes")}
-    paths |= {f"angular_momentum/O/ladder/{half}": (f"angular_momentum/O/ladder/{half}", -1) for half in ("orbital", "spin")}
+    paths = {
+        p: (p, 1)
+        for p in (
+            *SIGNLESS,
+            "accelerations/theta",
+            "speed_squared/theta",
+            "reactions/N_w",
+            "reactions/N_f",
+            "reactions_along_motion/N_w",
+            "reactions_along_motion/N_f",
+            "works/N_w/ladder/translational/value",
+            "works/N_f/ladder/rotational/value",
+            "conditions/0/vanishes",
+        )
+    }
+    paths |= {
+        f"angular_momentum/O/ladder/{half}": (f"angular_momentum/O/ladder/{half}", -1) for half in ("orbital", "spin")
+    }
     if answer(original)["conditions"][0]["vanishes"] != answer(variant)["conditions"][0]["vanishes"]:
         del paths["conditions/0/vanishes"]
     assert not changed(original, variant, {}, paths)
@@ -66,12 +100,31 @@ def test_ladder_on_the_other_wall(name: str) -> None:
 @pytest.mark.parametrize("name", PENDULUMS)
 def test_pendulum_to_the_other_side(name: str) -> None:
     original = shipped(name)
-    variant = edited(original, (r'"ell\*sin\(theta\)"', '"-ell*sin(theta)"'), ('"theta - pi/2"', '"-theta - pi/2"'),
-                     (r'^angle  = "(theta|phi)"', f'angle = "-{"theta" if "fixed" in name else "phi"}"'))
-    paths = {p: (p, 1) for p in (*SIGNLESS, "accelerations/theta", "reactions/F_y", "reactions/N_y",
-                                 "equilibria/0/frequencies_squared/0", "works/N/disk/translational/value")}
-    flipped = ["reactions/F_x", "reactions/N_x", "angular_momentum/O/rod/spin", "angular_momentum/O/disk/orbital",
-               "angular_momentum/O/disk/spin", *(["reactions/tau"] if "fixed" in name else [])]
+    variant = edited(
+        original,
+        (r'"ell\*sin\(theta\)"', '"-ell*sin(theta)"'),
+        ('"theta - pi/2"', '"-theta - pi/2"'),
+        (r'^angle  = "(theta|phi)"', f'angle = "-{"theta" if "fixed" in name else "phi"}"'),
+    )
+    paths = {
+        p: (p, 1)
+        for p in (
+            *SIGNLESS,
+            "accelerations/theta",
+            "reactions/F_y",
+            "reactions/N_y",
+            "equilibria/0/frequencies_squared/0",
+            "works/N/disk/translational/value",
+        )
+    }
+    flipped = [
+        "reactions/F_x",
+        "reactions/N_x",
+        "angular_momentum/O/rod/spin",
+        "angular_momentum/O/disk/orbital",
+        "angular_momentum/O/disk/spin",
+        *(["reactions/tau"] if "fixed" in name else []),
+    ]
     images = {"F_x": -symbol("F_x"), "N_x": -symbol("N_x")}
     assert not changed(original, variant, images, paths | {p: (p, -1) for p in flipped})
     assert not complaints(variant)
@@ -83,17 +136,34 @@ def test_pendulum_to_the_other_side(name: str) -> None:
 @pytest.mark.parametrize("name", LADDERS)
 def test_angle_against_the_wall(name: str) -> None:
     original = shipped(name)
-    variant = edited(original, (r"cos\(theta\)", "SIN"), (r"sin\(theta\)", "cos(psi)"), ("SIN", "sin(psi)"),
-                     ('"pi - theta"', '"pi/2 + psi"'), (r"coordinates\.theta", "coordinates.psi"),
-                     ('"theta_0"', '"psi_0"'), ("^theta_d", "psi_d"))
+    variant = edited(
+        original,
+        (r"cos\(theta\)", "SIN"),
+        (r"sin\(theta\)", "cos(psi)"),
+        ("SIN", "sin(psi)"),
+        ('"pi - theta"', '"pi/2 + psi"'),
+        (r"coordinates\.theta", "coordinates.psi"),
+        ('"theta_0"', '"psi_0"'),
+        ("^theta_d", "psi_d"),
+    )
     if "spring" in name:
         variant = edited(variant, (r"cos\(theta_0\)", "sin(psi_0)"))
     quarter = PI * Fraction(1, 2)
     images = {"theta": quarter - symbol("psi"), "theta_0": quarter - symbol("psi_0"), "theta_dot": -symbol("psi_dot")}
-    paths = {p: (p, 1) for p in (*SIGNLESS, "reactions/N_w", "reactions/N_f", "reactions_along_motion/N_w",
-                                 "reactions_along_motion/N_f", "angular_momentum/O/ladder/orbital",
-                                 "angular_momentum/O/ladder/spin", "works/N_w/ladder/translational/value",
-                                 "works/N_f/ladder/rotational/value")}
+    paths = {
+        p: (p, 1)
+        for p in (
+            *SIGNLESS,
+            "reactions/N_w",
+            "reactions/N_f",
+            "reactions_along_motion/N_w",
+            "reactions_along_motion/N_f",
+            "angular_momentum/O/ladder/orbital",
+            "angular_momentum/O/ladder/spin",
+            "works/N_w/ladder/translational/value",
+            "works/N_f/ladder/rotational/value",
+        )
+    }
     paths |= {"accelerations/theta": ("accelerations/psi", -1), "speed_squared/theta": ("speed_squared/psi", 1)}
     assert not changed(original, variant, images, paths)
     assert not complaints(variant)
@@ -117,7 +187,9 @@ def _keep(original: str) -> dict[str, tuple[str, int]]:
 @pytest.mark.parametrize("name", LADDERS)
 def test_ladder_in_three_coordinates(name: str) -> None:
     original = shipped(name)
-    variant = edited(original, (r"^center = .*", 'center = ["x", "y"]'), (r"^\[bodies\.ladder\]", MORE + "[bodies.ladder]"))
+    variant = edited(
+        original, (r"^center = .*", 'center = ["x", "y"]'), (r"^\[bodies\.ladder\]", MORE + "[bodies.ladder]")
+    )
     found = answer(variant)
     assert found["degrees_of_freedom"] == 1
     assert same(read(variant, found["dependent_coordinates"]["x"]), read(variant, "ell*cos(theta)"))
@@ -136,8 +208,13 @@ def _second(f: str, df: str, found) -> str:
 def test_pendulum_in_five_coordinates(name: str) -> None:
     original = shipped(name)
     more = MORE + "".join(LENGTH.format(n) for n in ("u", "v"))
-    variant = edited(original, ('^start  = "O"', 'center = ["x", "y"]'), (r'^center = \["ell.*', 'center = ["u", "v"]'),
-                     (r"^\[bodies\.rod\]", more + "[bodies.rod]"), ('^point = "rod.start"', 'point = "rod.start"\nat = "O"'))
+    variant = edited(
+        original,
+        ('^start  = "O"', 'center = ["x", "y"]'),
+        (r'^center = \["ell.*', 'center = ["u", "v"]'),
+        (r"^\[bodies\.rod\]", more + "[bodies.rod]"),
+        ('^point = "rod.start"', 'point = "rod.start"\nat = "O"'),
+    )
     assert answer(variant)["degrees_of_freedom"] == answer(original)["degrees_of_freedom"]
     assert not changed(original, variant, {}, _keep(original))
     assert not complaints(variant)
@@ -157,8 +234,12 @@ def test_ladder_placed_by_its_contacts(name: str) -> None:
 @pytest.mark.parametrize("name", PENDULUMS)
 def test_pendulum_placed_by_its_joints(name: str) -> None:
     original = shipped(name)
-    variant = edited(original, ('^start  = "O".*\n', ""), (r"^center = .*\n", ""),
-                     ('^point = "rod.start"', 'point = "rod.start"\nat = "O"'))
+    variant = edited(
+        original,
+        ('^start  = "O".*\n', ""),
+        (r"^center = .*\n", ""),
+        ('^point = "rod.start"', 'point = "rod.start"\nat = "O"'),
+    )
     paths = _keep(original)
     if "fixed" in name:  # the weld says how the disk is turned as well: as the rod
         variant = edited(variant, (r'^angle  = "theta"\n', ""))

@@ -178,3 +178,9 @@ def test_the_caret_of_a_text_with_several_lines():
     with pytest.raises(ReadError) as caught:
         read_infix("m +\n thta", SYMBOLS)
     assert (caught.value.place.line, caught.value.place.column, caught.value.place.text) == (2, 2, " thta")
+
+
+@pytest.mark.parametrize("typed", ["sin(x)**2/(2*y)", "x*sin(y)**2/x", "sin(x)**2*y", "sqrt(x)**3/2"])
+def test_a_power_of_a_call_is_closed(typed):
+    """What `to_machine` writes is read back: the argument of sin(x)**2 stands in parentheses."""
+    assert to_machine(read_infix(typed, {"x", "y"})) == typed

@@ -31,8 +31,9 @@ def scaled(values: dict[str, Scalar], name: str, factor) -> dict[str, Scalar]:
 @pytest.mark.parametrize("name", NAMES)
 def test_simulation_agrees(name: str) -> None:
     it = study(name)
-    report = simulate(it.system, it.dynamics, integral=it.first_integral, squares=it.squares,
-                      along=it.reactions_along_motion)
+    report = simulate(
+        it.system, it.dynamics, integral=it.first_integral, squares=it.squares, along=it.reactions_along_motion
+    )
     assert report.max_relative_error <= 1e-8
     assert report.drift is None or report.drift <= 1e-8
     assert {error.split()[0] for error in report.errors} >= {"acceleration", "force"}

@@ -75,8 +75,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     [name] = item.at
     value = _at_rest(draft, accelerations[f"{name}_ddot"])
     slope = substitute(derivative(value, name), item.at)
-    letter = draft.define(draft.free(_letter(draft, item)), NOTHING)
-    draft.context.scalars.pop(letter.name)
+    letter = t.Sym(draft.free(_letter(draft, item)))
     square = item.frequencies_squared[0]
     shown = _frequency(draft, item, square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)

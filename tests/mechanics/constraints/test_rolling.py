@@ -3,6 +3,7 @@
 import pytest
 
 from rbpsym.algebra.normal import is_zero
+from rbpsym.mechanics.study import Study
 from rbpsym.statement import build as rb
 from tests.mechanics.constraints.closed_forms import assert_same, check, stated, work_of
 
@@ -145,3 +146,18 @@ def test_cylinder_on_a_turning_cylinder():
     assert study.system.independent == ("theta", "psi")
     assert_same(study.dynamics.accelerations["theta_ddot"],
                 "2*(M + m)*g*sin(theta)/((R + r)*(3*M + 2*m))", study)
+
+
+def test_how_much_friction_rolling_needs():
+    """A disk rolls down without slipping if μ ≥ tan β/3."""
+    study = Study(on_incline(rb.disk("R", mass="M"), limit="mu", more=", mu: number"))
+    [need] = study.friction_needs
+    assert_same(need.ratio, "tan(beta)/3", study)
+    assert_same(need.limit, "mu", study)
+    assert need.holds is None
+
+
+def test_enough_friction_is_proved():
+    study = Study(on_incline(rb.ring("R", mass="M"), limit="tan(beta)"))
+    [need] = study.friction_needs
+    assert_same(need.ratio, "tan(beta)/2", study)

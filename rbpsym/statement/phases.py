@@ -1,0 +1,119 @@
+"""The phases of a motion: what ends the one before, what strikes, and which constraints then hold.
+
+    [[phases]]
+    name        = "rolling"
+    event       = "no slip"            # of the constraint N: when it stops slipping
+    of          = "N"
+    constraints = { N = { type = "rolling" } }
+
+Keys of a constraint that is there already are kept as far as its new kind has them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rbpsym.quantities import DIMENSIONS, NUMBER
+from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
+from rbpsym.statement.finish import finish
+from rbpsym.statement.kinds import Field, Kind, registry
+from rbpsym.statement.model import Element, Phase, Problem
+from rbpsym.statement.source import Table, did_you_mean
+
+_IMPULSE = DIMENSIONS["impulse"]
+
+EVENTS: dict[str, str] = {
+    "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
+    "no slip": "the constraint “of”, which has kinetic friction, stops slipping",
+    "lost": "the contact “of” is lost: its normal force reaches zero",
+}
+
+IMPULSES: dict[str, Kind] = registry(
+    Kind(
+        "blow",
+        "a given impulse at a point",
+        (
+            Field("on", "point", "the point of a body that is struck"),
+            Field("impulse", "pair", "its components in space", _IMPULSE),
+        ),
+    ),
+    Kind(
+        "collision",
+        "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
+        (
+            Field("points", "points", "the two points that meet"),
+            Field("along", "pair", "unit vector of the normal, from the first to the second body", NUMBER),
+            Field("restitution", "expression", "speed of parting over speed of approach", NUMBER, default="1"),
+        ),
+        unknowns=(("{name}", _IMPULSE),),
+    ),
+)
+
+_KEYS = {
+    "name": "what the phase is called",
+    "event": "what ends the phase before: " + ", ".join(EVENTS),
+    "of": "the constraint that the event is about",
+    "constraints": "constraints that are new or change",
+    "without": "names of constraints that hold no more",
+    "impulses": "blows and collisions at the moment of the event",
+}
+
+
+def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[Phase, ...]:
+    """The phases after the first, each with the problem that then holds (its start is left to the mechanics)."""
+    current = dict(table.table("constraints", "constraints").data)
+    found: list[Phase] = []
+    for number, row in enumerate(table.rows("phases", "“phases”"), 2):
+        name = row.string("name") or f"phase {number}"
+        row.check_keys(_KEYS, f"the phase “{name}”")
+        event, subject = _event(row, name, current)
+        current = _changed(row, name, current)
+        section = Table(row.source, row.path, {"constraints": current})
+        constraints = tuple(
+            finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
+        )
+        impulses = tuple(_checked(e, row) for e in read_elements("impulses", row, IMPULSES, around))
+        found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints)))
+    return tuple(found)
+
+
+def _event(row: Table, name: str, current: Mapping[str, object]) -> tuple[str, str | None]:
+    event = row.string("event", "at once")
+    if event not in EVENTS:
+        raise row.value_error("event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, EVENTS, "events"))
+    if event == "at once":
+        return event, None
+    row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
+    subject = row.string("of")
+    if subject not in current:
+        raise row.value_error("of", f"the phase “{name}”: there is no constraint “{subject}”", did_you_mean(subject, current, "constraints"))
+    return event, subject
+
+
+def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, object]:
+    """The constraints of the phase as tables."""
+    found = dict(current)
+    for item in row.item("without", []).items():
+        if item.value not in found:
+            raise item.error(f"the phase “{name}”: there is no constraint “{item.value}”", did_you_mean(str(item.value), found))
+        del found[item.value]
+    for key, part in row.tables("constraints", f"constraints of the phase “{name}”"):
+        found[key] = _merged(found[key], part) if key in found else part.data
+    return found
+
+
+def _merged(old: Mapping[str, object], new: Table) -> dict[str, object]:
+    kind = kind_of_element(Table(new.source, new.path, {**old, **new.data}), CONSTRAINTS, "type")
+    keys = {"type", *(field.name for field in kind.fields)}
+    return {**{key: value for key, value in old.items() if key in keys}, **new.data}
+
+
+def _checked(element: Element, row: Table) -> Element:
+    bodies = [ref.body for ref in (element["points"] if element.kind == "collision" else (element["on"],))]
+    if None in bodies and element.kind == "blow":
+        raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
+    if element.kind == "collision" and bodies[0] == bodies[1]:
+        raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
+    return element

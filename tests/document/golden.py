@@ -1,0 +1,27 @@
+"""The LaTeX of the shipped problems' notes, kept in tests/golden so that every change of a page is seen.
+
+`python -m tests.document.golden` writes it anew; read the difference before you commit it.
+"""
+
+from pathlib import Path
+
+from rbpsym.derive import derive
+from rbpsym.document.notes import notes
+from rbpsym.document.writers import writer
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+
+FOLDER = Path(__file__).parents[1] / "golden"
+NAMES = tuple(sorted(problem_files()))
+
+
+def body(name: str) -> str:
+    """What stands between \\begin{document} and \\end{document}."""
+    text = writer("tex")(notes(derive(load_problem(problem_files()[name]), simulation=False)))
+    return text.partition("\\begin{document}")[2].partition("\\end{document}")[0].strip() + "\n"
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(exist_ok=True)
+    for problem in NAMES:
+        (FOLDER / f"{problem}.tex").write_text(body(problem), encoding="utf-8")
