@@ -59,7 +59,8 @@ def main(rounds: int) -> int:
     for name, (_, bound) in COMMANDS.items():
         ratio = median(times[name]) / measure
         over += ratio > bound
-        print(f"{name:<30} {median(times[name]):8.3f} {ratio:6.1f}× {bound:5.1f}× {'OVER' if ratio > bound else ''}".rstrip())
+        told = "OVER" if ratio > bound else ""
+        print(f"{name:<30} {median(times[name]):8.3f} {ratio:6.1f}× {bound:5.1f}× {told}".rstrip())
     return int(over > 0)
 
 

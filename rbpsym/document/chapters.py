@@ -9,7 +9,7 @@ from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, problem_notation
 from rbpsym.document.tables import done_table, forces_table, works_table
-from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, joined
+from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, joined
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
@@ -166,13 +166,17 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    """Each position of rest; of one that is not shown with its formulas at least the sentence."""
+    """Each position of rest; of one that is not shown with its formulas at least the sentence.
+
+    One that is `told` of has its sentence with the motion close to it.
+    """
     teller = Teller(said)
     yield from _intro("oscillations", derivation, said)
     for step in derivation.chapter("oscillations"):
+        told = step.slots.get("told", False)
         if step in steps:
-            yield from teller.step(step)
-        elif step.rule == "equilibrium" and not step.slots.get("told"):
+            yield from (display(step, said),) if told else teller.step(step)
+        elif step.rule == "equilibrium" and not told:
             yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
 
 

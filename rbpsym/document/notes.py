@@ -51,7 +51,7 @@ def problem_sections(derivation: Derivation, language: str, detail: str, prefix:
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
         results_section(derivation, said, level),
-        checks_section(derivation, said, level, checks),
+        checks_section(derivation, said, level, checks or (None if detail == "brief" else "")),
     ]
 
 

@@ -29,19 +29,21 @@ def _distinct(steps: list[Step]) -> Iterator[Step]:
             yield step
 
 
-def checks_section(derivation: Derivation, said: Words, level: int, table: str = "") -> Section:
+def checks_section(derivation: Derivation, said: Words, level: int, table: str | None = "") -> Section:
     """How many steps are proved, which methods agree, what the oracles say.
 
-    `table` is the label of a table elsewhere that tells how; it is put here if there is none.
+    `table` is the label of a table elsewhere that tells how; it is put here if that is "", and
+    nothing is said of it if None.
     """
     summary = derivation.summary()
     whole = summary["proved"] == summary["steps"]
     counts = {name: summary[name] for name in ("steps", "proved", "refuted", "undecided")}
     own = checks_table(derivation.steps, said)
-    intro = said.say("checks.all" if whole else "checks.some", table=Ref(table or own.label), **counts)
+    key = "checks.some" if not whole else "checks.short" if table is None else "checks.all"
+    intro = said.say(key, table=Ref(table or own.label), **counts)
     items = [*_methods(summary, said), *_oracles(summary, said),
              *(left_out(skipped, said) for skipped in derivation.skipped)]
-    blocks: tuple[Block, ...] = (Paragraph(intro), *(() if table else (own,)),
+    blocks: tuple[Block, ...] = (Paragraph(intro), *((own,) if table == "" or not whole and not table else ()),
                                  Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 

@@ -124,8 +124,8 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     if element["length"] is not None and (len(path) != 2 or any(turn.sense for turn in path)):
         raise _error(element, "has a length, but is no straight piece between two points", "remove the length.")
     for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:
-        if turn.sense and not turn.grips:
-            raise _error(element, f"ends on the smooth circle about “{turn.center.label}”", "let it end at a point or on a drum.")
+        if not turn.grips:
+            raise _error(element, f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum.")
     return element
 
 

@@ -1,4 +1,10 @@
-"""The path of a string: points, and circles with the sense in which it runs round them."""
+"""The path of a string: points, and circles with the sense in which it runs round them.
+
+    path = ["block.center", "cw pulley", "bob.center"]              # a rough pulley turns with the string
+    path = ["O", { around = "spool", radius = "r", sense = "ccw" }] # wound on a drum of another radius
+    path = ["a.center", { around = "O", radius = "R", sense = "cw" }, "b.center"]   # a smooth fixed circle
+    path = ["a.center", { around = "O" }, "b.center"]               # a smooth peg: a point
+"""
 
 from __future__ import annotations
 
@@ -45,6 +51,8 @@ def _stated(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> 
     """{ around = "spool", radius = "r", sense = "ccw", smooth = true }."""
     data = item.value
     unknown = [key for key in data if key not in _KEYS]
+    if set(data) == {"around"} and not _is_body(data["around"], bodies):
+        return Turn(read_point(_inner(item, "around"), scope, bodies, what), ZERO, grips=False)
     if unknown or "around" not in data or data.get("sense") not in SENSES:
         fault = f"unknown key “{unknown[0]}”" if unknown else "“around” and “sense” (cw or ccw) are needed"
         raise item.error(f"{what}: {fault}", '{ around = "spool", radius = "r", sense = "ccw" }')
@@ -57,6 +65,10 @@ def _stated(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> 
     return Turn(turn.center, turn.radius, turn.sense, turn.grips and not data.get("smooth", False))
 
 
+def _is_body(name: object, bodies: Mapping[str, Body]) -> bool:
+    return isinstance(name, str) and name in bodies
+
+
 def _inner(item: Item, key: str) -> Item:
     return Item(item.source, (*item.path, key), item.value[key])
 
@@ -65,7 +77,7 @@ def _round(
     item: Item, name: object, sense: int, radius: Node | None, scope: Scope, bodies: Mapping[str, Body], what: str
 ) -> Turn:
     """A round body by name, or a circle about a point with its radius (which does not grip)."""
-    if name in bodies:
+    if _is_body(name, bodies):
         own = round_size(bodies[name])
         if radius is None and own is None:
             raise item.error(f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}')

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
@@ -79,8 +79,3 @@ def _spelled_name(latex: str) -> str:
         r"[A-Za-z0-9]+|'", latex.replace(r"\vec", "").replace(r"\mathcal", "cal ").replace(r"\mathpzc", "cal ")
     )
     return "_".join("prime" if word == "'" else word for word in words) or "symbol"
-
-
-def known_names(names: Iterable[tuple[str, bool]]) -> set[str]:
-    """The names alone."""
-    return {name for name, _ in names}

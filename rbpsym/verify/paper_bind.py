@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_model import Claim, Meaning, Printed, Setting
+from rbpsym.verify.claims_model import Claim, Printed
 from rbpsym.verify.paper_macros import expanded
 from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
@@ -32,7 +32,7 @@ def bound(paper: Paper, claims: Iterable[Claim]) -> list[Pair]:
     Displayed formulas and inline relations all occur; claims in words stand at their line.
     """
     claims, taken = list(claims), {}
-    for match in (_displayed, _inline, _changed):
+    for match in (_labelled, _same, _inline, _numbered, _changed):
         for claim in claims:
             if claim.id not in {c.id for c in taken.values()} and (formula := match(claim, paper, taken)) is not None:
                 taken[formula] = claim
@@ -51,17 +51,32 @@ def _line(pair: Pair) -> int:
     return pair.formula.line if pair.formula else pair.claim.line
 
 
-def _displayed(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
-    """By number and label, else by label, else by number."""
+def _displayed(claim: Claim, paper: Paper, taken: dict, *tests: Callable[[Formula], bool]) -> Formula | None:
+    """The first free displayed formula that passes the first test that any of them passes."""
     if claim.printed is None or not (claim.number or claim.label):
         return None
     free = [formula for formula in paper.displayed if formula not in taken]
-    tests = (
-        lambda f: claim.number and f.number == claim.number and (not claim.label or claim.label in f.labels),
-        lambda f: claim.label and claim.label in f.labels,
-        lambda f: claim.number and not claim.label and f.number == claim.number,
-    )
     return next((f for test in tests for f in free if test(f)), None)
+
+
+def _labelled(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """By the label, and the number if the label is given twice."""
+    if not claim.label:
+        return None
+    named = (lambda f: f.number == claim.number and claim.label in f.labels, lambda f: claim.label in f.labels)
+    return _displayed(claim, paper, taken, *named)
+
+
+def _same(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """Without a label: the same formula, if it can be with the same number."""
+    wanted = plain(claim.printed.latex) if claim.printed else ""
+    alike = (lambda f: f.number == claim.number and plain(f.latex) == wanted, lambda f: plain(f.latex) == wanted)
+    return None if claim.label else _displayed(claim, paper, taken, *alike)
+
+
+def _numbered(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
+    """Without a label: the formula of that number."""
+    return None if claim.label else _displayed(claim, paper, taken, lambda f: f.number == claim.number)
 
 
 def _inline(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
@@ -104,9 +119,3 @@ def printed(formula: Formula, paper: Paper) -> Printed:
         raise told_at(error, paper.text, formula.offset) from None
     whole = _WRAPPED.fullmatch(latex)
     return Printed(whole[1] if whole else latex)
-
-
-def of_problem(name: str, path: str, quantities: Iterable[str], latex_of) -> Setting:
-    """The setting of a problem without claims: its own names as they are printed."""
-    symbols = {latex_of(quantity): Meaning(quantity) for quantity in quantities}
-    return Setting(name, problem=path, symbols=symbols)

@@ -99,7 +99,8 @@ def test_new_writes_a_problem_that_works(tmp_path):
 
 
 def test_an_error_of_the_statement_exits_2(tmp_path):
-    text = problem_files()["sliding-ladder"].read_text() + '\n[constraints.extra]\ntype = "contact"\npoint = "ladder.start"\nline = "y = 0"\n'
+    extra = '\n[constraints.extra]\ntype = "contact"\npoint = "ladder.start"\nline = "y = 0"\n'
+    text = problem_files()["sliding-ladder"].read_text() + extra
     file = tmp_path / "twice.toml"
     file.write_text(text)
     done = process("solve", str(file), "--json")

@@ -1,10 +1,12 @@
-"""An independent road: trees and witnesses computed with mpmath in fifty digits."""
+"""An independent road: formulas and witnesses computed with mpmath in fifty digits."""
 
 from __future__ import annotations
 
+import ast
+import operator
 import random
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mpmath
 
@@ -63,6 +65,51 @@ def at_witness(witness: Witness) -> dict[str, mpmath.mpf]:
     return point
 
 
+def typed(text: str, at: Point) -> mpmath.mpf:
+    """The value of a typed formula by Python's own grammar: shares no code with our reader. Raises NoValue."""
+    try:
+        found = mpmath.mpmathify(_python(ast.parse(text.strip(), mode="eval").body, at))
+    except (ZeroDivisionError, ValueError):
+        raise NoValue from None
+    if isinstance(found, mpmath.mpc) or not mpmath.isfinite(found):
+        raise NoValue
+    return found
+
+
+def _python(node: ast.expr, at: Point) -> mpmath.mpf:
+    match node:
+        case ast.Constant(value=int() as whole):
+            return mpmath.mpf(whole)
+        case ast.Name(id=name):
+            return mpmath.mpf(mpmath.pi) if name == "pi" else at[name]
+        case ast.UnaryOp(op=ast.USub(), operand=arg):
+            return -_python(arg, at)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _real(OPERATORS[type(op)](_python(left, at), _python(right, at)))
+        case ast.Call(func=ast.Name(id=name), args=[arg]):
+            return _real(abs(_python(arg, at)) if name == "abs" else _function(name)(_python(arg, at)))
+    raise TypeError(ast.dump(node))
+
+
+def _function(name: str) -> Callable[[mpmath.mpf], mpmath.mpf]:
+    return getattr(mpmath, NAMES.get(name, name))
+
+
+def _real(found: mpmath.mpf) -> mpmath.mpf:
+    if isinstance(found, mpmath.mpc):
+        raise NoValue
+    return found
+
+
+OPERATORS = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
+
+
 def fulfils(text: str, names: list[str], point: Point) -> bool:
     """Whether a point fulfils the assumptions of a row, read from the text anew."""
     ranged = re.findall(r"<\s*([a-z_0-9]+)\s*<", text)
@@ -79,17 +126,15 @@ def fulfils(text: str, names: list[str], point: Point) -> bool:
 SIGNS = {"positive": lambda x: x > 0, "nonnegative": lambda x: x >= 0, "nonzero": lambda x: x != 0}
 
 
-def _inside(item: str, point: Point) -> bool:
+def _ends(item: str, point: Point) -> tuple[str, mpmath.mpf | None, mpmath.mpf | None]:
+    """The name that has a range, and its bounds (None: no bound)."""
     lower, name, upper = (part.strip() for part in f" {item} ".split("<"))
-    ends = [float(mpmath.mpmathify(_bound(part))) if part else None for part in (lower, upper)]
-    return (ends[0] is None or ends[0] < point[name]) and (ends[1] is None or point[name] < ends[1])
+    return name, typed(lower, point) if lower else None, typed(upper, point) if upper else None
 
 
-def _bound(part: str) -> mpmath.mpf:
-    return BOUNDS[part] if part in BOUNDS else mpmath.mpf(part)
-
-
-BOUNDS = {"pi": mpmath.pi, "pi/2": mpmath.pi / 2, "-pi/2": -mpmath.pi / 2}
+def _inside(item: str, point: Point) -> bool:
+    name, lower, upper = _ends(item, point)
+    return (lower is None or lower < point[name]) and (upper is None or point[name] < upper)
 
 
 def some_points(text: str, names: list[str], count: int, seed: int) -> list[dict[str, mpmath.mpf]]:
@@ -99,6 +144,10 @@ def some_points(text: str, names: list[str], count: int, seed: int) -> list[dict
         point = {name: mpmath.mpf(source.uniform(-4, 4)) for name in names}
         if "positive" in text and source.random() < 0.9:
             point = {name: abs(x) for name, x in point.items()}
+        for item in filter(lambda part: part.count("<") == 2, text.split(";")):
+            name, lower, upper = _ends(item, point)
+            lower, upper = (-4 if lower is None else lower), (4 if upper is None else upper)
+            point[name] = lower + (upper - lower) * source.random()
         if fulfils(text, names, point):
             found.append(point)
         if len(found) == count:

@@ -1,4 +1,9 @@
-"""The table of identities as values."""
+"""The table of identities as values.
+
+A file in tables/ holds rows [left, right, assumptions, verdict, note]. Assumptions are "positive"
+(all names that have no range), "positive a b", "nonnegative x", "nonzero x", "0 < theta < pi/2",
+"1 < x < " and so on, joined by semicolons; a name without assumptions is real.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +21,8 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import Node
 
 KNOWN = {"sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "exp", "ln", "sqrt", "abs", "pi"}
+TABLES = Path(__file__).with_name("tables")
+WORDS = re.compile(r"\b(positive|nonnegative|nonzero)\b")
 
 
 @dataclass(frozen=True)
@@ -30,8 +37,8 @@ class Row:
 
     @property
     def names(self) -> list[str]:
-        """The quantities in it."""
-        return names_in(f"{self.left} {self.right}")
+        """The quantities in it, those in bounds included."""
+        return names_in(f"{self.left} {self.right} {WORDS.sub('', self.assuming)}")
 
     @property
     def sides(self) -> tuple[Node, Node]:
@@ -68,6 +75,9 @@ def _bound(text: str) -> Scalar | None:
 
 @lru_cache(maxsize=1)
 def table() -> tuple[Row, ...]:
-    """All rows."""
-    data = tomllib.loads(Path(__file__).with_name("table.toml").read_text(encoding="utf-8"))
-    return tuple(Row(a, b, given, Kind(v), note) for part in data.values() for a, b, given, v, note in part["rows"])
+    """All rows of all files."""
+    rows = []
+    for path in sorted(TABLES.glob("*.toml")):
+        for left, right, given, verdict, note in tomllib.loads(path.read_text(encoding="utf-8"))["rows"]:
+            rows.append(Row(left, right, given, Kind(verdict), note))
+    return tuple(rows)

@@ -156,3 +156,18 @@ def test_ball_that_slips():
         constraints={"N": rb.touch("ball", "y = 0", coefficient="mu", slip="forward")},
     )
     check(problem, {"x_ddot": "-mu*g", "phi_ddot": "5*mu*g/(2*R)", "N": "M*g"})
+
+
+def test_ladder_with_friction_at_both_ends():
+    """Kinetic friction on floor and wall: the normal forces depend on the acceleration."""
+    problem = stated(
+        "M: mass, ell: length, mu: number, nu: number, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="theta_0", range=("0", "pi/2"))},
+        bodies={"ladder": rb.rod("2*ell", mass="M", center=("ell*cos(theta)", "ell*sin(theta)"), angle="pi - theta")},
+        constraints={
+            "N_w": rb.contact("ladder.end", "x = 0", coefficient="nu", slip="forward"),
+            "N_f": rb.contact("ladder.start", "y = 0", coefficient="mu", slip="forward"),
+        },
+    )
+    study = check(problem, {})
+    assert study.dynamics.workless == {"N_w": True, "f_N_w": False, "N_f": True, "f_N_f": False}

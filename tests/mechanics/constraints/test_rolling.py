@@ -158,6 +158,61 @@ def test_how_much_friction_rolling_needs():
 
 
 def test_enough_friction_is_proved():
-    study = Study(on_incline(rb.ring("R", mass="M"), limit="tan(beta)"))
+    """A disk pulled at its centre needs F/(3 M g)."""
+    problem = stated(
+        "M: mass, R: length, F: force, g: acceleration",
+        coordinates={"x": rb.coordinate(dimension="length", start="0")},
+        bodies={"disk": rb.disk("R", mass="M", center=("x", "R"))},
+        interactions={"P": rb.force("disk.center", ("F", "0"))},
+        constraints={"N": rb.rolling("disk", "y = 0", limit="F/(2*M*g)")},
+    )
+    study = Study(problem)
     [need] = study.friction_needs
-    assert_same(need.ratio, "tan(beta)/2", study)
+    assert_same(need.needed, "F/(3*M*g)", study)
+    assert need.holds is True
+
+
+def test_half_disk_that_rocks():
+    """ω² = 8 g/((9π - 16) R)."""
+    problem = stated(
+        "M: mass, R: length, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
+        bodies={"bowl": {"shape": "half-disk", "radius": "R", "mass": "M", "center": ("-R*theta", "R"), "angle": "theta + pi"}},
+        constraints={"N": rb.rolling("bowl", "y = 0", rim="R")},
+    )
+    study = check(problem, {})
+    [place] = [item for item in study.equilibria if item.stable]
+    assert_same(place.frequencies_squared[0], "8*g/((9*pi - 16)*R)", study)
+
+
+def test_ring_with_a_point_mass():
+    """A ring of mass M with a bob m on its rim rolls on a floor (centre from the contact)."""
+    problem = stated(
+        "m: mass, M: mass, R: length, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi", "pi"))},
+        bodies={"ring": {
+            "shape": "composite", "points": {"center": ("0", "0")}, "angle": "theta - pi/2",
+            "parts": [{"shape": "ring", "radius": "R", "mass": "M"}, {"shape": "particle", "mass": "m", "at": ["R", "0"]}],
+        }},
+        constraints={"N": rb.rolling("ring", "y = 0", rim="R")},
+    )
+    check(problem, {
+        "theta_ddot": "-m*sin(theta)*(R*theta_dot**2 + g)/(2*R*(M + m - m*cos(theta)))",
+    })
+
+
+def test_disk_in_a_bowl_in_four_coordinates():
+    """x, y, φ: the contact is an equation, rolling a condition for the speeds alone."""
+    problem = stated(
+        "M: mass, R: length, r: length, g: acceleration",
+        coordinates={
+            "phi": rb.coordinate(start="0"),
+            "x": rb.coordinate(dimension="length", range=("0", "r")),
+            "y": rb.coordinate(dimension="length", range=("-R", "-r")),
+        },
+        bodies={"disk": rb.disk("r", mass="M", center=("x", "y"), angle="phi")},
+        constraints={"N": rb.rolling("disk", circle="O", radius="R", side="inside")},
+    )
+    study = check(problem, {}, simulated=False)
+    assert len(study.system.independent) == 1
+    assert len(study.system.speed_ties) == 1

@@ -149,3 +149,36 @@ def test_string_pendulum_in_two_coordinates():
     )
     study = check(problem, {})
     assert len(study.system.implicit) == 1
+
+
+def test_string_between_two_drums():
+    """A disk that unrolls from a string that unrolls from an equal disk on an axle: a = 4g/5, T = M g/5."""
+    problem = stated(
+        "M: mass, R: length, b: length, g: acceleration",
+        coordinates={"y": rb.coordinate(**DOWN), "phi": rb.coordinate(start="0")},
+        bodies={
+            "upper": rb.disk("R", mass="M", center="O", angle="-phi"),
+            "lower": rb.disk("R", mass="M", center=("2*R", "-b - y")),
+        },
+        constraints={"A": rb.pivot("upper.center"), "T": rb.string(["cw upper", "ccw lower"])},
+    )
+    check(problem, {"y_ddot": "4*g/5", "phi_ddot": "2*g/(5*R)", "T": "M*g/5"})
+
+
+def test_swinging_atwood():
+    """Two pegs as points: r'' (m + M) = m r θ'² + g (m cos θ - M)."""
+    problem = stated(
+        "m: mass, M: mass, a: length, ell: length, g: acceleration",
+        coordinates={"r": rb.coordinate(dimension="length", start="r_0", range=("0", "ell")),
+                     "theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
+        bodies={
+            "bob": rb.particle(mass="m", center=("r*sin(theta)", "-r*cos(theta)")),
+            "load": rb.particle(mass="M", center=("-a", "-ell + r")),
+        },
+        constraints={"T": rb.string(["load.center", {"around": ["-a", "0"]}, {"around": "O"}, "bob.center"])},
+    )
+    check(problem, {
+        "r_ddot": "(m*r*theta_dot**2 + g*(m*cos(theta) - M))/(m + M)",
+        "theta_ddot": "-(2*r_dot*theta_dot + g*sin(theta))/r",
+        "T": "m*M*(r*theta_dot**2 + g*(1 + cos(theta)))/(m + M)",
+    })
