@@ -43,7 +43,7 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     intro = said.say(key, table=Ref(table or own.label), **counts)
     items = [*_methods(summary, said), *_oracles(summary, said),
              *(left_out(skipped, said) for skipped in derivation.skipped)]
-    blocks: tuple[Block, ...] = (Paragraph(intro), *((own,) if table == "" or not whole and not table else ()),
+    blocks: tuple[Block, ...] = (Paragraph(intro), *((own,) if table == "" or (not whole and not table) else ()),
                                  Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 

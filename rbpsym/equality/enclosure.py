@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
 
-BITS = 128
+BITS = 320
 _ONE = 1 << BITS
 MOST_EXPONENT = 4000
 

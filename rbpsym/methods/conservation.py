@@ -100,7 +100,8 @@ def _conserved(draft: Draft) -> None:
     shown = _as_sum(draft)
     letter = draft.define(draft.free("E"), value)
     items = [letter, t.add(*letters), shown] if draft.study.potential is not None and not draft.study.system.has_clock else [letter, draft.show(value)]
-    draft.add("energy", "conservation", t.equation(*items), "energy.conserved", is_result=True,
+    phrase = "energy.relative" if draft.study.system.has_clock else "energy.conserved"
+    draft.add("energy", "conservation", t.equation(*items), phrase, is_result=True,
               premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
               data={"value": value}, ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
               variant={0: "none", 1: "one"}.get(len(draft.study.problem.constraints), "many"))

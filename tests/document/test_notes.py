@@ -18,7 +18,6 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_problem, load_text
-
 from tests.document.unseen import UNSEEN
 
 NAMES = (*sorted(problem_files()), *UNSEEN)

@@ -12,7 +12,6 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss
 from rbpsym.notation import tree as t
 
-
 LONGEST = 60  # nodes of a formula that is worth showing in standard detail
 
 

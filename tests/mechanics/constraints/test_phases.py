@@ -5,7 +5,7 @@ import pytest
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.phases import stages
 from rbpsym.statement import build as rb
-from tests.mechanics.constraints.closed_forms import assert_same, stated
+from tests.mechanics.constraints.closed_forms import assert_same, check, stated
 
 BALL = "M: mass, R: length, mu: number, g: acceleration"
 ROLLING = [{"name": "rolling", "event": "no slip", "of": "N", "constraints": {"N": {"type": "rolling"}}}]
@@ -31,6 +31,8 @@ def test_ball_from_slipping_to_rolling():
     assert_same(began.speeds["phi"], "5*v_0/(7*R)", study)
     assert_same(began.energy_lost, "0", study)
     assert_same(study.dynamics.accelerations[f"{study.system.independent[0]}_ddot"], "0", study)
+    for stage in (first, second):
+        check(stage.study.problem, {})
 
 
 def test_ball_with_backspin():

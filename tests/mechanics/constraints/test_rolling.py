@@ -213,6 +213,18 @@ def test_disk_in_a_bowl_in_four_coordinates():
         bodies={"disk": rb.disk("r", mass="M", center=("x", "y"), angle="phi")},
         constraints={"N": rb.rolling("disk", circle="O", radius="R", side="inside")},
     )
-    study = check(problem, {}, simulated=False)
+    study = check(problem, {})
     assert len(study.system.independent) == 1
     assert len(study.system.speed_ties) == 1
+
+
+def test_spool_pulled_at_an_angle():
+    """Thread from the bottom of the inner drum at an angle α: it rolls forward if cos α > r/R."""
+    problem = stated(
+        "M: mass, I: moment of inertia, R: length, r: length, F: force, alpha: angle, g: acceleration",
+        coordinates={"x": rb.coordinate(dimension="length", start="0")},
+        bodies={"spool": {"shape": "given", "mass": "M", "moment": "I", "center": ("x", "R")}},
+        interactions={"P": rb.force("spool.center", ("F*cos(alpha)", "F*sin(alpha)")), "Q": rb.couple("spool", "F*r")},
+        constraints={"N": rb.rolling("spool", "y = 0", rim="R")},
+    )
+    check(problem, {"x_ddot": "F*(cos(alpha) - r/R)/(M + I/R**2)", "N": "M*g - F*sin(alpha)"})

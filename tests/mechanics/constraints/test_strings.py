@@ -182,3 +182,19 @@ def test_swinging_atwood():
         "theta_ddot": "-(2*r_dot*theta_dot + g*sin(theta))/r",
         "T": "m*M*(r*theta_dot**2 + g*(1 + cos(theta)))/(m + M)",
     })
+
+
+def test_massless_pulley():
+    """A pulley without mass has equal tensions on both sides."""
+    problem = stated(
+        "m_1: mass, m_2: mass, R: length, b: length, g: acceleration",
+        coordinates={"y": rb.coordinate(**DOWN)},
+        bodies={
+            "left": rb.particle(mass="m_1", center=("-R", "-b - y")),
+            "pulley": rb.disk("R", mass="0", center="O"),
+            "right": rb.particle(mass="m_2", center=("R", "-b + y")),
+        },
+        constraints={"A": rb.pivot("pulley.center"), "T": rb.string(["left.center", "cw pulley", "right.center"])},
+    )
+    tension = "2*m_1*m_2*g/(m_1 + m_2)"
+    check(problem, {"T_1": tension, "T_2": tension}, simulated=False)
