@@ -127,8 +127,13 @@ def errors_page() -> str:
         if text.count(old) == 0:
             raise ValueError(f"errors.md: {old!r} does not stand in the example")
         parts += [f"**{title}**\n", f"```text\n{sentence(text.replace(old, new, 1))}\n```\n"]
-    parts += ["## Classes\n", "In Python, each is an `rbpsym.RbpsymError` with `what`, `instead` and `place`.\n",
-              "| class | what it means | exit code |", "|---|---|---|", *class_rows()]
+    parts += [
+        "## Classes\n",
+        "In Python, each is an `rbpsym.RbpsymError` with `what`, `instead` and `place`.\n",
+        "| class | what it means | exit code |",
+        "|---|---|---|",
+        *class_rows(),
+    ]
     return "\n".join(parts) + "\n"
 
 

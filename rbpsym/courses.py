@@ -53,5 +53,6 @@ def _comparison(part: CoursePart, problem: Callable[[str], Derivation]) -> Lesso
 
 
 LESSONS: Mapping[str, Callable[[CoursePart, Callable[[str], Derivation]], Lesson]] = {
-    "theory": _theory, "comparison": _comparison,
+    "theory": _theory,
+    "comparison": _comparison,
 }

@@ -48,7 +48,12 @@ def _simulated(study: Study):
     from rbpsym.verify.simulation import simulate
 
     try:
-        return simulate(study.system, study.dynamics, integral=study.first_integral, squares=study.squares,
-                        along=study.reactions_along_motion)
+        return simulate(
+            study.system,
+            study.dynamics,
+            integral=study.first_integral,
+            squares=study.squares,
+            along=study.reactions_along_motion,
+        )
     except NotApplicable:
         return None

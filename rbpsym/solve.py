@@ -94,8 +94,10 @@ def _kinetic(study: Study) -> dict[str, str]:
 def _momenta(study: Study) -> dict[str, Any]:
     return {
         name: {
-            body: {"orbital": text(energy.orbital_momentum(state, origin), study),
-                   "spin": text(energy.spin_momentum(state), study)}
+            body: {
+                "orbital": text(energy.orbital_momentum(state, origin), study),
+                "spin": text(energy.spin_momentum(state), study),
+            }
             for body, state in study.system.bodies.items()
         }
         for name, origin in study.origins.items()
@@ -106,7 +108,8 @@ def _works(study: Study) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for item in study.works:
         found.setdefault(item.force, {})[item.on] = {
-            "translational": _half(item.translational, study), "rotational": _half(item.rotational, study),
+            "translational": _half(item.translational, study),
+            "rotational": _half(item.rotational, study),
         }
     return found
 
@@ -124,8 +127,11 @@ def _half(half: Work, study: Study) -> dict[str, str | None]:
 
 def _equilibria(study: Study) -> list[dict[str, Any]]:
     return [
-        {"at": _table(item.at, study), "stable": item.stable,
-         "frequencies_squared": [text(value, study) for value in item.frequencies_squared]}
+        {
+            "at": _table(item.at, study),
+            "stable": item.stable,
+            "frequencies_squared": [text(value, study) for value in item.frequencies_squared],
+        }
         for item in study.equilibria
     ]
 
@@ -136,8 +142,14 @@ def _condition(loss, study: Study) -> dict[str, Any]:
 
 def _need(item, study: Study) -> dict[str, Any]:
     """f/N of a contact that static friction holds, the coefficient that it needs, and whether the declared one will do."""
-    return {"contact": item.constraint, "friction": item.friction, "ratio": text(item.ratio, study),
-            "needed": text(item.needed, study), "coefficient": text(item.limit, study), "enough": item.holds}
+    return {
+        "contact": item.constraint,
+        "friction": item.friction,
+        "ratio": text(item.ratio, study),
+        "needed": text(item.needed, study),
+        "coefficient": text(item.limit, study),
+        "enough": item.holds,
+    }
 
 
 def _phases(study: Study) -> list[dict[str, Any]]:
@@ -152,8 +164,13 @@ def _phases(study: Study) -> list[dict[str, Any]]:
 def _phase(stage) -> dict[str, Any]:
     began, study = stage.began, stage.study
     return {
-        "name": stage.name, "time": text(began.before.time, study), "at": _table(began.before.places, study),
-        "speeds_before": _table(began.before.speeds, study), "speeds": _table(began.speeds, study),
-        "impulses": _table(began.impulses, study), "energy_lost": text(began.energy_lost, study),
-        "accelerations": _accelerations(study), "reactions": _table(study.dynamics.reactions, study),
+        "name": stage.name,
+        "time": text(began.before.time, study),
+        "at": _table(began.before.places, study),
+        "speeds_before": _table(began.before.speeds, study),
+        "speeds": _table(began.speeds, study),
+        "impulses": _table(began.impulses, study),
+        "energy_lost": text(began.energy_lost, study),
+        "accelerations": _accelerations(study),
+        "reactions": _table(study.dynamics.reactions, study),
     }

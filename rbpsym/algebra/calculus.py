@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
@@ -133,18 +133,27 @@ def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
     images = {i: image for i in poly.atoms() if (image := _atom_substitute(i, key)) is not None}
     if not images:
         return Scalar(poly)
-    plain: list[tuple[int | Fraction, Poly]] = []
-    total = NOTHING
+    by_factor: dict[Monomial, dict[Monomial, int | Fraction]] = {}
     for m, c in poly.terms.items():
-        product = Scalar(Poly({tuple(item for item in m if item[0] not in images): c}))
-        for index, exponent in m:
-            if index in images:
-                product = product * images[index] ** exponent
-        if product.den is ONE:
-            plain.append((1, product.num))
-        else:
-            total = total + product
-    return Scalar(accumulate(plain)) + total
+        key = tuple(item for item in m if item[0] in images)
+        by_factor.setdefault(key, {})[tuple(item for item in m if item[0] not in images)] = c
+    return _total(_times_images(Poly(rest), key, images) for key, rest in by_factor.items())
+
+
+def _times_images(rest: Poly, key: Monomial, images: Mapping[int, Scalar]) -> Scalar:
+    product = UNITY
+    for index, exponent in key:
+        product = product * images[index] ** exponent
+    return product * Scalar(rest)
+
+
+def _total(parts: Iterable[Scalar]) -> Scalar:
+    """The sum, those with the same denominator brought together before anything is cancelled."""
+    by_den: dict[Poly, list[tuple[int, Poly]]] = {}
+    for part in parts:
+        by_den.setdefault(part.den, []).append((1, part.num))
+    sums = ((accumulate(found), den) for den, found in by_den.items())
+    return sum((Scalar(num) if den == ONE else quotient(num, den) for num, den in sums), NOTHING)
 
 
 @lru_cache(maxsize=16384)
@@ -182,4 +191,3 @@ def split_factor(m: Monomial, name: str) -> tuple[Monomial, Monomial]:
     """The part of a monomial that does not depend on the symbol, and the part that does."""
     free = tuple(item for item in m if not atom_depends(item[0], name))
     return free, tuple(item for item in m if atom_depends(item[0], name))
-

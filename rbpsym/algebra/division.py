@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra.modular import PRIME, value_of
-from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, clean, inverse, times
+from rbpsym.algebra.modular import PRIME, free_image, term_values
+from rbpsym.algebra.poly import ONE, Monomial, Poly, clean, inverse, times
+
+Terms = list[tuple[dict[int, int], int]]
 
 
 def cancel(num: Poly, den: Poly) -> tuple[Poly, Poly]:
@@ -31,8 +33,7 @@ def cancel(num: Poly, den: Poly) -> tuple[Poly, Poly]:
 
 def _cancel_plain(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     """The same (identical `den`) if no common factor is found."""
-    shared = num.atoms() & den.atoms()
-    if not any(_may_share(num, den, index) for index in shared):
+    if not _may_cancel(num, den):
         return num, den
     whole = divide(num, den)
     return (whole, ONE) if whole is not None else _cancel_by_gcd(num, den)
@@ -86,7 +87,16 @@ def _ordinary(poly: Poly) -> tuple[Poly, Monomial]:
     return (poly.scaled(1, inverse(powers)), powers) if powers else (poly, ())
 
 
-def _may_share(num: Poly, den: Poly, index: int) -> bool:
+def _may_cancel(num: Poly, den: Poly) -> bool:
+    """False only if there is no common factor but monomials."""
+    shared = num.atoms() & den.atoms()
+    if not shared:
+        return False
+    above, below = term_values(num), term_values(den)
+    return any(_may_share(above, below, index) for index in shared)
+
+
+def _may_share(num: Terms, den: Terms, index: int) -> bool:
     """False only if no common factor contains the atom."""
     a, b = _image(num, index), _image(den, index)
     if len(b) < 2 or len(a) < 2:
@@ -96,11 +106,16 @@ def _may_share(num: Poly, den: Poly, index: int) -> bool:
     return len(a) > 1
 
 
-def _image(poly: Poly, index: int) -> list[int]:
-    """Coefficients modulo the prime by rising power of one atom, the others at fixed values."""
-    parts = _ordinary(poly)[0].by_power(index)
-    image = [value_of(parts.get(k, ZERO), independent=True) for k in range(max(parts) + 1)]
-    return _trim(image)
+def _image(terms: Terms, index: int) -> list[int]:
+    """Coefficients modulo the prime by rising power of one atom (from its lowest), the others at
+    fixed values."""
+    powers = [m.get(index, 0) for m, _ in terms]
+    low, high, inverted = min(powers), max(powers), pow(free_image(index), -1, PRIME)
+    scales = {power: pow(inverted, power, PRIME) for power in set(powers)}
+    image = [0] * (high - low + 1)
+    for power, (_, value) in zip(powers, terms, strict=True):
+        image[power - low] += value * scales[power]
+    return _trim([value % PRIME for value in image])
 
 
 def _trim(image: list[int]) -> list[int]:

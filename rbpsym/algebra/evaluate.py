@@ -91,7 +91,8 @@ def space_derivative(found: Space, scope: Scope) -> Space:
     """d/dt of a vector."""
     plane = reduce(
         lambda total, item: total + found.plane.derivative(item[0]) * item[1],
-        scope.rates.items(), Space().plane,
+        scope.rates.items(),
+        Space().plane,
     )
     return Space(plane, time_derivative(found.z, scope))
 
@@ -263,7 +264,8 @@ def rate(node: t.Node, scope: Scope) -> Scalar:
 def _holds_integral(node: t.Node, scope: Scope) -> bool:
     """Whether a part is known by its rate only (changes, which have one, are counted in)."""
     return any(
-        isinstance(part, (t.Integral, t.PathIntegral, t.Delta)) or (isinstance(part, t.Sym) and part.name in scope.powers)
+        isinstance(part, (t.Integral, t.PathIntegral, t.Delta))
+        or (isinstance(part, t.Sym) and part.name in scope.powers)
         for part in t.walk(node)
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy
 from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
@@ -68,7 +68,9 @@ def common_coefficient(poly: Poly, style: Style) -> Coefficient:
         return sign * content.numerator
     same = len({c.denominator for c in values}) == 1
     broken = all(c.denominator != 1 for c in values)
-    varies = style.whole or (any(moves(i, style) for i in poly.atoms()) and not any(is_quadratic(m) for m in poly.terms))
+    varies = style.whole or (
+        any(moves(i, style) for i in poly.atoms()) and not any(is_quadratic(m) for m in poly.terms)
+    )
     return tidy(sign * content) if same or style.whole or (broken and varies) else sign
 
 

@@ -38,6 +38,11 @@ def value_of(poly: Poly, *, independent: bool = False) -> int:
     return total % PRIME
 
 
+def term_values(poly: Poly) -> list[tuple[dict[int, int], int]]:
+    """Each term's powers by atom, and its image with each sine and cosine as a free symbol."""
+    return [(dict(m), _coefficient(c) * _monomial(m, free_image) % PRIME) for m, c in poly.terms.items()]
+
+
 def _coefficient(c: Coefficient) -> int:
     return c if type(c) is int else c.numerator * pow(c.denominator, -1, PRIME) % PRIME
 

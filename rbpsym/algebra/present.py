@@ -104,6 +104,7 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     node = t.div(node, t.mul(*low)) if low else node
     return t.neg(node) if coefficient < 0 else node
 
+
 Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]
 
 

@@ -26,6 +26,7 @@ class Style:
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
     whole: bool = False
 
+
 PLAIN = Style()
 
 
@@ -49,6 +50,7 @@ def _root_moves(radicand: Scalar, style: Style) -> bool:
 def is_quadratic(moving: Monomial) -> bool:
     """Whether a speed is squared (an energy): then the number stands as a fraction in front."""
     return any(e == 2 and (atoms.symbol_name(i) or "").endswith("_dot") for i, e in moving)
+
 
 KIND_RANK = {"root": 6, "symbol": 5, "cos": 9, "sin": 8}
 

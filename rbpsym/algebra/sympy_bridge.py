@@ -87,8 +87,12 @@ def to_sympy(value: Scalar) -> Any:
 def _expression(poly: Poly) -> Any:
     import sympy
 
-    return sympy.Add(*(sympy.Mul(sympy.Rational(c.numerator, c.denominator),
-                                 *(_atom(i) ** e for i, e in m)) for m, c in poly.terms.items()))
+    return sympy.Add(
+        *(
+            sympy.Mul(sympy.Rational(c.numerator, c.denominator), *(_atom(i) ** e for i, e in m))
+            for m, c in poly.terms.items()
+        )
+    )
 
 
 @lru_cache(maxsize=4096)

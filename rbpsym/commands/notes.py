@@ -14,8 +14,14 @@ ENGINES = ("typst", "pdflatex")
 
 @click.command("notes")
 @name_argument
-@click.option("--format", "formats", type=Listed(FORMATS), default="pdf,html,tex", show_default=True,
-              help="Formats, separated by commas: " + ", ".join(FORMATS) + ".")
+@click.option(
+    "--format",
+    "formats",
+    type=Listed(FORMATS),
+    default="pdf,html,tex",
+    show_default=True,
+    help="Formats, separated by commas: " + ", ".join(FORMATS) + ".",
+)
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
 @detail_option

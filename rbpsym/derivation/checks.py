@@ -234,6 +234,7 @@ def torque_by_components(context: Context, step: Step) -> Verdict:
 
 def combination(context: Context, step: Step) -> Verdict:
     """left - right is the stated combination of the premises' (`data`: "terms": (factor, step) pairs)."""
+
     def difference(node: t.Node) -> Value:
         [(left, _, right)] = list(relations(node))
         return context.value(left) - context.value(right)
@@ -279,8 +280,7 @@ def series(context: Context, step: Step) -> Verdict:
     data, name = step.data, step.data["name"]
     here = substitute(data["value"], data["at"])
     slope = substitute(derivative(data["value"], name), data["at"])
-    return weakest([same(context, here, NOTHING),
-                    same(context, slope, data["slope"])])
+    return weakest([same(context, here, NOTHING), same(context, slope, data["slope"])])
 
 
 def constant(context: Context, step: Step) -> Verdict:
@@ -329,8 +329,10 @@ def characteristic(context: Context, step: Step) -> Verdict:
     item = step.data["item"]
     found = []
     for square in item.frequencies_squared:
-        matrix = tuple(tuple(k - square * m for k, m in zip(a, b, strict=True))
-                       for a, b in zip(item.stiffness, item.inertia, strict=True))
+        matrix = tuple(
+            tuple(k - square * m for k, m in zip(a, b, strict=True))
+            for a, b in zip(item.stiffness, item.inertia, strict=True)
+        )
         found.append(same(context, determinant(matrix), NOTHING))
     return weakest(found)
 
@@ -348,6 +350,7 @@ def _divides(factor: Scalar, value: Scalar) -> Verdict:
 
 def holds_there(context: Context, step: Step) -> Verdict:
     """The stated relation holds at the place (`data`: "at"); without one, it is the factor (`data`: "factor")."""
+
     def one(left: t.Node, right: t.Node) -> Verdict:
         difference = context.value(left) - context.value(right)
         if step.data["at"]:

@@ -29,15 +29,35 @@ class Draft:
         self.chapter = "statement"
 
     def add(
-        self, id: str, rule: str, statement: t.Node, phrase: str, *, premises: Iterable[str] = (),
-        level: int = STANDARD, is_result: bool = False, obligations: tuple[t.Node, ...] = (),
-        data: dict[str, Any] | None = None, **slots: Any,
+        self,
+        id: str,
+        rule: str,
+        statement: t.Node,
+        phrase: str,
+        *,
+        premises: Iterable[str] = (),
+        level: int = STANDARD,
+        is_result: bool = False,
+        obligations: tuple[t.Node, ...] = (),
+        data: dict[str, Any] | None = None,
+        **slots: Any,
     ) -> Step:
         """Adds a step, checked; its id is made unique."""
         known = {step.id for step in self.steps}
         kept = tuple(p for p in premises if p in known)
-        step = Step(self._unique(id, known), rule, statement, self.chapter, phrase, slots, kept, level,
-                    is_result, obligations, data or {})
+        step = Step(
+            self._unique(id, known),
+            rule,
+            statement,
+            self.chapter,
+            phrase,
+            slots,
+            kept,
+            level,
+            is_result,
+            obligations,
+            data or {},
+        )
         step = replace(step, certificate=certify(self.context, step))
         self.steps.append(step)
         return step
@@ -86,7 +106,9 @@ class Draft:
 
     def of_body(self, letter: str, body: str) -> str:
         """Name of a body's quantity: R_rod; for the only body R_cm."""
-        return self.free(f"{letter}_cm" if self.is_single and letter in ("R", "V", "A", "I", "P") else f"{letter}_{body}")
+        return self.free(
+            f"{letter}_cm" if self.is_single and letter in ("R", "V", "A", "I", "P") else f"{letter}_{body}"
+        )
 
     def free(self, name: str) -> str:
         """A name that no quantity of the problem has."""

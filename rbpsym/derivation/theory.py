@@ -38,9 +38,14 @@ def _turning(x: str, y: str, speed: Scalar = OMEGA) -> dict[str, Scalar]:
 
 
 RATES: Mapping[str, Scalar] = {
-    **_moving("X"), **_moving("Y"), "omega": ALPHA, "varphi": OMEGA,
-    **_turning("xi", "eta"), **_turning("s_x", "s_y"),
-    **_turning("p_x", "p_y", symbol("omega_p")), **_turning("q_x", "q_y", symbol("omega_q")),
+    **_moving("X"),
+    **_moving("Y"),
+    "omega": ALPHA,
+    "varphi": OMEGA,
+    **_turning("xi", "eta"),
+    **_turning("s_x", "s_y"),
+    **_turning("p_x", "p_y", symbol("omega_p")),
+    **_turning("q_x", "q_y", symbol("omega_q")),
 }
 
 
@@ -60,24 +65,47 @@ A = _speed(V)
 F = _vector("F_x", "F_y")
 
 VECTORS: Mapping[str, Space] = {
-    "R_cm": R, "r": r, "r_prime": R + r, "V_cm": V, "v": v, "v_prime": V + v, "A_cm": A, "s": s,
-    "varphi": Space(z=symbol("varphi")), "omega": Space(z=OMEGA), "alpha": Space(z=ALPHA), "P_cm": V * MASS, "F": F, "F_net": A * MASS,
-    "L": R.cross(V * MASS) + Space(z=MOMENT * OMEGA), "tau_cm": Space(z=MOMENT * ALPHA),
+    "R_cm": R,
+    "r": r,
+    "r_prime": R + r,
+    "V_cm": V,
+    "v": v,
+    "v_prime": V + v,
+    "A_cm": A,
+    "s": s,
+    "varphi": Space(z=symbol("varphi")),
+    "omega": Space(z=OMEGA),
+    "alpha": Space(z=ALPHA),
+    "P_cm": V * MASS,
+    "F": F,
+    "F_net": A * MASS,
+    "L": R.cross(V * MASS) + Space(z=MOMENT * OMEGA),
+    "tau_cm": Space(z=MOMENT * ALPHA),
     "tau_net": R.cross(A * MASS) + Space(z=MOMENT * ALPHA),
-    "r_p": _vector("p_x", "p_y"), "r_q": _vector("q_x", "q_y"),
-    "omega_p": Space(z=symbol("omega_p")), "omega_q": Space(z=symbol("omega_q")),
+    "r_p": _vector("p_x", "p_y"),
+    "r_q": _vector("q_x", "q_y"),
+    "omega_p": Space(z=symbol("omega_p")),
+    "omega_q": Space(z=symbol("omega_q")),
 }
 SCALARS: Mapping[str, Scalar] = {
-    "E_K": (MASS * V.dot(V) + MOMENT * OMEGA * OMEGA) / 2, "I_O": MOMENT + MASS * R.dot(R),
+    "E_K": (MASS * V.dot(V) + MOMENT * OMEGA * OMEGA) / 2,
+    "I_O": MOMENT + MASS * R.dot(R),
     "tau_cm": MOMENT * ALPHA,
 }
 POWERS: Mapping[str, Scalar] = {
-    "cal_W_T": (A * MASS).dot(V), "cal_W_theta": MOMENT * ALPHA * OMEGA,
+    "cal_W_T": (A * MASS).dot(V),
+    "cal_W_theta": MOMENT * ALPHA * OMEGA,
     "cal_W": (A * MASS).dot(V) + MOMENT * ALPHA * OMEGA,
-    "cal_w": F.dot(V + _speed(s)), "cal_w_T": F.dot(V), "cal_w_theta": s.cross(F).z * OMEGA,
+    "cal_w": F.dot(V + _speed(s)),
+    "cal_w_T": F.dot(V),
+    "cal_w_theta": s.cross(F).z * OMEGA,
 }
 MOMENTS: Mapping[tuple[int, int], Scalar] = {
-    (0, 0): MASS, (1, 0): NOTHING, (0, 1): NOTHING, (2, 0): symbol("m_xx"), (1, 1): symbol("m_xy"),
+    (0, 0): MASS,
+    (1, 0): NOTHING,
+    (0, 1): NOTHING,
+    (2, 0): symbol("m_xx"),
+    (1, 1): symbol("m_xy"),
     (0, 2): MOMENT - symbol("m_xx"),
 }
 
@@ -153,8 +181,6 @@ def particle_context(context: TheoryContext) -> TheoryContext:
     return replace(context, body=by_particles, images={"M": mass, "I_cm": moment})
 
 
-
-
 def _identity(context: TheoryContext, step: Step) -> Verdict:
     return c.weakest([c.identity(context, step), c.identity(particle_context(context), step)])
 
@@ -173,12 +199,28 @@ class Writer:
         self.steps: list[Step] = []
         self.context = TheoryContext()
 
-    def add(self, id: str, statement: t.Node, rule: str = "theory_identity", premises: Iterable[str] = (),
-            fixed: bool = False, is_result: bool = False) -> None:
+    def add(
+        self,
+        id: str,
+        statement: t.Node,
+        rule: str = "theory_identity",
+        premises: Iterable[str] = (),
+        fixed: bool = False,
+        is_result: bool = False,
+    ) -> None:
         """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R."""
         context = replace(self.context, **_about_fixed_axis()) if fixed else self.context
-        step = Step(id, rule, statement, "theory", f"theory.{id}", {"sources": [StepRef(p) for p in premises]},
-                    tuple(premises), STANDARD, is_result)
+        step = Step(
+            id,
+            rule,
+            statement,
+            "theory",
+            f"theory.{id}",
+            {"sources": [StepRef(p) for p in premises]},
+            tuple(premises),
+            STANDARD,
+            is_result,
+        )
         verdict = c.guarded(lambda: RULES[rule](context, step))
         self.steps.append(replace(step, certificate=Certificate((rule, "by_particles"), verdict)))
 
@@ -188,8 +230,15 @@ def _about_fixed_axis() -> dict[str, object]:
     velocity = Space(z=OMEGA).cross(R)
     acceleration = Space(z=ALPHA).cross(R) + Space(z=OMEGA).cross(velocity)
     momentum, push = velocity * MASS, acceleration * MASS
-    vectors = {**VECTORS, "V_cm": velocity, "A_cm": acceleration, "P_cm": momentum, "F_net": push,
-               "L": R.cross(momentum) + Space(z=MOMENT * OMEGA), "tau_net": R.cross(push) + Space(z=MOMENT * ALPHA)}
+    vectors = {
+        **VECTORS,
+        "V_cm": velocity,
+        "A_cm": acceleration,
+        "P_cm": momentum,
+        "F_net": push,
+        "L": R.cross(momentum) + Space(z=MOMENT * OMEGA),
+        "tau_net": R.cross(push) + Space(z=MOMENT * ALPHA),
+    }
     works = {**POWERS, "cal_W_T": push.dot(velocity), "cal_W": push.dot(velocity) + MOMENT * ALPHA * OMEGA}
     energy = (MASS * velocity.dot(velocity) + MOMENT * OMEGA * OMEGA) / 2
     return {"vectors": vectors, "works": works, "scalars": {**SCALARS, "E_K": energy}}
@@ -219,59 +268,127 @@ def _rigidity(w: Writer) -> None:
     p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
     apart = t.Group(t.Add((p, t.Neg(q))))
     both = t.Group(t.Add((t.Cross(op, p), t.Neg(t.Cross(oq, q)))))
-    w.add("one_omega", t.equation(t.Dot(apart, both), t.Dot(t.Group(t.Add((oq, t.Neg(op)))), t.Cross(p, q))),
-          premises=["turning"])
-    w.add("velocity", t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((t.Vec("R_cm"), arm)))),
-                                 t.Add((t.Vec("V_cm"), turn))), premises=["turning"])
+    w.add(
+        "one_omega",
+        t.equation(t.Dot(apart, both), t.Dot(t.Group(t.Add((oq, t.Neg(op)))), t.Cross(p, q))),
+        premises=["turning"],
+    )
+    w.add(
+        "velocity",
+        t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((t.Vec("R_cm"), arm)))), t.Add((t.Vec("V_cm"), turn))),
+        premises=["turning"],
+    )
 
 
 def _momentum(w: Writer) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
-    w.add("moments", t.System((
-        t.equation(t.BodyIntegral(t.ONE), t.Sym("M")), t.equation(t.BodyIntegral(arm), t.ZERO),
-        t.equation(t.BodyIntegral(_square(arm)), t.Sym("I_cm")))))
-    w.add("linear", t.equation(t.BodyIntegral(t.Vec("v_prime")), t.mul(t.Sym("M"), t.Vec("V_cm")), t.Vec("P_cm")),
-          premises=["velocity", "moments"])
+    w.add(
+        "moments",
+        t.System(
+            (
+                t.equation(t.BodyIntegral(t.ONE), t.Sym("M")),
+                t.equation(t.BodyIntegral(arm), t.ZERO),
+                t.equation(t.BodyIntegral(_square(arm)), t.Sym("I_cm")),
+            )
+        ),
+    )
+    w.add(
+        "linear",
+        t.equation(t.BodyIntegral(t.Vec("v_prime")), t.mul(t.Sym("M"), t.Vec("V_cm")), t.Vec("P_cm")),
+        premises=["velocity", "moments"],
+    )
     place, speed = t.Add((t.Vec("R_cm"), arm)), t.Add((t.Vec("V_cm"), t.Cross(omega, arm)))
     split = t.Add((t.Cross(t.Vec("R_cm"), t.Vec("P_cm")), t.mul(t.Sym("I_cm"), omega)))
-    w.add("angular_momentum", t.equation(
-        t.Vec("L"), t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Vec("v_prime"))),
-        t.BodyIntegral(t.Cross(t.Group(place), t.Group(speed))), split), premises=["velocity", "moments", "linear"], is_result=True)
+    w.add(
+        "angular_momentum",
+        t.equation(
+            t.Vec("L"),
+            t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Vec("v_prime"))),
+            t.BodyIntegral(t.Cross(t.Group(place), t.Group(speed))),
+            split,
+        ),
+        premises=["velocity", "moments", "linear"],
+        is_result=True,
+    )
 
 
 def _torque(w: Writer) -> None:
-    w.add("newton", t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))),
-          premises=["linear"])
+    w.add(
+        "newton",
+        t.equation(t.Vec("F_net"), t.Deriv(t.Vec("P_cm")), t.mul(t.Sym("M"), t.Vec("A_cm"))),
+        premises=["linear"],
+    )
     arm = t.Vec("R_cm")
-    w.add("torque", t.equation(t.Vec("tau_net"), t.Deriv(t.Vec("L")), t.Add((
-        t.Cross(arm, t.Vec("F_net")), t.mul(t.Sym("I_cm"), t.Vec("alpha"))))), premises=["angular_momentum", "newton"],
-        is_result=True)
+    w.add(
+        "torque",
+        t.equation(
+            t.Vec("tau_net"),
+            t.Deriv(t.Vec("L")),
+            t.Add((t.Cross(arm, t.Vec("F_net")), t.mul(t.Sym("I_cm"), t.Vec("alpha")))),
+        ),
+        premises=["angular_momentum", "newton"],
+        is_result=True,
+    )
     place = t.Group(t.Add((arm, t.Vec("s"))))
-    w.add("torque_split", t.equation(t.Cross(place, t.Vec("F")), t.Add((
-        t.Cross(arm, t.Vec("F")), t.Cross(t.Vec("s"), t.Vec("F"))))))
-    w.add("euler", t.equation(t.Vec("tau_cm"), t.Add((t.Vec("tau_net"), t.Neg(t.Cross(arm, t.Vec("F_net"))))),
-                              t.mul(t.Sym("I_cm"), t.Vec("alpha"))), premises=["torque", "torque_split"], is_result=True)
+    w.add(
+        "torque_split",
+        t.equation(t.Cross(place, t.Vec("F")), t.Add((t.Cross(arm, t.Vec("F")), t.Cross(t.Vec("s"), t.Vec("F"))))),
+    )
+    w.add(
+        "euler",
+        t.equation(
+            t.Vec("tau_cm"),
+            t.Add((t.Vec("tau_net"), t.Neg(t.Cross(arm, t.Vec("F_net"))))),
+            t.mul(t.Sym("I_cm"), t.Vec("alpha")),
+        ),
+        premises=["torque", "torque_split"],
+        is_result=True,
+    )
 
 
 def _energy(w: Writer) -> None:
     speed = t.Add((t.Vec("V_cm"), t.Cross(t.Vec("omega"), t.Vec("r"))))
     parts = t.Add((_half(t.Sym("M"), _square(t.Vec("V_cm"))), _half(t.Sym("I_cm"), _square(t.Vec("omega")))))
-    w.add("energy", t.equation(t.Sym("E_K"), _half(t.BodyIntegral(_square(t.Vec("v_prime")))),
-                               _half(t.BodyIntegral(_square(t.Group(speed)))), parts),
-          premises=["velocity", "moments"], is_result=True)
+    w.add(
+        "energy",
+        t.equation(
+            t.Sym("E_K"),
+            _half(t.BodyIntegral(_square(t.Vec("v_prime")))),
+            _half(t.BodyIntegral(_square(t.Group(speed)))),
+            parts,
+        ),
+        premises=["velocity", "moments"],
+        is_result=True,
+    )
 
 
 def _fixed_axis(w: Writer) -> None:
     arm, omega = t.Vec("R_cm"), t.Vec("omega")
     w.add("fixed_velocity", t.equation(t.Vec("V_cm"), t.Cross(omega, arm)), fixed=True, premises=["turning"])
     about = t.Add((t.Sym("I_cm"), t.mul(t.Sym("M"), _square(arm))))
-    w.add("steiner", t.equation(t.Sym("I_O"), t.BodyIntegral(_square(t.Vec("r_prime"))), about), premises=["moments"],
-          is_result=True)
-    w.add("fixed_momentum", t.equation(
-        t.Vec("L"), t.Add((t.Cross(arm, t.Group(t.mul(t.Sym("M"), t.Cross(omega, arm)))), t.mul(t.Sym("I_cm"), omega))),
-        t.mul(t.Sym("I_O"), omega)), fixed=True, premises=["angular_momentum", "fixed_velocity", "steiner"])
-    w.add("fixed_torque", t.equation(t.Vec("tau_net"), t.mul(t.Sym("I_O"), t.Vec("alpha"))), fixed=True,
-          premises=["fixed_momentum"], is_result=True)
+    w.add(
+        "steiner",
+        t.equation(t.Sym("I_O"), t.BodyIntegral(_square(t.Vec("r_prime"))), about),
+        premises=["moments"],
+        is_result=True,
+    )
+    w.add(
+        "fixed_momentum",
+        t.equation(
+            t.Vec("L"),
+            t.Add((t.Cross(arm, t.Group(t.mul(t.Sym("M"), t.Cross(omega, arm)))), t.mul(t.Sym("I_cm"), omega))),
+            t.mul(t.Sym("I_O"), omega),
+        ),
+        fixed=True,
+        premises=["angular_momentum", "fixed_velocity", "steiner"],
+    )
+    w.add(
+        "fixed_torque",
+        t.equation(t.Vec("tau_net"), t.mul(t.Sym("I_O"), t.Vec("alpha"))),
+        fixed=True,
+        premises=["fixed_momentum"],
+        is_result=True,
+    )
 
 
 def _works(w: Writer) -> None:
@@ -279,20 +396,47 @@ def _works(w: Writer) -> None:
     turn = t.PathIntegral(t.Sym("tau_cm"), t.Sym("varphi"), "times")
     translation = t.Delta(t.Group(_half(t.Sym("M"), _square(t.Vec("V_cm")))))
     rotation = t.Delta(t.Group(_half(t.Sym("I_cm"), _square(t.Vec("omega")))))
-    w.add("translational_work", t.equation(t.Sym("cal_W_T"), along, translation), "theory_rates", ["newton"], is_result=True)
-    w.add("rotational_work", t.equation(t.Sym("cal_W_theta"), turn, rotation), "theory_rates", ["euler"], is_result=True)
+    w.add(
+        "translational_work",
+        t.equation(t.Sym("cal_W_T"), along, translation),
+        "theory_rates",
+        ["newton"],
+        is_result=True,
+    )
+    w.add(
+        "rotational_work", t.equation(t.Sym("cal_W_theta"), turn, rotation), "theory_rates", ["euler"], is_result=True
+    )
     place = t.Group(t.Add((t.Vec("R_cm"), t.Vec("s"))))
-    w.add("work_of_force", t.equation(
-        t.Sym("cal_w"), t.PathIntegral(t.Vec("F"), place), t.Add((
-            t.PathIntegral(t.Vec("F"), t.Vec("R_cm")),
-            t.PathIntegral(t.Group(t.Cross(t.Vec("s"), t.Vec("F"))), t.Vec("varphi"))))),
-        "theory_rates", ["velocity"])
-    w.add("work_energy", t.equation(t.Sym("cal_W"), t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta"))),
-                                    t.Delta(t.Sym("E_K"))), "theory_rates",
-          ["translational_work", "rotational_work", "work_of_force", "energy"], is_result=True)
+    w.add(
+        "work_of_force",
+        t.equation(
+            t.Sym("cal_w"),
+            t.PathIntegral(t.Vec("F"), place),
+            t.Add(
+                (
+                    t.PathIntegral(t.Vec("F"), t.Vec("R_cm")),
+                    t.PathIntegral(t.Group(t.Cross(t.Vec("s"), t.Vec("F"))), t.Vec("varphi")),
+                )
+            ),
+        ),
+        "theory_rates",
+        ["velocity"],
+    )
+    w.add(
+        "work_energy",
+        t.equation(t.Sym("cal_W"), t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta"))), t.Delta(t.Sym("E_K"))),
+        "theory_rates",
+        ["translational_work", "rotational_work", "work_of_force", "energy"],
+        is_result=True,
+    )
     about = t.PathIntegral(t.mul(t.Sym("I_O"), t.Sym("alpha")), t.Sym("varphi"), "times")
-    w.add("fixed_work", t.equation(about, t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))), "theory_rates",
-          ["fixed_torque", "work_energy"], fixed=True)
+    w.add(
+        "fixed_work",
+        t.equation(about, t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))),
+        "theory_rates",
+        ["fixed_torque", "work_energy"],
+        fixed=True,
+    )
 
 
 def _ideal(w: Writer) -> None:
@@ -303,8 +447,17 @@ def _ideal(w: Writer) -> None:
     works = {**still, "cal_w_T": F.dot(-held), "cal_w_theta": s.cross(F).z * OMEGA}
     context = replace(w.context, vectors=vectors, works=works)
     statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
-    step = Step("ideal_pivot", "theory_rates", statement, "theory", "theory.ideal_pivot",
-                {"sources": [StepRef("work_of_force")]}, ("work_of_force",), STANDARD, True)
+    step = Step(
+        "ideal_pivot",
+        "theory_rates",
+        statement,
+        "theory",
+        "theory.ideal_pivot",
+        {"sources": [StepRef("work_of_force")]},
+        ("work_of_force",),
+        STANDARD,
+        True,
+    )
     verdict = c.guarded(lambda: _rates(context, step))
     w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
     _contact(w)
@@ -319,8 +472,15 @@ def _contact(w: Writer) -> None:
     vectors = {**VECTORS, "V_cm": velocity, "F": force}
     context = replace(w.context, vectors=vectors, works=works)
     statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
-    step = Step("ideal_contact", "theory_rates", statement, "theory", "theory.ideal_contact",
-                {"sources": [StepRef("work_of_force")]}, ("work_of_force",))
+    step = Step(
+        "ideal_contact",
+        "theory_rates",
+        statement,
+        "theory",
+        "theory.ideal_contact",
+        {"sources": [StepRef("work_of_force")]},
+        ("work_of_force",),
+    )
     verdict = c.guarded(lambda: _rates(context, step))
     w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
     _pair(w)
@@ -332,17 +492,27 @@ def _pair(w: Writer) -> None:
     lever = _vector("q_x", "q_y")
     point = V + Space(z=OMEGA).cross(s)
     other = point - Space(z=second).cross(lever)
-    works = {**POWERS, "cal_w_T_1": F.dot(V), "cal_w_theta_1": s.cross(F).z * OMEGA,
-             "cal_w_T_2": -F.dot(other), "cal_w_theta_2": -(lever.cross(F).z * second)}
+    works = {
+        **POWERS,
+        "cal_w_T_1": F.dot(V),
+        "cal_w_theta_1": s.cross(F).z * OMEGA,
+        "cal_w_T_2": -F.dot(other),
+        "cal_w_theta_2": -(lever.cross(F).z * second),
+    }
     context = replace(w.context, works=works)
     names = ("cal_w_T_1", "cal_w_theta_1", "cal_w_T_2", "cal_w_theta_2")
     statement = t.equation(t.Add(tuple(t.Sym(n) for n in names)), t.ZERO)
-    step = Step("ideal_pair", "theory_rates", statement, "theory", "theory.ideal_pair",
-                {"sources": [StepRef("work_of_force")]}, ("work_of_force",))
+    step = Step(
+        "ideal_pair",
+        "theory_rates",
+        statement,
+        "theory",
+        "theory.ideal_pair",
+        {"sources": [StepRef("work_of_force")]},
+        ("work_of_force",),
+    )
     verdict = c.guarded(lambda: _rates(context, step))
     w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
-
-
 
 
 THEORIES = {"plane-motion": plane_motion}

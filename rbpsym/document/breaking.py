@@ -246,9 +246,7 @@ def column_width(block: Table, place: int, notation: Notation) -> float:
 
 def is_wordy(block: Table, place: int) -> bool:
     """Does a column hold words that should wrap? (Formulas never do.)"""
-    return any(
-        isinstance(inline, Text) and len(inline.text) > 26 for row in block.rows for inline in row[place]
-    )
+    return any(isinstance(inline, Text) and len(inline.text) > 26 for row in block.rows for inline in row[place])
 
 
 def table_width(block: Table, notation: Notation, narrow: float = NARROW) -> float:

@@ -14,7 +14,16 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
 ORDER = (
-    "kinematics", "inertia", "momentum", "forces", "motion", "reactions", "work", "energy", "contact", "oscillations",
+    "kinematics",
+    "inertia",
+    "momentum",
+    "forces",
+    "motion",
+    "reactions",
+    "work",
+    "energy",
+    "contact",
+    "oscillations",
 )
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
@@ -74,8 +83,9 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The free-body diagrams and the ledger."""
-    yield from _intro("forces", derivation, said, figure=Ref(free_bodies_label(said)),
-                      table=Ref(said.prefix + "table.forces"))
+    yield from _intro(
+        "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
+    )
     yield free_bodies_figure(derivation, said)
     yield forces_table(steps, derivation, said)
 
@@ -181,6 +191,10 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
 
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {
-    "kinematics": _kinematics, "forces": _forces, "reactions": _reactions, "work": _work, "contact": _contact,
+    "kinematics": _kinematics,
+    "forces": _forces,
+    "reactions": _reactions,
+    "work": _work,
+    "contact": _contact,
     "oscillations": _oscillations,
 }

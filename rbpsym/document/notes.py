@@ -23,8 +23,11 @@ def notes(derivation: Derivation, language: str = "en", detail: str = "standard"
     problem = derivation.study.problem
     said = Words(language, problem)
     return Document(
-        words(said.title(problem.title)), tuple(problem_sections(derivation, language, detail, "", 1)),
-        source=words(problem.source), language=language, notation=notation_of(derivation),
+        words(said.title(problem.title)),
+        tuple(problem_sections(derivation, language, detail, "", 1)),
+        source=words(problem.source),
+        language=language,
+        notation=notation_of(derivation),
     )
 
 
@@ -40,8 +43,9 @@ def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en"
     return replace(said, shown=shown - set(same), same=same)
 
 
-def problem_sections(derivation: Derivation, language: str, detail: str, prefix: str, level: int,
-                     checks: str = "") -> list[Section]:
+def problem_sections(
+    derivation: Derivation, language: str, detail: str, prefix: str, level: int, checks: str = ""
+) -> list[Section]:
     """All sections of a problem; `prefix` keeps its labels apart from those of other problems.
 
     `checks` is the label of a table of checks for the whole document, "" for one of its own.
@@ -98,8 +102,12 @@ def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "st
     sections.append(course_checks_section(derived, said, CHECKS))
     notation = _common_notation(derived)
     return Document(
-        words(said.title(course.title)), tuple(sections), words(said.title(course.subtitle) if course.subtitle else ""),
-        words(course.source), language, notation,
+        words(said.title(course.title)),
+        tuple(sections),
+        words(said.title(course.subtitle) if course.subtitle else ""),
+        words(course.source),
+        language,
+        notation,
     )
 
 

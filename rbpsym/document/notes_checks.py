@@ -41,10 +41,17 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     own = checks_table(derivation.steps, said)
     key = "checks.some" if not whole else "checks.short" if table is None else "checks.all"
     intro = said.say(key, table=Ref(table or own.label), **counts)
-    items = [*_methods(summary, said), *_oracles(summary, said),
-             *(left_out(skipped, said) for skipped in derivation.skipped)]
-    blocks: tuple[Block, ...] = (Paragraph(intro), *((own,) if table == "" or (not whole and not table) else ()),
-                                 Paragraph(said.say("checks.roads")), ItemList(tuple(items)))
+    items = [
+        *_methods(summary, said),
+        *_oracles(summary, said),
+        *(left_out(skipped, said) for skipped in derivation.skipped),
+    ]
+    blocks: tuple[Block, ...] = (
+        Paragraph(intro),
+        *((own,) if table == "" or (not whole and not table) else ()),
+        Paragraph(said.say("checks.roads")),
+        ItemList(tuple(items)),
+    )
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 
 
@@ -67,8 +74,11 @@ def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Se
 def checks_table(steps: Iterable[Step], said: Words) -> Table:
     """How steps were checked, and how many in each way."""
     counts = Counter(name for step in steps for name in step.certificate.checks)
-    rows = tuple((said.say(f"checked.{name}"), words(str(count))) for name, count in counts.items()
-                 if said.has(f"checked.{name}"))
+    rows = tuple(
+        (said.say(f"checked.{name}"), words(str(count)))
+        for name, count in counts.items()
+        if said.has(f"checked.{name}")
+    )
     header = (said.say("header.check"), said.say("header.steps"))
     return Table(header, rows, said.say("caption.checks"), "lr", said.prefix + "table.checks")
 

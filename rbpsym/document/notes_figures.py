@@ -42,7 +42,6 @@ def free_bodies_figure(derivation: Derivation, said: Words) -> FigureBlock:
     notation = problem_notation(derivation.study.problem)
     alt = " ".join(describe_free_body(sketch, name, said.language, notation) for name in names)
     scenes = tuple(
-        free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1])
-        for name in names
+        free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1]) for name in names
     )
     return FigureBlock(scenes, said.say("caption.free_bodies", count=len(names)), alt, free_bodies_label(said))

@@ -93,8 +93,10 @@ def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    turns = [said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said)
-             for turn in element["path"]]
+    turns = [
+        said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said)
+        for turn in element["path"]
+    ]
     return {"path": turns}
 
 
@@ -105,12 +107,25 @@ def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:
 Writer = Callable[[Element, DrawnPose, Words], Slots]
 
 SENTENCES: Mapping[str, Writer] = {
-    "pivot": _pivot, "pin": _pair, "weld": _pair, "contact": _touching, "guide": _touching, "slider": _touching,
-    "touch": _touching, "rolling": _touching, "sticking": _touching, "string": _string,
-    "prescribed": _driven, "prescribed-angle": _turned,
-    "gravity": lambda e, p, w: {"g": e["g"]}, "spring": _spring,
+    "pivot": _pivot,
+    "pin": _pair,
+    "weld": _pair,
+    "contact": _touching,
+    "guide": _touching,
+    "slider": _touching,
+    "touch": _touching,
+    "rolling": _touching,
+    "sticking": _touching,
+    "string": _string,
+    "prescribed": _driven,
+    "prescribed-angle": _turned,
+    "gravity": lambda e, p, w: {"g": e["g"]},
+    "spring": _spring,
     "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, p, w)},
-    "torsion-spring": _twisting, "rotary-damper": _twisting, "force": _applied, "couple": _couple,
+    "torsion-spring": _twisting,
+    "rotary-damper": _twisting,
+    "force": _applied,
+    "couple": _couple,
 }
 
 

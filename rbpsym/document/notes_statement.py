@@ -22,8 +22,11 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     text = [_bodies(problem, said), *element_sentences(pose, said)]
     motion = [_freedom(derivation, said), *_start(problem, said)]
     blocks: list[Block] = [
-        Paragraph(sentences(text)), Paragraph(sentences(motion)), system_figure(derivation, said),
-        symbols_table(derivation, said), Paragraph(sentences(list(_conventions(pose, said)))),
+        Paragraph(sentences(text)),
+        Paragraph(sentences(motion)),
+        system_figure(derivation, said),
+        symbols_table(derivation, said),
+        Paragraph(sentences(list(_conventions(pose, said)))),
     ]
     return Section(said.say("section.statement"), tuple(blocks), said.prefix + "section.statement", level)
 

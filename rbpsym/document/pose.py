@@ -40,8 +40,9 @@ class DrawnPose:
     def where(self):
         """The position of a point of the statement."""
         states = self.study.system.bodies
-        return locator(self.study.problem, {n: s.inertia for n, s in states.items()},
-                       {n: s.pose for n, s in states.items()})
+        return locator(
+            self.study.problem, {n: s.inertia for n, s in states.items()}, {n: s.pose for n, s in states.items()}
+        )
 
     def value(self, found: Scalar) -> float:
         """The number of a scalar."""
@@ -90,8 +91,10 @@ def drawn_numbers(problem: Problem) -> dict[str, float]:
 
 def _opened(coordinate: Coordinate, numbers: Mapping[str, float]) -> float:
     """An angle that is seen and lies in the coordinate's range."""
-    low, high = (_bound(end, numbers, fallback) for end, fallback in
-                 ((coordinate.lower, -math.inf), (coordinate.upper, math.inf)))
+    low, high = (
+        _bound(end, numbers, fallback)
+        for end, fallback in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf))
+    )
     return min(max(SHOWN_ANGLE, low), high) if low <= high else SHOWN_ANGLE
 
 

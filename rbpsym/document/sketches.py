@@ -33,10 +33,17 @@ def sketch_of(derivation: Derivation) -> Sketch:
     """The sketch of a derived problem, with the forces of its free-body diagrams."""
     pose = DrawnPose(derivation.study)
     return Sketch(
-        bodies=tuple(_bodies(pose)), points=tuple(_points(pose)), lines=tuple(_lines(pose)),
-        links=tuple(_links(pose)), coils=tuple(_coils(pose)), angles=tuple(_angles(pose)),
-        lengths=tuple(_lengths(pose)), radii=tuple(_radii(pose)), forces=tuple(_forces(pose, derivation)),
-        couples=tuple(_couples(pose, derivation)), **_gravity(pose),
+        bodies=tuple(_bodies(pose)),
+        points=tuple(_points(pose)),
+        lines=tuple(_lines(pose)),
+        links=tuple(_links(pose)),
+        coils=tuple(_coils(pose)),
+        angles=tuple(_angles(pose)),
+        lengths=tuple(_lengths(pose)),
+        radii=tuple(_radii(pose)),
+        forces=tuple(_forces(pose, derivation)),
+        couples=tuple(_couples(pose, derivation)),
+        **_gravity(pose),
     )
 
 
@@ -44,8 +51,14 @@ def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
     for body in pose.study.problem.bodies:
         state = pose.study.system.bodies[body.name]
         yield SketchBody(
-            body.name, body.shape.kind, _sizes(pose, body.shape), pose.point(state.pose.origin),
-            pose.value(state.pose.angle), pose.point(state.center), None, tuple(_parts(pose, body.shape)),
+            body.name,
+            body.shape.kind,
+            _sizes(pose, body.shape),
+            pose.point(state.pose.origin),
+            pose.value(state.pose.angle),
+            pose.point(state.center),
+            None,
+            tuple(_parts(pose, body.shape)),
         )
 
 
@@ -158,8 +171,11 @@ def _turning_body(pose: DrawnPose, coordinate: str) -> tuple[str, int] | None:
 def _vertex(pose: DrawnPose, body: str) -> Point:
     """A hinge of the body, a point that touches a horizontal line, else its centre."""
     hinges = [p.at for p in _points(pose) if body in p.bodies and p.kind == "pivot"]
-    touches = [pose.ref(e["point"]) for e in _elements(pose, "contact")
-               if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < 1e-9]
+    touches = [
+        pose.ref(e["point"])
+        for e in _elements(pose, "contact")
+        if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < 1e-9
+    ]
     pins = [p.at for p in _points(pose) if body in p.bodies]
     return next(iter([*hinges, *touches, *pins]), pose.point(pose.study.system.bodies[body].center))
 
@@ -179,8 +195,12 @@ def _size_marks(pose: DrawnPose, kinds: tuple[str, ...]) -> Iterator[tuple[str, 
 
 
 def _lengths(pose: DrawnPose) -> Iterator[LengthMark]:
-    ends = {"length": ("start", "end"), "width": ("top_left", "top_right"), "height": ("top_right", "bottom_right"),
-            "base": ("left", "right")}
+    ends = {
+        "length": ("start", "end"),
+        "width": ("top_left", "top_right"),
+        "height": ("top_right", "bottom_right"),
+        "base": ("left", "right"),
+    }
     for name, key, size in _size_marks(pose, tuple(ends)):
         points = pose.study.problem.body(name).points
         if all(end in points for end in ends[key]):
@@ -219,8 +239,10 @@ def _direction(pose: DrawnPose, force: Force) -> Point:
 
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     """How the ledger names each force on each body."""
-    return {(step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"]
-            for step in derivation.chapter("forces")}
+    return {
+        (step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"]
+        for step in derivation.chapter("forces")
+    }
 
 
 def _forces(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchForce]:
@@ -261,5 +283,3 @@ def _gravity(pose: DrawnPose) -> dict[str, object]:
         x, y = (pose.node(n) for n in element["direction"])
         return {"gravity": (x, y), "gravity_label": element["g"]}
     return {"gravity": None}
-
-

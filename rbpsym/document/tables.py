@@ -27,8 +27,9 @@ def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Tabl
     header += [said.say("header.torque_about", point=t.Sym(o)) for o in origins]
     pose = DrawnPose(derivation.study)
     rows = tuple(tuple(_entry(step, origins, pose, said)) for step in steps)
-    return Table(tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)),
-                 said.prefix + "table.forces")
+    return Table(
+        tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)), said.prefix + "table.forces"
+    )
 
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
@@ -37,8 +38,13 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
     yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
     kind = "couple" if len(rows) == len(torques) else "acts"
     variant = "many" if len(pose.study.system.bodies) > 1 else "one"
-    yield said.say(f"forces.{kind}", body=said.body(step.slots["body"].name), by=_by(step.slots["by"], said),
-                   at=_at(step.slots["where"], pose, said), variant=variant)
+    yield said.say(
+        f"forces.{kind}",
+        body=said.body(step.slots["body"].name),
+        by=_by(step.slots["by"], said),
+        at=_at(step.slots["where"], pose, said),
+        variant=variant,
+    )
     yield from ((Math(row.items[-1]),) for row in torques)
 
 

@@ -84,8 +84,11 @@ def is_tall(steps: Sequence[Step], said: Words) -> bool:
 
 def joined(steps: Sequence[Step], said: Words) -> Display:
     """The formulas of several steps below each other, with one number."""
-    rows = tuple(row for step in steps for row in
-                 (step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)))
+    rows = tuple(
+        row
+        for step in steps
+        for row in (step.statement.rows if isinstance(step.statement, t.System) else (step.statement,))
+    )
     first, *others = (said.prefix + step.id for step in steps)
     return Display(t.System(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
 

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
 
-BITS = 320
+BITS = 256
 _ONE = 1 << BITS
 MOST_EXPONENT = 4000
 
@@ -144,14 +144,18 @@ def _short(value: Fraction) -> tuple[Fraction, Fraction]:
     return Fraction(value.numerator * _ONE // value.denominator, _ONE), Fraction(1, _ONE)
 
 
-def _series(first: Fraction, ratio: Callable[[int], Fraction], tail: Fraction) -> Enclosure:
-    """Σ terms, each the last one times ratio(k); the rest is at most `tail` × |last term|."""
-    total, term, k = Fraction(0), first, 0
-    while abs(term) * _ONE > 1:
+def _fixed(value: Fraction) -> int:
+    """A fraction in units of 2^-BITS, rounded down."""
+    return (value.numerator << BITS) // value.denominator
+
+
+def _series(first: int, following: Callable[[int, int], int], tail: int) -> Enclosure:
+    """Σ terms in units of 2^-BITS, each made of the last one; the rest is at most `tail` × |last term|."""
+    total, term, k = 0, first, 0
+    while abs(term) > 1:
         total, k = total + term, k + 1
-        term = _short(term * ratio(k))[0]
-    slack = Fraction(4 * k + 4, _ONE) * tail
-    return around(total, slack)
+        term = following(term, k)
+    return around(Fraction(total, _ONE), Fraction((4 * k + 4) * tail, _ONE))
 
 
 @lru_cache(maxsize=1)
@@ -164,11 +168,17 @@ def _small_atan(x: Fraction) -> Number:
     """atan for |x| < 1/2, by its alternating series."""
     if x == 0:
         return Fraction(0)
-    total, power, k = Fraction(0), x, 0
-    while abs(power) * _ONE > 1:
-        total += _short(power / (2 * k + 1))[0] * (-1 if k % 2 else 1)
-        power, k = _short(power * x * x)[0], k + 1
-    return around(total, Fraction(8 * k + 8, _ONE))
+    return _odd_powers(x, -1)
+
+
+def _odd_powers(x: Fraction, sign: int) -> Enclosure:
+    """Σ signᵏ x^(2k+1)/(2k+1) for |x| < 1/2: the inverse tangent, or the hyperbolic one."""
+    power, total, k = _fixed(x), 0, 0
+    square = (power * power >> BITS) * sign
+    while abs(power) > 1:
+        total += power // (2 * k + 1)
+        power, k = power * square >> BITS, k + 1
+    return around(Fraction(total, _ONE), Fraction(8 * k + 8, _ONE))
 
 
 def atan(number: Number) -> Number:
@@ -214,10 +224,11 @@ def turn_of(number: Number) -> tuple[Number, Number]:
 
 def _wave(x: Fraction, radius: Fraction) -> tuple[Number, Number]:
     """Both functions have slopes of at most 1, so the radius carries over."""
-    square = _short(x * x)[0]
-    growth = Fraction(256)  # more than exp(|x|) for |x| ≤ 5: how rounding errors may grow
-    cosine = _series(Fraction(1), lambda k: -square / ((2 * k - 1) * (2 * k)), growth)
-    sine = _series(x, lambda k: -square / ((2 * k) * (2 * k + 1)), growth)
+    unit = _fixed(x)
+    square = unit * unit >> BITS
+    growth = 256  # more than exp(|x|) for |x| ≤ 5: how rounding errors may grow
+    cosine = _series(_ONE, lambda term, k: -term * square // ((2 * k - 1) * (2 * k) << BITS), growth)
+    sine = _series(unit, lambda term, k: -term * square // ((2 * k) * (2 * k + 1) << BITS), growth)
     return _wider(cosine, radius), _wider(sine, radius)
 
 
@@ -234,8 +245,8 @@ def _exp(x: Fraction) -> Number:
     if abs(x) > MOST_EXPONENT:
         raise Outside("an exponential that is too large or too small to be enclosed")
     halvings = max(0, int(abs(x)).bit_length())
-    small = _short(x / (1 << halvings))
-    result: Number = _wider(_series(Fraction(1), lambda k: small[0] / k, Fraction(8)), 4 * small[1])
+    small = _fixed(x / (1 << halvings))
+    result: Number = _wider(_series(_ONE, lambda term, k: term * small // (k << BITS), 8), Fraction(4, _ONE))
     for _ in range(halvings):
         result = result * result
     return result
@@ -253,14 +264,11 @@ def _ln(x: Fraction) -> Number:
         return Fraction(0)
     twos = x.numerator.bit_length() - x.denominator.bit_length()
     rest = x / Fraction(2) ** twos
-    return _area(rest) + twos * _area(Fraction(2))
+    if rest > Fraction(4, 3):
+        twos, rest = twos + 1, rest / 2
+    return 2 * _odd_powers((rest - 1) / (rest + 1), 1) + twos * _ln_of_two()
 
 
-def _area(x: Fraction) -> Number:
-    """ln x = 2 artanh((x - 1)/(x + 1)) for 1/2 < x < 4."""
-    u = (x - 1) / (x + 1)
-    total, power, k = Fraction(0), u, 0
-    while abs(power) * _ONE > 1:
-        total, k = total + _short(power / (2 * k + 1))[0], k + 1
-        power = _short(power * u * u)[0]
-    return around(2 * total, Fraction(16 * k + 16, _ONE))
+@lru_cache(maxsize=1)
+def _ln_of_two() -> Enclosure:
+    return 2 * _odd_powers(Fraction(1, 3), 1)

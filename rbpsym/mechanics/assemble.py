@@ -79,6 +79,7 @@ def _check_start_speeds(system: System) -> None:
 
 def _by_preference(problem: Problem) -> tuple[str, ...]:
     """Coordinates that are best kept come first: those with a start and a start speed, angles."""
+
     def rank(c) -> tuple:
         moves = c.speed is not None and bool(scalar(c.speed))
         return (c.start is None, not moves, c.quantity.dimension.length != 0)
@@ -116,8 +117,9 @@ def _rates(free: tuple[str, ...], tied: Tied, problem: Problem) -> tuple[Scope, 
     rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in free}
-    start |= {f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates
-              if c.speed is not None and c.name in independent}
+    start |= {
+        f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent
+    }
     return Scope(rates=rates, start=start), independent
 
 
@@ -135,8 +137,9 @@ def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
     velocity = vector_rate(center, scope)
     omega = time_derivative(pose.angle, scope)
-    return BodyState(name, own, pose, center, velocity, omega,
-                     vector_rate(velocity, scope), time_derivative(omega, scope))
+    return BodyState(
+        name, own, pose, center, velocity, omega, vector_rate(velocity, scope), time_derivative(omega, scope)
+    )
 
 
 def vector_rate(vector: Vector, scope: Scope) -> Vector:
@@ -159,7 +162,10 @@ def setting_of(system: System, where) -> Setting:
         return None if abs(found) < 1e-12 else found > 0
 
     return Setting(
-        where, lambda ref: vector_rate(where(ref), system.scope), system.bodies, is_positive,
+        where,
+        lambda ref: vector_rate(where(ref), system.scope),
+        system.bodies,
+        is_positive,
         lambda value: not any(depends_on(value, name) for name in names),
     )
 
@@ -180,5 +186,14 @@ def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) ->
     images |= {f"{name}_dot": time_derivative(value, scope) for name, value in solved.items()}
     if not images:
         return force
-    return Force(force.name, force.on, force.by, force.point.substitute(images), force.vector.substitute(images),
-                 substitute(force.couple, images), force.unknowns, force.law, force.where)
+    return Force(
+        force.name,
+        force.on,
+        force.by,
+        force.point.substitute(images),
+        force.vector.substitute(images),
+        substitute(force.couple, images),
+        force.unknowns,
+        force.law,
+        force.where,
+    )

@@ -90,11 +90,24 @@ def _pair_of_forces(element: Element, geometry: Geometry, couple: Scalar, more: 
     names += more
     if second.body is None:
         first, second = second, first
-    forces = [Force(element.name, second.body, first.body or "ground", geometry.where(second), vector, couple, names,
-                    where=second.label)]
+    forces = [
+        Force(
+            element.name,
+            second.body,
+            first.body or "ground",
+            geometry.where(second),
+            vector,
+            couple,
+            names,
+            where=second.label,
+        )
+    ]
     if first.body is not None:
-        forces.append(Force(element.name, first.body, second.body, geometry.where(first), -vector, -couple, names,
-                            where=first.label))
+        forces.append(
+            Force(
+                element.name, first.body, second.body, geometry.where(first), -vector, -couple, names, where=first.label
+            )
+        )
     return tuple(forces)
 
 
@@ -143,7 +156,9 @@ def _driven_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, st
 
 def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     ref, push = element["point"], pair(element["along"]) * symbol(element.name)
-    return (Force(element.name, ref.body, "agent", geometry.where(ref), push, unknowns=(element.name,), where=ref.label),)
+    return (
+        Force(element.name, ref.body, "agent", geometry.where(ref), push, unknowns=(element.name,), where=ref.label),
+    )
 
 
 def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:
@@ -152,8 +167,18 @@ def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:
 
 def _driving_couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     name = element["body"]
-    return (Force(element.name, name, "agent", geometry.center(name), ORIGIN, symbol(element.name), (element.name,),
-                  where=f"{name}.cm"),)
+    return (
+        Force(
+            element.name,
+            name,
+            "agent",
+            geometry.center(name),
+            ORIGIN,
+            symbol(element.name),
+            (element.name,),
+            where=f"{name}.cm",
+        ),
+    )
 
 
 JOINTS: Mapping[str, Joint] = {

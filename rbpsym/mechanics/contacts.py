@@ -127,13 +127,16 @@ def _side_of_circle(element: Element, geometry: Geometry, middle: Vector) -> int
 # --- forces
 
 
-def _pair(element: Element, name: str, met: Meeting, vector: Vector, couple: Scalar, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
+def _pair(
+    element: Element, name: str, met: Meeting, vector: Vector, couple: Scalar, unknowns: tuple[str, ...]
+) -> tuple[Force, ...]:
     """The force on what touches, and the opposite one on the body of the curve."""
     ends = ((met.on, met.by, vector, couple), (met.by, met.on, -vector, -couple))
     label = touching_point(element).label if "point" in element.values else element["body"]
     return tuple(
         Force(name, on, by or "ground", met.place, push, turn, unknowns, where=label)
-        for on, by, push, turn in ends if on is not None
+        for on, by, push, turn in ends
+        if on is not None
     )
 
 

@@ -63,10 +63,14 @@ def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dic
     """(M, f, which forces of constraints are ideal). Raises StatementError if a force needs M q̈ = f to be known."""
     along = partials(system)
     resting = dict.fromkeys(system.accelerations, NOTHING)
-    mass = tuple(tuple(_mass(system, along, r, s) for s in range(len(system.speeds))) for r in range(len(system.speeds)))
+    mass = tuple(
+        tuple(_mass(system, along, r, s) for s in range(len(system.speeds))) for r in range(len(system.speeds))
+    )
     forcing, unknown = [], dict.fromkeys((f.name for f in system.forces if f.unknowns), True)
-    still = {name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
-             for name, state in system.bodies.items()}
+    still = {
+        name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
+        for name, state in system.bodies.items()
+    }
     for r in range(len(system.speeds)):
         forcing.append(short(_known(system, along, r) - _inertial(system, along, still, r)))
         for name in unknown:
@@ -128,8 +132,10 @@ def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
     if not system.has_clock:
         return dict(ideal)
     still = dict.fromkeys(system.speeds, NOTHING)
-    carried = {name: (state.velocity.substitute(still), substitute(state.omega, still))
-               for name, state in system.bodies.items()}
+    carried = {
+        name: (state.velocity.substitute(still), substitute(state.omega, still))
+        for name, state in system.bodies.items()
+    }
     return {name: fine and is_zero(_carried_power(system, carried, name)) for name, fine in ideal.items()}
 
 

@@ -72,7 +72,9 @@ def _pivot(rows: list[Row], unknowns: Sequence[str]) -> tuple[int, str] | None:
 
 
 def _size(part: Scalar) -> int:
-    return 10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0)
+    return (
+        10 * len(part.num) + sum(len(m) for m in part.num.terms) + (100 * len(part.den) if part.den is not ONE else 0)
+    )
 
 
 def _eliminated(row: Row, pivot: Row, name: str) -> Row:
@@ -134,9 +136,7 @@ def solve_matrix(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Scalar, ...]:
         raise ZeroDivisionError("the determinant vanishes identically")
     found = []
     for column in range(len(matrix)):
-        replaced = tuple(
-            row[:column] + (value,) + row[column + 1 :] for row, value in zip(matrix, right, strict=True)
-        )
+        replaced = tuple((*row[:column], value, *row[column + 1 :]) for row, value in zip(matrix, right, strict=True))
         found.append(short(determinant(replaced) / whole))
     return tuple(found)
 

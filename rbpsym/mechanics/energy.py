@@ -42,8 +42,9 @@ def kinetic_energy(system: System) -> tuple[Scalar, Scalar]:
 
 def potentials(system: System) -> dict[str, Scalar | None]:
     """Potential energy of each interaction; None for one that has none."""
-    where = locator(system.problem, {n: s.inertia for n, s in system.bodies.items()},
-                    {n: s.pose for n, s in system.bodies.items()})
+    where = locator(
+        system.problem, {n: s.inertia for n, s in system.bodies.items()}, {n: s.pose for n, s in system.bodies.items()}
+    )
     setting = setting_of(system, where)
     found = {}
     for element in system.problem.interactions:

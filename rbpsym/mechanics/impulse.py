@@ -61,7 +61,9 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
             instead="check that the constraints hold where the bodies are at that moment.",
             place=impulses[0].place if impulses else None,
         )
-    return Struck(_all_speeds(moment, solution.values), {n: v for n, v in solution.values.items() if n not in after.speeds})
+    return Struck(
+        _all_speeds(moment, solution.values), {n: v for n, v in solution.values.items() if n not in after.speeds}
+    )
 
 
 def _all_speeds(moment: _Moment, values: Values) -> dict[str, Scalar]:
@@ -97,8 +99,11 @@ def _given(moment: _Moment, impulses: tuple[Element, ...]) -> list[Force]:
     found, where = [], geometry_of(moment.after).where
     for element in impulses:
         ends = _ends(element)
-        found += [Force(element.name, ref.body, "agent", where(ref), vector, law="impulse", where=ref.label)
-                  for ref, vector in ends if ref.body is not None]
+        found += [
+            Force(element.name, ref.body, "agent", where(ref), vector, law="impulse", where=ref.label)
+            for ref, vector in ends
+            if ref.body is not None
+        ]
     return found
 
 

@@ -44,8 +44,15 @@ class Law:
 def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
     down, g = pair(element["direction"]), scalar(element["g"])
     return tuple(
-        Force(element.name, name, "earth", setting.states[name].center, down * (setting.states[name].mass * g),
-              law=element.kind, where=f"{name}.cm")
+        Force(
+            element.name,
+            name,
+            "earth",
+            setting.states[name].center,
+            down * (setting.states[name].mass * g),
+            law=element.kind,
+            where=f"{name}.cm",
+        )
         for name in element["bodies"]
     )
 
@@ -73,8 +80,17 @@ def _ends(element: Element, setting: Setting, pull: Vector) -> tuple[Force, ...]
     first, second = element["between"]
     ends = ((first, second, pull), (second, first, -pull))
     return tuple(
-        Force(element.name, ref.body, other.body or "ground", setting.where(ref), vector, law=element.kind, where=ref.label)
-        for ref, other, vector in ends if ref.body is not None
+        Force(
+            element.name,
+            ref.body,
+            other.body or "ground",
+            setting.where(ref),
+            vector,
+            law=element.kind,
+            where=ref.label,
+        )
+        for ref, other, vector in ends
+        if ref.body is not None
     )
 
 
@@ -100,8 +116,11 @@ def _spring_energy(element: Element, setting: Setting) -> Scalar:
 def _couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
     pairs = ((second, first, on_second), (first, second, -on_second))
     return tuple(
-        Force(element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm")
-        for name, other, couple in pairs if name in setting.states
+        Force(
+            element.name, name, other, setting.states[name].center, ORIGIN, couple, law=element.kind, where=f"{name}.cm"
+        )
+        for name, other, couple in pairs
+        if name in setting.states
     )
 
 
@@ -141,8 +160,17 @@ def _applied(element: Element, setting: Setting) -> Vector:
 
 def _applied_force(element: Element, setting: Setting) -> tuple[Force, ...]:
     ref = element["on"]
-    return (Force(element.name, ref.body, "agent", setting.where(ref), _applied(element, setting),
-                  law=element.kind, where=ref.label),)
+    return (
+        Force(
+            element.name,
+            ref.body,
+            "agent",
+            setting.where(ref),
+            _applied(element, setting),
+            law=element.kind,
+            where=ref.label,
+        ),
+    )
 
 
 def _applied_energy(element: Element, setting: Setting) -> Scalar | None:
@@ -173,9 +201,7 @@ def _no_potential(element: Element, setting: Setting) -> None:
 LAWS: Mapping[str, Law] = {
     "gravity": Law(_weights, _height_energy),
     "spring": Law(_spring, _spring_energy),
-    "torsion-spring": Law(
-        _torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF
-    ),
+    "torsion-spring": Law(_torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF),
     "damper": Law(_damper, _no_potential),
     "rotary-damper": Law(_rotary_damper, _no_potential),
     "force": Law(_applied_force, _applied_energy),

@@ -37,8 +37,14 @@ def _poly(poly: Poly, numbers: Numbers) -> float:
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    "cos": math.cos, "sin": math.sin, "root": math.sqrt, "exp": math.exp, "ln": math.log,
-    "atan": math.atan, "asin": math.asin, "acos": math.acos,
+    "cos": math.cos,
+    "sin": math.sin,
+    "root": math.sqrt,
+    "exp": math.exp,
+    "ln": math.log,
+    "atan": math.atan,
+    "asin": math.asin,
+    "acos": math.acos,
 }
 
 

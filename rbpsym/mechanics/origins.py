@@ -12,8 +12,9 @@ from rbpsym.mechanics.system import System
 def origins(system: System) -> dict[str, Vector]:
     """Name → position: O, the places of pivots that are elsewhere, the author's origins."""
     found: dict[str, Vector] = {"O": ORIGIN}
-    where = locator(system.problem, {n: s.inertia for n, s in system.bodies.items()},
-                    {n: s.pose for n, s in system.bodies.items()})
+    where = locator(
+        system.problem, {n: s.inertia for n, s in system.bodies.items()}, {n: s.pose for n, s in system.bodies.items()}
+    )
     for element in system.problem.constraints:
         if element.kind == "pivot":
             place = where(element["point"])

@@ -86,7 +86,11 @@ def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assum
     stiffness = tuple(tuple(short(substitute(-derivative(force, n), at)) for n in names) for force in forces)
     inertia = tuple(tuple(short(substitute(entry, at)) for entry in row) for row in dynamics.mass_matrix)
     return Equilibrium(
-        at, _stability(stiffness, names, forces, at, assumptions), _frequencies(stiffness, inertia, assumptions), stiffness, inertia
+        at,
+        _stability(stiffness, names, forces, at, assumptions),
+        _frequencies(stiffness, inertia, assumptions),
+        stiffness,
+        inertia,
     )
 
 
@@ -97,7 +101,9 @@ def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -
     diagonal = [sign(matrix[k][k], assumptions).kind for k in range(len(kept))]
     if "negative" in diagonal:
         return False
-    minors = [sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).kind for k in range(1, len(kept) + 1)]
+    minors = [
+        sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).kind for k in range(1, len(kept) + 1)
+    ]
     if all(s == "positive" for s in minors):
         return True
     return False if minors[-1] == "negative" else None
@@ -142,5 +148,3 @@ def _roots_of(factor: Scalar, assumptions: Assumptions) -> list[Scalar]:
     a, b = curvature / 2, substitute(slope, {LAMBDA: NOTHING})
     spread = simplified_root(short(b * b - 4 * a * c), lambda name: assumptions.sign_of(name) == "positive")
     return [(-b - spread) / (2 * a), (-b + spread) / (2 * a)]
-
-

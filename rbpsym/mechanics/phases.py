@@ -124,7 +124,8 @@ def _no_slip(study: Study, phase: Phase) -> State:
     if element.values.get("coefficient") is None:
         raise StatementError(
             f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, but it has no kinetic friction",
-            instead='give it a coefficient = "mu".', place=element.place,
+            instead='give it a coefficient = "mu".',
+            place=element.place,
         )
     slip = _on(study, slip_speed(geometry_of(study.system), meeting(element, geometry_of(study.system))))
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
@@ -133,7 +134,8 @@ def _no_slip(study: Study, phase: Phase) -> State:
     if is_zero(gain) or _sign(study, -(first / gain)) < 0:
         raise StatementError(
             f"the phase “{phase.name}” is never reached: “{phase.subject}” does not stop slipping",
-            instead="check the start speeds and the sense of the slip.", place=element.place,
+            instead="check the start speeds and the sense of the slip.",
+            place=element.place,
         )
     return _after(study, phase, start, short(-(first / gain)))
 
@@ -195,4 +197,3 @@ def _lost(study: Study, phase: Phase) -> State:
 
 
 EVENTS = {"at once": _at_once, "no slip": _no_slip, "lost": _lost}
-

@@ -22,7 +22,7 @@ def numerator_factors(value: Scalar) -> list[Poly]:
         return []
     low = tuple((i, min(0, *(dict(m).get(i, 0) for m in poly.terms))) for i in poly.atoms())
     cleared = poly.scaled(1, inverse(tuple(item for item in sorted(low) if item[1])))
-    content, powers = cleared.content()
+    _, powers = cleared.content()
     rest = cleared.scaled(1, inverse(powers))
     if _is_irreducible(rest):
         return [generator(index) for index, _ in powers] + ([rest] if len(rest) > 1 else [])
@@ -59,8 +59,11 @@ def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
 
 def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
     """Zeros of a cos A + b sin A + d with A = rate × coordinate + phase."""
-    angles = {atoms.atom(i).arg for i in factor.num.atoms()
-              if atoms.atom(i).kind in ("cos", "sin") and depends_on(Scalar(atoms.atom(i).arg), name)}
+    angles = {
+        atoms.atom(i).arg
+        for i in factor.num.atoms()
+        if atoms.atom(i).kind in ("cos", "sin") and depends_on(Scalar(atoms.atom(i).arg), name)
+    }
     if len(angles) != 1:
         return _other_forms(factor, name, angles)
     [angle] = angles

@@ -67,10 +67,12 @@ class Study:
         signs = {q.name: q.sign for q in self.problem.parameters}
         ranges = {
             c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
-            for c in self.problem.coordinates if (c.lower, c.upper) != (None, None)
+            for c in self.problem.coordinates
+            if (c.lower, c.upper) != (None, None)
         }
         ranges |= {
-            c.start.name: ranges[c.name] for c in self.problem.coordinates
+            c.start.name: ranges[c.name]
+            for c in self.problem.coordinates
             if c.name in ranges and getattr(c.start, "name", None) in self.problem.implicit
         }
         return Assumptions(signs, ranges)
@@ -150,12 +152,14 @@ class Study:
         return substitute(value, self.dynamics.accelerations or {})
 
 
-RANKS = ((lambda d: d.mass and not d.length and not d.time, 1), (lambda d: d == ACCELERATION, 3),
-         (lambda d: d.mass, 2), (lambda d: d.length and not d.time, 4))
+RANKS = (
+    (lambda d: d.mass and not d.length and not d.time, 1),
+    (lambda d: d == ACCELERATION, 3),
+    (lambda d: d.mass, 2),
+    (lambda d: d.length and not d.time, 4),
+)
 
 
 def _rank(quantity: Quantity) -> tuple:
     rank = next((rank for test, rank in RANKS if test(quantity.dimension)), 5)
     return (rank,)
-
-

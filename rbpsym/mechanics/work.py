@@ -61,7 +61,8 @@ def _work(system: System, forces: list[Force], reactions, squares) -> ForceWork:
     push = sum((force.vector for force in forces), Vector({}))
     turn = sum((torque_about_center(force, state) for force in forces), NOTHING)
     return ForceWork(
-        forces[0].name, forces[0].on,
+        forces[0].name,
+        forces[0].on,
         _half(system, lambda q: push.dot(_center_partial(state, q, system)), reactions, squares),
         _half(system, lambda q: turn * _angle_partial(state, q, system), reactions, squares),
     )
@@ -115,5 +116,3 @@ def power(system: System, item: ForceWork) -> Scalar:
         for name, part in half.parts.items():
             total = total + part * system.scope.rates[name]
     return total
-
-

@@ -54,9 +54,15 @@ def _kinetic(draft: Draft) -> None:
     letter = draft.define(draft.free("K"), total)
     together = draft.show(total)
     items = [letter, t.add(*terms), t.add(*shown)] + ([together] if together != t.add(*shown) else [])
-    draft.add("kinetic", "kinetic_energy", t.equation(*items), "energy.kinetic", count=len(terms),
-              premises=[f"speed.{n}" for n in bodies] + [f"moment.{n}" for n in bodies],
-              data={"bodies": tuple(bodies), "value": total})
+    draft.add(
+        "kinetic",
+        "kinetic_energy",
+        t.equation(*items),
+        "energy.kinetic",
+        count=len(terms),
+        premises=[f"speed.{n}" for n in bodies] + [f"moment.{n}" for n in bodies],
+        data={"bodies": tuple(bodies), "value": total},
+    )
 
 
 def _potentials(draft: Draft) -> None:
@@ -67,9 +73,15 @@ def _potentials(draft: Draft) -> None:
         letter = draft.define(draft.free(f"U_{name}"), value)
         element = draft.study.system.element(name)
         forces = [f for f in draft.study.system.forces if f.name == name]
-        draft.add(f"potential.{name}", "potential", t.equation(letter, draft.show(value, factor=True)),
-                  f"energy.potential.{element.kind}", premises=[f"force.{f.name}.{f.on}" for f in forces],
-                  data={"forces": forces, "value": value}, force=t.Vec(name))
+        draft.add(
+            f"potential.{name}",
+            "potential",
+            t.equation(letter, draft.show(value, factor=True)),
+            f"energy.potential.{element.kind}",
+            premises=[f"force.{f.name}.{f.on}" for f in forces],
+            data={"forces": forces, "value": value},
+            force=t.Vec(name),
+        )
 
 
 def _splits(draft: Draft) -> None:
@@ -80,16 +92,28 @@ def _splits(draft: Draft) -> None:
         items = [i for i in draft.study.works if i.force == name and i.translational.parts and i.rotational.parts]
         if value is None or not items or name not in {i.force for i in draft.study.works}:
             continue
-        works = [t.Sym(name_of(draft, i, half)) for i in draft.study.works if i.force == name
-                 for half, word in (("T", "translational"), ("theta", "rotational")) if getattr(i, word).parts]
+        works = [
+            t.Sym(name_of(draft, i, half))
+            for i in draft.study.works
+            if i.force == name
+            for half, word in (("T", "translational"), ("theta", "rotational"))
+            if getattr(i, word).parts
+        ]
         change = t.neg(t.Delta(t.Sym(draft.free(f"U_{name}"))))
         equal = len(works) == 2 and items[0].translational.parts == items[0].rotational.parts
         if equal:
             statement = t.equation(*works, t.neg(t.mul(t.Div(t.ONE, t.TWO), change.arg)))
         else:
             statement = t.equation(t.add(*works), change)
-        draft.add(f"split.{name}", "work", statement, "energy.halves" if equal else "energy.split", force=t.Vec(name),
-                  premises=[f"potential.{name}", *(f"work.{i.force}.{i.on}" for i in items)], is_result=equal)
+        draft.add(
+            f"split.{name}",
+            "work",
+            statement,
+            "energy.halves" if equal else "energy.split",
+            force=t.Vec(name),
+            premises=[f"potential.{name}", *(f"work.{i.force}.{i.on}" for i in items)],
+            is_result=equal,
+        )
 
 
 def _conserved(draft: Draft) -> None:
@@ -99,19 +123,34 @@ def _conserved(draft: Draft) -> None:
     value = draft.study.first_integral
     shown = _as_sum(draft)
     letter = draft.define(draft.free("E"), value)
-    items = [letter, t.add(*letters), shown] if draft.study.potential is not None and not draft.study.system.has_clock else [letter, draft.show(value)]
+    items = (
+        [letter, t.add(*letters), shown]
+        if draft.study.potential is not None and not draft.study.system.has_clock
+        else [letter, draft.show(value)]
+    )
     phrase = "energy.relative" if draft.study.system.has_clock else "energy.conserved"
-    draft.add("energy", "conservation", t.equation(*items), phrase, is_result=True,
-              premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
-              data={"value": value}, ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
-              variant={0: "none", 1: "one"}.get(len(draft.study.problem.constraints), "many"))
+    draft.add(
+        "energy",
+        "conservation",
+        t.equation(*items),
+        phrase,
+        is_result=True,
+        premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
+        data={"value": value},
+        ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
+        variant={0: "none", 1: "one"}.get(len(draft.study.problem.constraints), "many"),
+    )
 
 
 def _as_sum(draft: Draft) -> t.Node:
     """T + U with each part in its own form."""
     total = [draft.show(sum(draft.study.kinetic, NOTHING))]
     known = [v for v in energy.potentials(draft.study.system).values() if v]
-    total += [draft.show(sum(known, NOTHING), factor=True)] if len(known) == 1 else [draft.show(v, factor=True) for v in known]
+    total += (
+        [draft.show(sum(known, NOTHING), factor=True)]
+        if len(known) == 1
+        else [draft.show(v, factor=True) for v in known]
+    )
     return t.add(*total)
 
 
@@ -120,8 +159,17 @@ def _speeds(draft: Draft) -> None:
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)
         statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), _from_start(draft, name, value))
-        draft.add(f"square.{name}", "first_integral", statement, "energy.square", premises=["energy"], is_result=True,
-                  data={"name": name, "value": value}, source=StepRef("energy"), coordinate=t.Sym(name))
+        draft.add(
+            f"square.{name}",
+            "first_integral",
+            statement,
+            "energy.square",
+            premises=["energy"],
+            is_result=True,
+            data={"name": name, "value": value},
+            source=StepRef("energy"),
+            coordinate=t.Sym(name),
+        )
 
 
 def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
@@ -155,11 +203,27 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
     inside = t.add(draft.show(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
     statement = t.equation(t.Deriv(t.Sym(draft.free("E"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
-    draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"),
-              speed=speed, obligations=(t.relation(speed, "!=", t.ZERO),))
+    draft.add(
+        "energy.rate",
+        "balance",
+        statement,
+        "energy.rate",
+        premises=["energy"],
+        source=StepRef("energy"),
+        speed=speed,
+        obligations=(t.relation(speed, "!=", t.ZERO),),
+    )
     value = short(-(rest / slope))
     shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
-    draft.add("motion.from_energy", "solution", t.equation(acceleration, shown), "energy.motion",
-              premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"), speed=speed,
-              data={"rows": [inner], "values": {f"{name}_ddot": value}})
+    draft.add(
+        "motion.from_energy",
+        "solution",
+        t.equation(acceleration, shown),
+        "energy.motion",
+        premises=["energy.rate"],
+        source=StepRef("energy.rate"),
+        known=StepRef(f"motion.{name}"),
+        speed=speed,
+        data={"rows": [inner], "values": {f"{name}_ddot": value}},
+    )
     return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

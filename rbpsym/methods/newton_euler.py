@@ -42,8 +42,15 @@ def _equations(draft: Draft, name: str):
     if not rows:
         return None
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    return draft.add(f"free_body.{name}", "balance", statement, "newton_euler.body", body=BodyRef(name),
-                     forces=[force_node(draft, f) for f in forces], premises=[f"force.{f.name}.{f.on}" for f in forces])
+    return draft.add(
+        f"free_body.{name}",
+        "balance",
+        statement,
+        "newton_euler.body",
+        body=BodyRef(name),
+        forces=[force_node(draft, f) for f in forces],
+        premises=[f"force.{f.name}.{f.on}" for f in forces],
+    )
 
 
 def _reactions(draft: Draft, steps: list) -> None:
@@ -53,9 +60,17 @@ def _reactions(draft: Draft, steps: list) -> None:
         return
     premises = [step.id for step in steps] + [f"motion.{name}" for name in draft.study.system.independent]
     for name, value in values.items():
-        draft.add(f"reaction.{name}", "solution", t.equation(t.Sym(name), draft.show(value)),
-                  "newton_euler.reaction", premises=premises, force=t.Sym(name), level=FULL if draft.study.squares else 2,
-                  data={"rows": draft.study.newton_euler_rows, "values": _values(draft)}, sources=[StepRef(s.id) for s in steps])
+        draft.add(
+            f"reaction.{name}",
+            "solution",
+            t.equation(t.Sym(name), draft.show(value)),
+            "newton_euler.reaction",
+            premises=premises,
+            force=t.Sym(name),
+            level=FULL if draft.study.squares else 2,
+            data={"rows": draft.study.newton_euler_rows, "values": _values(draft)},
+            sources=[StepRef(s.id) for s in steps],
+        )
 
 
 def _values(draft: Draft) -> dict[str, Scalar]:

@@ -38,8 +38,15 @@ def _projected(draft: Draft) -> None:
     dynamics, system = draft.study.dynamics, draft.study.system
     for name, row, force in zip(system.independent, dynamics.mass_matrix, dynamics.forcing, strict=True):
         left = sum((m * symbol(a) for m, a in zip(row, system.accelerations, strict=True)), NOTHING)
-        draft.add(f"motion.{name}", "balance", t.equation(draft.show(left), draft.show(force)), "torque.projected",
-                  coordinate=t.Sym(name), is_result=True, data={"row": left - force})
+        draft.add(
+            f"motion.{name}",
+            "balance",
+            t.equation(draft.show(left), draft.show(force)),
+            "torque.projected",
+            coordinate=t.Sym(name),
+            is_result=True,
+            data={"row": left - force},
+        )
 
 
 def _balance(draft: Draft, balance: Balance) -> Step:
@@ -78,9 +85,15 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     items = [t.Vec(name), _along_k(shown)] + ([_along_k(together)] if shorter and len(parts) > 1 else [])
     silent = [f for f, part in zip(forces, parts, strict=True) if not part and f.unknowns]
     return draft.add(
-        f"torque.{balance.kind}.{'.'.join(balance.bodies)}", "torque", t.equation(*items),
-        f"torque.net.{balance.kind}", premises=[f"force.{f.name}.{f.on}" for f in forces],
-        point=_point(draft, balance), bodies=_bodies(balance), silent=_silent(silent), place=draft.show_vector(balance.where),
+        f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
+        "torque",
+        t.equation(*items),
+        f"torque.net.{balance.kind}",
+        premises=[f"force.{f.name}.{f.on}" for f in forces],
+        point=_point(draft, balance),
+        bodies=_bodies(balance),
+        silent=_silent(silent),
+        place=draft.show_vector(balance.where),
         variant="some" if balance.right else "zero",
         data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
     )
@@ -105,10 +118,19 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     """Rate of change of angular momentum = net torque."""
     premises = [net.id, *(f"momentum.{b}.{balance.label}" for b in balance.bodies), f"momentum.total.{balance.label}"]
     statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
-    return draft.add(f"balance.{'.'.join(balance.bodies)}", "balance", statement, f"torque.balance.{balance.kind}",
-                     premises=premises, point=_point(draft, balance), bodies=_bodies(balance), net=StepRef(net.id), momenta=_momenta(draft, balance),
-                     variant="some" if balance.right else "zero",
-                     data={"row": balance.row})
+    return draft.add(
+        f"balance.{'.'.join(balance.bodies)}",
+        "balance",
+        statement,
+        f"torque.balance.{balance.kind}",
+        premises=premises,
+        point=_point(draft, balance),
+        bodies=_bodies(balance),
+        net=StepRef(net.id),
+        momenta=_momenta(draft, balance),
+        variant="some" if balance.right else "zero",
+        data={"row": balance.row},
+    )
 
 
 def _momenta(draft: Draft, balance: Balance) -> list[StepRef]:
@@ -137,8 +159,14 @@ def _by_bodies(draft: Draft, balance: Balance) -> Step:
     statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
     names = [t.Sym(n) for n in _inner_names(draft, balance)]
     return draft.add(
-        f"balance.{'.'.join(balance.bodies)}", "combination", statement, "torque.added", premises=[s.id for s in steps],
-        equations=[StepRef(s.id) for s in steps], torques=names, count=len(names),
+        f"balance.{'.'.join(balance.bodies)}",
+        "combination",
+        statement,
+        "torque.added",
+        premises=[s.id for s in steps],
+        equations=[StepRef(s.id) for s in steps],
+        torques=names,
+        count=len(names),
         data={"terms": [(1, step) for step in steps], "row": balance.row},
     )
 
@@ -155,7 +183,9 @@ def _inner_names(draft: Draft, balance: Balance) -> list[str]:
 def _name_inner_torques(draft: Draft, balance: Balance) -> None:
     for force in _inner(draft, balance):
         if not is_reaction(draft, force):
-            draft.define(draft.free(f"tau_{force.name}"), short((force.point - balance.where).cross(force.vector) + force.couple))
+            draft.define(
+                draft.free(f"tau_{force.name}"), short((force.point - balance.where).cross(force.vector) + force.couple)
+            )
 
 
 def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
@@ -171,17 +201,31 @@ def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
     right = t.add(*([draft.show(short(known))] if known else []), *inner)
     momentum = t.Vec(momentum_name(draft, name, balance.label))
     return draft.add(
-        f"balance.{name}", "balance", t.equation(draft.show(left), right), "torque.one_of_several",
-        premises=[f"momentum.{name}.{balance.label}"], body=BodyRef(name), point=_point(draft, balance), momentum=momentum,
-        forces=[t.Vec(f.name) for f in draft.study.system.on(name) if f.by in balance.bodies], tags=tag(draft, draft.study.system.on(name)[0]),
+        f"balance.{name}",
+        "balance",
+        t.equation(draft.show(left), right),
+        "torque.one_of_several",
+        premises=[f"momentum.{name}.{balance.label}"],
+        body=BodyRef(name),
+        point=_point(draft, balance),
+        momentum=momentum,
+        forces=[t.Vec(f.name) for f in draft.study.system.on(name) if f.by in balance.bodies],
+        tags=tag(draft, draft.study.system.on(name)[0]),
     )
 
 
 def _push(draft: Draft, balance: Balance) -> Step:
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(balance.label, draft.show_vector(balance.where))
     statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
-    return draft.add(f"push.{balance.label}.{'.'.join(balance.bodies)}", "balance", statement, "torque.push",
-                     bodies=_bodies(balance), axis=axis, data={"row": balance.row})
+    return draft.add(
+        f"push.{balance.label}.{'.'.join(balance.bodies)}",
+        "balance",
+        statement,
+        "torque.push",
+        bodies=_bodies(balance),
+        axis=axis,
+        data={"row": balance.row},
+    )
 
 
 def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
@@ -193,11 +237,19 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
         shown, premises = _shown(draft, found, steps, name, value, source)
         coordinate = name.removesuffix("_ddot")
         rows, known = [b.row for b in found.balances], {n: solution.values[n] for n in found.unknowns}
-        draft.add(f"motion.{coordinate}", "solution", t.equation(acceleration_symbol(coordinate), shown),
-                  "torque.solved" if value else "torque.solved_zero", premises=premises, is_result=True,
-                  sources=[StepRef(p) for p in premises], count=len(premises), coordinate=t.Sym(coordinate),
-                  acceleration=acceleration_symbol(coordinate),
-                  data={"rows": rows, "values": known})
+        draft.add(
+            f"motion.{coordinate}",
+            "solution",
+            t.equation(acceleration_symbol(coordinate), shown),
+            "torque.solved" if value else "torque.solved_zero",
+            premises=premises,
+            is_result=True,
+            sources=[StepRef(p) for p in premises],
+            count=len(premises),
+            coordinate=t.Sym(coordinate),
+            acceleration=acceleration_symbol(coordinate),
+            data={"rows": rows, "values": known},
+        )
     return values
 
 
@@ -207,10 +259,12 @@ def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scala
         balance = found.balances[steps.index(source)]
         return isolated(draft, balance.left, balance.right, name), [source.id]
     zeros = {n: NOTHING for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
-    for step, balance in zip(steps, found.balances, strict=True):
+    for balance in found.balances:
         if balance.unknowns - set(zeros) == {name}:
             left, right = substitute(balance.left, zeros), substitute(balance.right, zeros)
-            used = [s.id for s, b in zip(steps, found.balances, strict=True) if b is balance or b.unknowns <= set(zeros)]
+            used = [
+                s.id for s, b in zip(steps, found.balances, strict=True) if b is balance or b.unknowns <= set(zeros)
+            ]
             return isolated(draft, left, right, name), used
     return draft.show(value), [s.id for s in steps]
 

@@ -71,9 +71,15 @@ def _integrals(draft: Draft, item: ForceWork) -> None:
         return
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     silent = not item.translational.parts and not item.rotational.parts
-    draft.add(f"work.{item.force}.{item.on}", "work", statement, "work.none" if silent else "work.integrals",
-              premises=[f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"],
-              body=BodyRef(item.on), force=force_node(draft, _forces(draft, item)[0]))
+    draft.add(
+        f"work.{item.force}.{item.on}",
+        "work",
+        statement,
+        "work.none" if silent else "work.integrals",
+        premises=[f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"],
+        body=BodyRef(item.on),
+        force=force_node(draft, _forces(draft, item)[0]),
+    )
 
 
 def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
@@ -116,12 +122,20 @@ def _cancelling(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     """Constraint by constraint: the sum of all works vanishes although the single ones don't."""
     for name in dict.fromkeys(item.force for item in works):
         items = [item for item in works if item.force == name]
-        terms = [t.Sym(name_of(draft, item, half)) for item in items for half, word in HALVES
-                 if getattr(item, word).parts]
+        terms = [
+            t.Sym(name_of(draft, item, half)) for item in items for half, word in HALVES if getattr(item, word).parts
+        ]
         if terms and draft.study.dynamics.workless.get(name):
-            draft.add(f"workless.{name}", "workless", t.equation(t.add(*terms), t.ZERO), "work.cancels",
-                      premises=[f"work.{i.force}.{i.on}" for i in items], force=t.Vec(name),
-                      works=terms, count=len(terms))
+            draft.add(
+                f"workless.{name}",
+                "workless",
+                t.equation(t.add(*terms), t.ZERO),
+                "work.cancels",
+                premises=[f"work.{i.force}.{i.on}" for i in items],
+                force=t.Vec(name),
+                works=terms,
+                count=len(terms),
+            )
 
 
 def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
@@ -135,8 +149,15 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
                 continue
             change = t.Delta(t.Group(kinetic))
             statement = t.equation(t.add(*terms), change) if terms else t.equation(change, t.ZERO)
-            draft.add(f"theorem.{half}.{name}", "work_energy", statement, f"work.theorem.{word}", body=BodyRef(name),
-                      premises=[f"work.{i.force}.{i.on}" for i in own], count=len(terms))
+            draft.add(
+                f"theorem.{half}.{name}",
+                "work_energy",
+                statement,
+                f"work.theorem.{word}",
+                body=BodyRef(name),
+                premises=[f"work.{i.force}.{i.on}" for i in own],
+                count=len(terms),
+            )
     _whole(draft, works)
 
 
@@ -150,8 +171,10 @@ def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:
     mass = draft.show(draft.study.system.bodies[name].mass)
     velocity, omega = t.Vec(draft.of_body("V", name)), t.Sym(draft.of_body("omega", name))
     moment = t.Sym(draft.of_body("I", name))
-    return (t.mul(t.Div(t.ONE, t.TWO), mass, t.Pow(velocity, t.TWO)),
-            t.mul(t.Div(t.ONE, t.TWO), moment, t.Pow(omega, t.TWO)))
+    return (
+        t.mul(t.Div(t.ONE, t.TWO), mass, t.Pow(velocity, t.TWO)),
+        t.mul(t.Div(t.ONE, t.TWO), moment, t.Pow(omega, t.TWO)),
+    )
 
 
 def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
@@ -160,9 +183,14 @@ def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     terms = [t.Sym(name_of(draft, i, half)) for i in left for half, word in HALVES if getattr(i, word).parts]
     total = sum(draft.study.kinetic, NOTHING)
     statement = t.equation(t.add(*terms), t.Delta(t.Group(draft.show(total))))
-    draft.add("theorem.whole", "work_energy", statement, "work.theorem.whole",
-              premises=[s.id for s in draft.steps if s.id.startswith(("theorem.", "workless."))],
-              count=len(terms))
+    draft.add(
+        "theorem.whole",
+        "work_energy",
+        statement,
+        "work.theorem.whole",
+        premises=[s.id for s in draft.steps if s.id.startswith(("theorem.", "workless."))],
+        count=len(terms),
+    )
 
 
 def _done(draft: Draft, item: ForceWork) -> None:
@@ -173,9 +201,17 @@ def _done(draft: Draft, item: ForceWork) -> None:
             continue
         letter = t.Sym(name_of(draft, item, half))
         items = [letter, draft.show(work.value, factor=True)]
-        draft.add(f"done.{half}.{item.force}.{item.on}", "work_done", t.equation(*items), "work.done",
-                  premises=[f"work.{item.force}.{item.on}"], body=BodyRef(item.on),
-                  force=force_node(draft, _forces(draft, item)[0]), half=word, level=2)
+        draft.add(
+            f"done.{half}.{item.force}.{item.on}",
+            "work_done",
+            t.equation(*items),
+            "work.done",
+            premises=[f"work.{item.force}.{item.on}"],
+            body=BodyRef(item.on),
+            force=force_node(draft, _forces(draft, item)[0]),
+            half=word,
+            level=2,
+        )
 
 
 def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -194,8 +230,16 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     rest = substitute(row, {f"{name}_ddot": NOTHING})
     value = short(-(rest / slope))
     shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
-    draft.add("motion.from_work", "solution", t.equation(t.Sym(f"{name}_ddot"), shown), "work.motion",
-              premises=["theorem.whole"], source=StepRef("theorem.whole"), speed=t.Sym(f"{name}_dot"), level=FULL,
-              obligations=(t.relation(t.Sym(f"{name}_dot"), "!=", t.ZERO),),
-              data={"rows": [row], "values": {f"{name}_ddot": value}})
+    draft.add(
+        "motion.from_work",
+        "solution",
+        t.equation(t.Sym(f"{name}_ddot"), shown),
+        "work.motion",
+        premises=["theorem.whole"],
+        source=StepRef("theorem.whole"),
+        speed=t.Sym(f"{name}_dot"),
+        level=FULL,
+        obligations=(t.relation(t.Sym(f"{name}_dot"), "!=", t.ZERO),),
+        data={"rows": [row], "values": {f"{name}_ddot": value}},
+    )
     return {f"{name}_ddot": value}

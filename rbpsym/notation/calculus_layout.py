@@ -19,10 +19,12 @@ def _deriv(node: t.Deriv, style: Style) -> b.Box:
     if isinstance(node.of, (t.Sym, t.Vec)):
         return _over(b.Row((top, draw(node.of, style))), bottom, style)
     body = draw(node.of, style)
-    return b.Row((
-        _over(top, bottom, style),
-        body if isinstance(node.of, t.Group) else fenced(body),
-    ))
+    return b.Row(
+        (
+            _over(top, bottom, style),
+            body if isinstance(node.of, t.Group) else fenced(body),
+        )
+    )
 
 
 def _over(num: b.Box, den: b.Box, style: Style) -> b.Box:

@@ -50,9 +50,7 @@ def applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
     if isinstance(node, t.Pow):
         head = b.Script(head, None, draw(node.exponent, style))
     arg = draw(call.arg, style)
-    bare = isinstance(call.arg, t.Group) or (
-        not closed and call.name != "exp" and _is_simple_argument(call.arg, style)
-    )
+    bare = isinstance(call.arg, t.Group) or (not closed and call.name != "exp" and _is_simple_argument(call.arg, style))
     return b.Applied(head, arg if bare else fenced(arg))
 
 

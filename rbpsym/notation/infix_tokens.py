@@ -97,9 +97,7 @@ def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
     return _with_tail(source, (word,), start, end, spaced)
 
 
-def _with_tail(
-    source: Source, names: tuple[str, ...], start: int, end: int, spaced: bool
-) -> Token:
+def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spaced: bool) -> Token:
     """A name with the dots and subscripts typed after it: θ̈₁ is theta_1_ddot."""
     dots = ""
     while end < len(source.text) and source.text[end] in _DOTS:
@@ -109,7 +107,7 @@ def _with_tail(
     written = tail[0] if tail else ""
     small = re.match(r"[^_]*", written)[0]
     label = "_" + small.translate(_SUBSCRIPTS) if small else ""
-    suffix = label + written[len(small):] + dots.replace("_dot_dot", "_ddot")
+    suffix = label + written[len(small) :] + dots.replace("_dot_dot", "_ddot")
     end = tail.end() if tail else end
     text = source.text[start:end]
     return Token("name", text, start, end, names=tuple(n + suffix for n in names), spaced=spaced)

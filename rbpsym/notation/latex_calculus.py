@@ -203,9 +203,7 @@ def _mass(reader: Reader) -> t.Node:
     return t.Sym("m", span=(token.start, token.end))
 
 
-def _integrated(
-    reader: Reader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits
-) -> t.Node:
+def _integrated(reader: Reader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
     lower, upper = limits
     product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]

@@ -202,9 +202,7 @@ def _changed(reader: Reader) -> t.Node:
     raise reader.error("a symbol or a parenthesis is expected after Δ")
 
 
-def _known(
-    reader: Reader, drawn: Drawn, vector: bool, word: Token | None, first: int
-) -> t.Node:
+def _known(reader: Reader, drawn: Drawn, vector: bool, word: Token | None, first: int) -> t.Node:
     names = reader.table.names.get(drawn, ())
     if len(names) == 1:
         return (t.Vec if vector else t.Sym)(names[0])

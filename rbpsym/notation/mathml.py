@@ -21,9 +21,7 @@ _ACCENTS = {
 _SIGNS = {"·": "⋅"}
 
 
-def to_mathml(
-    node: Node, notation: Notation = DEFAULT, *, aligned: bool = False, display: bool = False
-) -> str:
+def to_mathml(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False, display: bool = False) -> str:
     """A `<math>` element; `aligned` breaks a chain into rows, `display` sets it on its own line."""
     rows = aligned or isinstance(node, System)
     body = render(layout_rows(node, notation) if rows else layout(node, notation))

@@ -20,10 +20,7 @@ def aligned(node: t.Node, style: Style) -> b.Rows:
     if not isinstance(node, t.Chain) or not node.ops:
         return b.Rows(((b.Row(()), draw(node, style)),))
     lefts = (draw(node.items[0], style), *(b.Row(()) for _ in node.ops[1:]))
-    rights = (
-        b.Row((_relation(op), draw(item, style)))
-        for op, item in zip(node.ops, node.items[1:], strict=True)
-    )
+    rights = (b.Row((_relation(op), draw(item, style))) for op, item in zip(node.ops, node.items[1:], strict=True))
     return b.Rows(tuple(zip(lefts, rights, strict=True)))
 
 

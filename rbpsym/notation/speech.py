@@ -54,9 +54,7 @@ class Voice:
         return self.words[key].format(*parts)
 
 
-def to_speech(
-    node: t.Node, notation: Notation = DEFAULT, *, words: Mapping[str, str] = WORDS
-) -> str:
+def to_speech(node: t.Node, notation: Notation = DEFAULT, *, words: Mapping[str, str] = WORDS) -> str:
     """The formula in words."""
     return spoken(node, Voice(notation, words))
 
@@ -181,9 +179,7 @@ def _body_integral(node: t.BodyIntegral, voice: Voice) -> str:
 
 def _path_integral(node: t.PathIntegral, voice: Voice) -> str:
     sign = {"dot": "dot", "cross": "cross"}.get(node.product, "times")
-    return voice.say(
-        "path", _closed(node.integrand, voice), voice.say(sign), spoken(node.path, voice)
-    )
+    return voice.say("path", _closed(node.integrand, voice), voice.say(sign), spoken(node.path, voice))
 
 
 def _sum(node: t.Sum, voice: Voice) -> str:

@@ -75,9 +75,7 @@ def symbol_table(
     return SymbolTable(MappingProxyType(found), MappingProxyType(spelled))
 
 
-def _enter(
-    found: dict[Drawn, tuple[str, ...]], drawn: Drawn, name: str, aliases: Mapping[str, str]
-) -> None:
+def _enter(found: dict[Drawn, tuple[str, ...]], drawn: Drawn, name: str, aliases: Mapping[str, str]) -> None:
     """Enter a name; the own print of a name that has an alias gives way to others."""
     others = found.get(drawn, ())
     if name in others or (others and name in aliases and drawn != drawn_glyph(glyph(aliases[name]))):

@@ -127,9 +127,7 @@ def _rows(box: b.Rows) -> str:
     lefts = [render(left) for left, _ in box.rows]
     width = max((len(left) for left in lefts), default=0)
     rights = (render(right).lstrip() for _, right in box.rows)
-    return "\n".join(
-        f"{left:>{width}} {right}".rstrip() for left, right in zip(lefts, rights, strict=True)
-    )
+    return "\n".join(f"{left:>{width}} {right}".rstrip() for left, right in zip(lefts, rights, strict=True))
 
 
 TABLE: dict[type, Callable[..., str]] = {

@@ -15,8 +15,8 @@ from rbpsym.statement.finish import finish
 from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.model import Pair, PointRef, Problem
 from rbpsym.statement.names import check_name
-from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.phases import read_phases
+from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of

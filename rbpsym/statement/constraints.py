@@ -56,7 +56,14 @@ CONSTRAINTS: dict[str, Kind] = registry(
         "a point of a body is held at a fixed place, free to turn there",
         (
             Field("point", "point", "the point that is held"),
-            Field("at", "pair", "where it is held; absent: where the body's pose puts it", LENGTH, default="", may_use="time"),
+            Field(
+                "at",
+                "pair",
+                "where it is held; absent: where the body's pose puts it",
+                LENGTH,
+                default="",
+                may_use="time",
+            ),
         ),
         unknowns=_COMPONENTS,
     ),

@@ -57,10 +57,19 @@ def load_course(file: Path) -> Course:
         raise ReadError(f"{file.name} is not valid TOML: {error}", place=Place(str(file))) from None
     _known_keys(data, KEYS, file)
     if not data.get("part"):
-        raise StatementError("the course has no parts", instead='add [[part]] with problem = "..."', place=Place(str(file)))
+        raise StatementError(
+            "the course has no parts", instead='add [[part]] with problem = "..."', place=Place(str(file))
+        )
     parts = tuple(_part(item, file) for item in data["part"])
-    return Course(file.stem, _titles(data.get("title", "")), parts,
-                  _titles(data.get("subtitle", "")), str(data.get("source", "")), dict(data.get("notation", {})), str(file))
+    return Course(
+        file.stem,
+        _titles(data.get("title", "")),
+        parts,
+        _titles(data.get("subtitle", "")),
+        str(data.get("source", "")),
+        dict(data.get("notation", {})),
+        str(file),
+    )
 
 
 def _titles(value: object) -> Mapping[str, str]:
@@ -78,13 +87,17 @@ def _known_keys(data: Mapping[str, object], known: tuple[str, ...], file: Path) 
 def _part(item: Mapping[str, object], file: Path) -> CoursePart:
     kind = next((kind for kind in PART_KEYS if kind in item), None)
     if kind is None:
-        raise StatementError("a part of a course is a theory, a problem or a comparison",
-                             instead='write problem = "...", theory = "..." or comparison = ["...", "..."].', place=Place(str(file)))
+        raise StatementError(
+            "a part of a course is a theory, a problem or a comparison",
+            instead='write problem = "...", theory = "..." or comparison = ["...", "..."].',
+            place=Place(str(file)),
+        )
     _known_keys(item, PART_KEYS[kind], file)
     if kind != "comparison":
         return CoursePart(kind, str(item[kind]))
     pair = item["comparison"]
     if not isinstance(pair, list) or len(pair) != 2:
-        raise StatementError("a comparison takes two problems", instead='write comparison = ["first", "second"].',
-                             place=Place(str(file)))
+        raise StatementError(
+            "a comparison takes two problems", instead='write comparison = ["first", "second"].', place=Place(str(file))
+        )
     return CoursePart(kind, "", str(pair[0]), str(pair[1]), str(item.get("coordinate", "")), str(item.get("limit", "")))

@@ -43,7 +43,9 @@ def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     what = "line" if circle is None else "circle"
     if element.values.get("side", "auto") not in _SIDES[what]:
         raise _error(
-            element, f"has the side “{element['side']}”, which a {what} hasn't", f"write one of: {', '.join(_SIDES[what])}."
+            element,
+            f"has the side “{element['side']}”, which a {what} hasn't",
+            f"write one of: {', '.join(_SIDES[what])}.",
         )
     if circle is not None and element["of"] is not None:
         raise _error(element, "has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
@@ -82,7 +84,9 @@ def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Elem
         )
         raise _error(element, f"needs a round body, but “{body.name}” ({body.shape.kind}) has no radius", cure)
     if "center" not in body.points:
-        raise _error(element, f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }.")
+        raise _error(
+            element, f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }."
+        )
     if body.shape.kind == "particle":
         raise _error(element, f"can't turn “{body.name}”, a particle", "give it the shape disk, ring or ball.")
     return element if element["rim"] is not None else _with(element, rim=own)
@@ -94,7 +98,9 @@ def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
         return element
     left = sign_of(add(element["radius"], neg(element["rim"])), scope.signs)
     if left in (0, -1) or element["radius"] == element["rim"]:
-        raise _error(element, "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.')
+        raise _error(
+            element, "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
+        )
     return element
 
 
@@ -109,7 +115,9 @@ def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     """A slider keeps the angle of a body: a particle has none."""
     name = element["point"].body
     if name is None or bodies[name].shape.kind == "particle":
-        raise _error(element, "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".')
+        raise _error(
+            element, "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".'
+        )
     return element
 
 
@@ -118,14 +126,18 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     path = element["path"]
     for first, second in zip(path, path[1:], strict=False):
         if first.body == second.body and (first.body is not None or first.center == second.center):
-            raise _error(element, f"runs from “{first.center.label}” to itself", "name the next body or point on its way.")
+            raise _error(
+                element, f"runs from “{first.center.label}” to itself", "name the next body or point on its way."
+            )
     if all(turn.body is None for turn in path):
         raise _error(element, "joins only fixed places", "let it end at a point of a body.")
     if element["length"] is not None and (len(path) != 2 or any(turn.sense for turn in path)):
         raise _error(element, "has a length, but is no straight piece between two points", "remove the length.")
     for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:
         if not turn.grips:
-            raise _error(element, f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum.")
+            raise _error(
+                element, f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum."
+            )
     return element
 
 
@@ -139,7 +151,9 @@ def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -
 def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The driven body has an angle."""
     if bodies[element["body"]].shape.kind == "particle":
-        raise _error(element, f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
+        raise _error(
+            element, f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn."
+        )
     return element
 
 

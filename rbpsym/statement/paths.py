@@ -1,9 +1,9 @@
 """The path of a string: points, and circles with the sense in which it runs round them.
 
-    path = ["block.center", "cw pulley", "bob.center"]              # a rough pulley turns with the string
-    path = ["O", { around = "spool", radius = "r", sense = "ccw" }] # wound on a drum of another radius
-    path = ["a.center", { around = "O", radius = "R", sense = "cw" }, "b.center"]   # a smooth fixed circle
-    path = ["a.center", { around = "O" }, "b.center"]               # a smooth peg: a point
+path = ["block.center", "cw pulley", "bob.center"]              # a rough pulley turns with the string
+path = ["O", { around = "spool", radius = "r", sense = "ccw" }] # wound on a drum of another radius
+path = ["a.center", { around = "O", radius = "R", sense = "cw" }, "b.center"]   # a smooth fixed circle
+path = ["a.center", { around = "O" }, "b.center"]               # a smooth peg: a point
 """
 
 from __future__ import annotations
@@ -80,7 +80,9 @@ def _round(
     if _is_body(name, bodies):
         own = round_size(bodies[name])
         if radius is None and own is None:
-            raise item.error(f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}')
+            raise item.error(
+                f"{what}: “{name}” is no round body", f'give the radius: {{ around = "{name}", radius = "r", ... }}'
+            )
         return Turn(PointRef(f"{name}.center", name, "center"), own if radius is None else radius, sense)
     if radius is None:
         raise item.error(f"{what}: there is no round body “{name}”", did_you_mean(str(name), bodies, "bodies"))

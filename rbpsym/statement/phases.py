@@ -82,13 +82,19 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
 def _event(row: Table, name: str, current: Mapping[str, object]) -> tuple[str, str | None]:
     event = row.string("event", "at once")
     if event not in EVENTS:
-        raise row.value_error("event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, EVENTS, "events"))
+        raise row.value_error(
+            "event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, EVENTS, "events")
+        )
     if event == "at once":
         return event, None
     row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
     subject = row.string("of")
     if subject not in current:
-        raise row.value_error("of", f"the phase “{name}”: there is no constraint “{subject}”", did_you_mean(subject, current, "constraints"))
+        raise row.value_error(
+            "of",
+            f"the phase “{name}”: there is no constraint “{subject}”",
+            did_you_mean(subject, current, "constraints"),
+        )
     return event, subject
 
 
@@ -97,7 +103,9 @@ def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, 
     found = dict(current)
     for item in row.item("without", []).items():
         if item.value not in found:
-            raise item.error(f"the phase “{name}”: there is no constraint “{item.value}”", did_you_mean(str(item.value), found))
+            raise item.error(
+                f"the phase “{name}”: there is no constraint “{item.value}”", did_you_mean(str(item.value), found)
+            )
         del found[item.value]
     for key, part in row.tables("constraints", f"constraints of the phase “{name}”"):
         found[key] = _merged(found[key], part) if key in found else part.data

@@ -117,7 +117,11 @@ def _check_names(node: Node, scope: Scope, what: str, may_use: str) -> None:
             raise _at(part, f"unknown symbol “{part.name}” in {what}", did_you_mean(part.name, scope.all, "declared"))
         role = scope.role(part.name)
         if role in _FORBIDDEN[may_use]:
-            raise _at(part, f"{what} must not depend on “{part.name}”, a {role}", f"it may be made of {_MAY_USE.get(may_use, may_use)}.")
+            raise _at(
+                part,
+                f"{what} must not depend on “{part.name}”, a {role}",
+                f"it may be made of {_MAY_USE.get(may_use, may_use)}.",
+            )
 
 
 def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) -> None:

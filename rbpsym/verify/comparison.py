@@ -59,16 +59,25 @@ def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
     for k, (study, place, square) in enumerate(zip((first, second), places, squares, strict=True), 1):
         pair.context.scalars[f"Omega_{k}"] = square
         pair.context.scalars[f"vartheta_{k}"] = _root(square)
-        pair.add(f"frequency.{k}", t.equation(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), _quotient(study, place, square)),
-                 "comparison.frequency", title=dict(study.problem.title), problem=study.problem.name)
+        pair.add(
+            f"frequency.{k}",
+            t.equation(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), _quotient(study, place, square)),
+            "comparison.frequency",
+            title=dict(study.problem.title),
+            problem=study.problem.name,
+        )
     _order(pair, squares)
     _ratio(pair, squares)
     _reasons(pair)
     if part.limit:
         _limit(pair, squares, part.limit)
-    return Lesson("comparison", f"{first.problem.name}-{second.problem.name}", tuple(pair.steps),
-                  {"first": dict(first.problem.title), "second": dict(second.problem.title)},
-                  first.problem.notation)
+    return Lesson(
+        "comparison",
+        f"{first.problem.name}-{second.problem.name}",
+        tuple(pair.steps),
+        {"first": dict(first.problem.title), "second": dict(second.problem.title)},
+        first.problem.notation,
+    )
 
 
 def _root(value: Scalar) -> Scalar:
@@ -106,9 +115,17 @@ def _order(pair: _Pair, squares: list[Scalar]) -> None:
         return
     letters = [t.Sym(f"vartheta_{k}") for k in (1, 2)]
     context = replace(pair.context, scalars={"vartheta_1": squares[0], "vartheta_2": squares[1]})
-    step = Step("order", "inequality", t.relation(letters[0], op, letters[1]), "comparison", f"comparison.order.{NAMES[op]}",
-                {"sources": [StepRef("frequency.1"), StepRef("frequency.2")], "faster": _titles(pair, op)},
-                ("frequency.1", "frequency.2"), STANDARD, True)
+    step = Step(
+        "order",
+        "inequality",
+        t.relation(letters[0], op, letters[1]),
+        "comparison",
+        f"comparison.order.{NAMES[op]}",
+        {"sources": [StepRef("frequency.1"), StepRef("frequency.2")], "faster": _titles(pair, op)},
+        ("frequency.1", "frequency.2"),
+        STANDARD,
+        True,
+    )
     verdict = c.guarded(lambda: c.identity(context, step))
     pair.steps.append(replace(step, certificate=Certificate(("squares of positive numbers",), verdict)))
 
@@ -162,9 +179,20 @@ def _spin_steps(pair: _Pair, name: str, free: Study, bound: Study) -> None:
         pair.context.scalars[f"rate_{name}_{word}"] = rate
         context = replace(pair.context, scalars={f"tau_cm_{name}": study.on_motion(torque)})
         statement = t.equation(t.Sym(f"tau_cm_{name}"), present(rate, study.style, factor=True))
-        step = Step(f"spin.{word}.{name}", "identity", statement, "comparison", f"comparison.spin.{word}",
-                    {"body": BodyRef(name), "spin": t.mul(moment, letter), "title": dict(study.problem.title),
-                     "silent": PhraseRef("comparison.because", {})}, ("order",))
+        step = Step(
+            f"spin.{word}.{name}",
+            "identity",
+            statement,
+            "comparison",
+            f"comparison.spin.{word}",
+            {
+                "body": BodyRef(name),
+                "spin": t.mul(moment, letter),
+                "title": dict(study.problem.title),
+                "silent": PhraseRef("comparison.because", {}),
+            },
+            ("order",),
+        )
         verdict = c.guarded(lambda context=context, step=step: c.identity(context, step))
         pair.steps.append(replace(step, certificate=Certificate(("identity",), verdict)))
 
@@ -174,7 +202,11 @@ def _limit(pair: _Pair, squares: list[Scalar], name: str) -> None:
     from rbpsym.algebra.present import present
 
     ends = [substitute(square, {name: NOTHING}) for square in squares]
-    rows = [t.equation(t.Limit(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), name, t.ZERO), present(end, pair.first.style, factor=True))
-            for k, end in enumerate(ends, 1)]
+    rows = [
+        t.equation(
+            t.Limit(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), name, t.ZERO), present(end, pair.first.style, factor=True)
+        )
+        for k, end in enumerate(ends, 1)
+    ]
     phrase = "comparison.limit.agree" if is_zero(ends[0] - ends[1]) else "comparison.limit.differ"
     pair.add("limit", t.System(tuple(rows)), phrase, parameter=t.Sym(name))

@@ -144,7 +144,8 @@ def lagrange_expressions(system: System) -> dict[str, Scalar]:
     scope = Scope(rates=rates | {"t": symbol("t") ** 0})
     return {
         name: time_derivative(derivative(energy, f"{name}_dot"), scope)
-        - derivative(energy, name) - generalized_force(motion, name)
+        - derivative(energy, name)
+        - generalized_force(motion, name)
         for name in motion.names
     }
 

@@ -15,7 +15,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import slip_senses
 from rbpsym.mechanics.numbers import number, sample
@@ -63,8 +62,12 @@ class Derived:
 
 
 def simulate(
-    system: System, dynamics: Dynamics, *, integral: Scalar | None = None,
-    squares: Mapping[str, Scalar] | None = None, along: Mapping[str, Scalar] | None = None,
+    system: System,
+    dynamics: Dynamics,
+    *,
+    integral: Scalar | None = None,
+    squares: Mapping[str, Scalar] | None = None,
+    along: Mapping[str, Scalar] | None = None,
     works: Iterable[ForceWork] = (),
 ) -> SimulationReport:
     """Runs the simulation and compares. Raises NotApplicable, with a sentence, for a kind of
@@ -82,8 +85,11 @@ def simulate(
 
 def _known_works(works: Iterable[ForceWork]) -> dict[tuple[str, str, bool], Scalar]:
     """Values of works that are known, by (force, body, whether rotational)."""
-    halves = [((item.force, item.on, turning), half.value)
-              for item in works for turning, half in ((False, item.translational), (True, item.rotational))]
+    halves = [
+        ((item.force, item.on, turning), half.value)
+        for item in works
+        for turning, half in ((False, item.translational), (True, item.rotational))
+    ]
     return {key: value for key, value in halves if value is not None}
 
 
@@ -180,7 +186,9 @@ class _Bench:
             mechanism.clock = float(state[-1])
             q, known, values = self._compare(state[:size], state[size : 2 * size], q)
             if self.derived.integral is not None:
-                energies.append((known.of(self.derived.integral), self.equations.kinetic_energy(state[size : 2 * size])))
+                energies.append(
+                    (known.of(self.derived.integral), self.equations.kinetic_energy(state[size : 2 * size]))
+                )
             if from_start:
                 self._compare_positions(known, values, state[2 * size : -1])
         self.drifts.append(_drift(energies))

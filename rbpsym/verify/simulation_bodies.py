@@ -1,7 +1,7 @@
 """A mechanism in maximal coordinates: every body has its own x, y (centre of mass) and angle.
 
-Built from the statement alone; `clock` is the time of the state that is looked at. The state is X = (x, y, φ) and V = dX/dt of all bodies in a
-row; angles and torques are counter-clockwise positive.
+Built from the statement alone; `clock` is the time of the state that is looked at. The state
+is X = (x, y, φ) and V = dX/dt of all bodies in a row; angles and torques are counter-clockwise positive.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.notation.tree import Node, Sym, walk
 from rbpsym.statement.model import Body, PointRef, Problem
 from rbpsym.verify.simulation_numbers import Numbers
@@ -58,8 +58,11 @@ def placed(spot: Spot, where: State, speed: State) -> Placed:
     c, s, omega = math.cos(where[k + 2]), math.sin(where[k + 2]), speed[k + 2]
     rx, ry = c * spot.x - s * spot.y, s * spot.x + c * spot.y
     return Placed(
-        spot.body, (rx, ry), (where[k] + rx, where[k + 1] + ry),
-        (speed[k] - omega * ry, speed[k + 1] + omega * rx), (-omega * omega * rx, -omega * omega * ry),
+        spot.body,
+        (rx, ry),
+        (where[k] + rx, where[k + 1] + ry),
+        (speed[k] - omega * ry, speed[k + 1] + omega * rx),
+        (-omega * omega * rx, -omega * omega * ry),
     )
 
 

@@ -60,9 +60,14 @@ def _entries(pushes: list[Push], where: Complex) -> list[tuple[int, complex]]:
 
 
 def _kept(
-    name: str, multiplier: str, pushes: Pushes, value: Callable[[Complex], complex] | None = None, drag: Drag | None = None
+    name: str,
+    multiplier: str,
+    pushes: Pushes,
+    value: Callable[[Complex], complex] | None = None,
+    drag: Drag | None = None,
 ) -> Kept:
     """The condition that a unit force keeps; without a value it is one for the speeds alone."""
+
     def row(where: State, speed: State) -> Row:
         shifted = [x + 1j * STEP * v for x, v in zip(where, speed, strict=True)]
         entries = _entries(pushes(shifted), shifted)
@@ -127,10 +132,15 @@ def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
         (x, y), (nx, ny) = spot_at(frame, where), across(where)
         return (point[0] - x) * nx + (point[1] - y) * ny - c
 
-    side = _side(element, touching, bearer, lambda p: height(list(map(complex, start)), p).real, across(start)[1].real, start)
+    side = _side(
+        element, touching, bearer, lambda p: height(list(map(complex, start)), p).real, across(start)[1].real, start
+    )
     return Curve(
         lambda where: side * height(where, spot_at(touching, where)) - rim,
-        lambda where: tuple(side * n for n in across(where)), touching, rim, bearer,
+        lambda where: tuple(side * n for n in across(where)),
+        touching,
+        rim,
+        bearer,
     )
 
 
@@ -177,6 +187,7 @@ def _normal(element: Element, bend: Curve, drag: Drag | None = None) -> Kept:
 
 def _forward(bend: Curve, sign: int = 1) -> Pushes:
     """A unit force along the tangent: the normal turned clockwise."""
+
     def pushes(where: Complex) -> list[Push]:
         nx, ny = bend.normal(where)
         return bend.push(where, (sign * ny, -sign * nx))
@@ -269,7 +280,9 @@ def _along(dx: complex, dy: complex, offset: complex) -> Point:
 # --- drives
 
 
-def _driven(name: str, multiplier: str, entries_of: Callable[[State, State], Row], node: Node, mechanism: Mechanism) -> Kept:
+def _driven(
+    name: str, multiplier: str, entries_of: Callable[[State, State], Row], node: Node, mechanism: Mechanism
+) -> Kept:
     """A quantity of the bodies that equals a function of time."""
     wanted = scalar(node)
     speed_wanted = derivative(wanted, "t")

@@ -56,6 +56,7 @@ class Kept:
 
 def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
     """second - first = 0; the force is on the body of the second."""
+
     def along(dx: float, dy: float) -> Callable[[State, State], Row]:
         def row(where: State, speed: State) -> Row:
             a, b = placed(first, where, speed), placed(second, where, speed)
@@ -69,6 +70,7 @@ def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
 
 def turning(first: int, second: int, offset: float, element: Element) -> Kept:
     """φ_second - φ_first = offset; the couple is on the second."""
+
     def row(where: State, speed: State) -> Row:
         ends = [(k, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
         value = sum(sign * where[3 * k + 2] for k, sign in ends) - offset

@@ -14,8 +14,14 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.notation.tree import Node
 
 FUNCTIONS = {
-    "cos": math.cos, "sin": math.sin, "root": math.sqrt, "exp": math.exp, "ln": math.log,
-    "atan": math.atan, "asin": math.asin, "acos": math.acos,
+    "cos": math.cos,
+    "sin": math.sin,
+    "root": math.sqrt,
+    "exp": math.exp,
+    "ln": math.log,
+    "atan": math.atan,
+    "asin": math.asin,
+    "acos": math.acos,
 }
 
 

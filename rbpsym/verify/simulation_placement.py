@@ -66,7 +66,11 @@ class Placement:
 
     def numbers(self, q: State, speeds: State | None = None) -> dict[str, float]:
         """Parameters, coordinates and speeds by name."""
-        found = {**self.mechanism.numbers, **dict(zip(self.names, map(float, q), strict=True)), "t": self.mechanism.clock}
+        found = {
+            **self.mechanism.numbers,
+            **dict(zip(self.names, map(float, q), strict=True)),
+            "t": self.mechanism.clock,
+        }
         if speeds is not None:
             found |= {f"{name}_dot": float(v) for name, v in zip(self.names, speeds, strict=True)}
         return found

@@ -97,7 +97,10 @@ def start_state(
     guess = np.concatenate([[q[name] for name in names], where])
     z = _settled(conditions, guess, [k for k, name in enumerate(names) if name in held])
     _, slopes, drifts = conditions.at(z)
-    span, carried = _allowed(slopes), -np.linalg.lstsq(slopes, drifts, rcond=None)[0] if len(slopes) else np.zeros(len(z))
+    span, carried = (
+        _allowed(slopes),
+        -np.linalg.lstsq(slopes, drifts, rcond=None)[0] if len(slopes) else np.zeros(len(z)),
+    )
     wanted = [(k, rates[name] - carried[k]) for k, name in enumerate(names) if name in rates]
     share = np.linalg.lstsq(span[[k for k, _ in wanted]], np.array([v for _, v in wanted]), rcond=None)[0]
     z_dot, count = carried + span @ share, len(names)
@@ -109,5 +112,8 @@ def idle_angles(mechanism: Mechanism) -> list[int]:
     welded = {
         ref.body for element in mechanism.problem.constraints if element.kind == "weld" for ref in element["points"]
     }
-    return [3 * k + 2 for k, body in enumerate(mechanism.problem.bodies)
-            if body.shape.kind == "particle" and body.name not in welded]
+    return [
+        3 * k + 2
+        for k, body in enumerate(mechanism.problem.bodies)
+        if body.shape.kind == "particle" and body.name not in welded
+    ]

@@ -39,10 +39,16 @@ def test_all_displayed_equations_are_proved_in_order(tmp_path):
     assert all(result.outcome is Outcome.PROVED and result.expected for result in found.values())
 
 
-@pytest.mark.parametrize(("number", "change", "diagnosis"), [
-    (12, ("=-", "="), "sign"), (16, ("{3}", "{12}"), "factor 4"), (34, (r"\cos", r"\sin"), "cos in place of sin"),
-    (27, (r"m\,\ell^2", r"M\,\ell^2"), "m in place of M"), (7, (r"I_{O'}\vec{\omega}", r"I_{cm}\vec{\omega}"), ""),
-])
+@pytest.mark.parametrize(
+    ("number", "change", "diagnosis"),
+    [
+        (12, ("=-", "="), "sign"),
+        (16, ("{3}", "{12}"), "factor 4"),
+        (34, (r"\cos", r"\sin"), "cos in place of sin"),
+        (27, (r"m\,\ell^2", r"M\,\ell^2"), "m in place of M"),
+        (7, (r"I_{O'}\vec{\omega}", r"I_{cm}\vec{\omega}"), ""),
+    ],
+)
 def test_an_equation_that_changes_turns_red(tmp_path, number, change, diagnosis):
     found = results(written(tmp_path, **{f"eq{number}": change}))
     wrong = [result for result in found.values() if not result.expected]

@@ -74,8 +74,13 @@ BROKEN = 'title = "x"\n[parameters]\nM = "mass: m"\n[bodies.rod]\nshape = "rood"
 def test_a_broken_file_gets_a_sentence_and_exit_2(command, tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(BROKEN)
-    done = subprocess.run([sys.executable, "-m", "rbpsym", command[0], str(file), *command[1:]], cwd=tmp_path,
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "rbpsym", command[0], str(file), *command[1:]],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 2
     assert "broken.toml:5" in done.stderr and "rod" in done.stderr and "Traceback" not in done.stderr
     assert [p.name for p in tmp_path.iterdir()] == ["broken.toml"]

@@ -154,7 +154,11 @@ line = "y = 0"
 """
 
 BODIES = {
-    "torsion pendulum": TORSION, "double pendulum": DOUBLE, "block on a slope": INCLINE, "disk with a hole": HOLED,
-    "triangle with a force": TRIANGLE, "falling stick": FALLING,
+    "torsion pendulum": TORSION,
+    "double pendulum": DOUBLE,
+    "block on a slope": INCLINE,
+    "disk with a hole": HOLED,
+    "triangle with a force": TRIANGLE,
+    "falling stick": FALLING,
 }
 UNSEEN = {title: HEAD.format(title=title) + body for title, body in BODIES.items()}

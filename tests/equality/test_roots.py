@@ -16,7 +16,12 @@ from tests.equality.numeric import NoValue, at_witness, mpmath, number
 
 FACTORS = ["x", "y", "(x - 1)", "(x + y)", "(-x)", "(x**2 + y**2)", "(y - x)", "2", "(1 - x**2)"]
 LATTICE = [Fraction(n, 2) for n in (-4, -2, -1, 0, 1, 2, 3, 4)]
-GIVEN = [Assumptions(), Assumptions({"x": "positive"}), Assumptions({"y": "nonnegative"}), Assumptions({"x": "nonzero"})]
+GIVEN = [
+    Assumptions(),
+    Assumptions({"x": "positive"}),
+    Assumptions({"y": "nonnegative"}),
+    Assumptions({"x": "nonzero"}),
+]
 HOLDS = {"positive": lambda v: v > 0, "nonnegative": lambda v: v >= 0, "nonzero": lambda v: v != 0}
 
 

@@ -12,11 +12,25 @@ from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 
 KEYS = {
-    "problem", "degrees_of_freedom", "coordinates", "moments_of_inertia", "accelerations", "reactions",
-    "kinetic_energy", "potential_energy", "first_integral", "speed_squared", "reactions_along_motion",
-    "angular_momentum", "works", "equilibria", "conditions", "verdicts",
+    "problem",
+    "degrees_of_freedom",
+    "coordinates",
+    "moments_of_inertia",
+    "accelerations",
+    "reactions",
+    "kinetic_energy",
+    "potential_energy",
+    "first_integral",
+    "speed_squared",
+    "reactions_along_motion",
+    "angular_momentum",
+    "works",
+    "equilibria",
+    "conditions",
+    "verdicts",
 }
-NAMES = set("m M R g k ell theta phi theta_dot phi_dot theta_0 omega_0 beta_0 phi_0 N_w N_f N_x N_y F_x F_y tau".split())
+NAMES = {*"m M R g k ell theta phi theta_dot phi_dot theta_0 omega_0 beta_0 phi_0".split()}
+NAMES |= {*"N_w N_f N_x N_y F_x F_y tau".split()}
 _ANSWERS = {}
 
 
@@ -57,8 +71,7 @@ PAPER = [
     ("rod-and-disk-fixed", "equilibria/0/frequencies_squared/0", f"g*ell*(m/2 + M)/{I1}"),
     ("rod-and-disk-free", "accelerations/theta", f"-g*ell*(m/2 + M)*sin(theta)/{I2}"),
     ("rod-and-disk-free", "accelerations/phi", "0"),
-    ("rod-and-disk-free", "works/N/disk/translational/value",
-     "m*M*g*ell*(cos(theta) - cos(theta_0))/(2*(m + 3*M))"),
+    ("rod-and-disk-free", "works/N/disk/translational/value", "m*M*g*ell*(cos(theta) - cos(theta_0))/(2*(m + 3*M))"),
     ("rod-and-disk-free", "works/N/disk/rotational/value", "0"),
     ("rod-and-disk-free", "equilibria/0/frequencies_squared/0", f"g*ell*(m/2 + M)/{I2}"),
     ("sliding-ladder", "accelerations/theta", "-3*g/(4*ell)*cos(theta)"),
@@ -69,10 +82,12 @@ PAPER = [
     ("sliding-ladder", "reactions_along_motion/N_w", "3/4*M*g*cos(theta)*(3*sin(theta) - 2*sin(theta_0))"),
     ("sliding-ladder", "reactions_along_motion/N_f", "M*g/4*(1 - 6*sin(theta)*sin(theta_0) + 9*sin(theta)**2)"),
     ("sliding-ladder", "works/N_w/ladder/translational/integrand", "-ell*N_w*sin(theta)"),
-    ("sliding-ladder", "works/N_w/ladder/translational/value",
-     "3/4*M*g*ell*sin(theta)**2*(sin(theta_0) - sin(theta))"),
-    ("sliding-ladder", "works/N_f/ladder/rotational/value",
-     "M*g*ell/4*(sin(theta_0) - sin(theta))*(1 + 3*sin(theta)**2)"),
+    ("sliding-ladder", "works/N_w/ladder/translational/value", "3/4*M*g*ell*sin(theta)**2*(sin(theta_0) - sin(theta))"),
+    (
+        "sliding-ladder",
+        "works/N_f/ladder/rotational/value",
+        "M*g*ell/4*(sin(theta_0) - sin(theta))*(1 + 3*sin(theta)**2)",
+    ),
     ("sliding-ladder", "angular_momentum/O/ladder/orbital", "M*ell**2*theta_dot"),
     ("sliding-ladder", "angular_momentum/O/ladder/spin", "-M*ell**2*theta_dot/3"),
     ("sliding-ladder", "conditions/0/at/theta", "asin(2/3*sin(theta_0))"),

@@ -24,10 +24,18 @@ def write(draft: Draft) -> None:
     for name, value in along.items():
         shown = draft.show(value, factor=True)
         level = STANDARD if _is_contact(draft, name) or len(list(t.walk(shown))) <= LONGEST else FULL
-        draft.add(f"along.{name}", "substitution", t.equation(t.Sym(name), shown), level=level,
-                  phrase="contact.along", premises=[f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)],
-                  force=t.Sym(name), sources=[StepRef(f"square.{n}") for n in draft.study.squares if draft.has(f"square.{n}")],
-                  reaction=StepRef(f"reaction.{name}"), is_result=_is_contact(draft, name))
+        draft.add(
+            f"along.{name}",
+            "substitution",
+            t.equation(t.Sym(name), shown),
+            level=level,
+            phrase="contact.along",
+            premises=[f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)],
+            force=t.Sym(name),
+            sources=[StepRef(f"square.{n}") for n in draft.study.squares if draft.has(f"square.{n}")],
+            reaction=StepRef(f"reaction.{name}"),
+            is_result=_is_contact(draft, name),
+        )
     for loss in draft.study.losses:
         _loss(draft, loss, along)
 
@@ -40,9 +48,17 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
     """Where the force vanishes, and what the other forces are there."""
     place = loss.at.get(loss.coordinate)
     equation = _solved(draft, loss)
-    draft.add(f"loss.{loss.force}", "vanishing", equation, "contact.lost" if place is not None else "contact.lost_implicitly",
-              premises=[f"along.{loss.force}"], force=t.Sym(loss.force), is_result=True, coordinate=t.Sym(loss.coordinate),
-              data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor})
+    draft.add(
+        f"loss.{loss.force}",
+        "vanishing",
+        equation,
+        "contact.lost" if place is not None else "contact.lost_implicitly",
+        premises=[f"along.{loss.force}"],
+        force=t.Sym(loss.force),
+        is_result=True,
+        coordinate=t.Sym(loss.coordinate),
+        data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor},
+    )
     if place is None:
         return
     for name, value in along.items():
@@ -50,8 +66,15 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
             continue
         there = short(substitute(value, loss.at))
         letter = draft.define(draft.free(f"{name}_end"), there)
-        draft.add(f"at_loss.{loss.force}.{name}", "identity", t.equation(letter, draft.show(there, factor=True)),
-                  "contact.other_force", premises=[f"along.{name}", f"loss.{loss.force}"], force=t.Sym(name), lost=t.Sym(loss.force))
+        draft.add(
+            f"at_loss.{loss.force}.{name}",
+            "identity",
+            t.equation(letter, draft.show(there, factor=True)),
+            "contact.other_force",
+            premises=[f"along.{name}", f"loss.{loss.force}"],
+            force=t.Sym(name),
+            lost=t.Sym(loss.force),
+        )
 
 
 def _solved(draft: Draft, loss: Loss) -> t.Node:

@@ -68,9 +68,17 @@ def _entry(draft: Draft, force: Force) -> None:
         letter = draft.define(draft.free(f"tau_{label}_{tag(draft, force)}"), value)
         rows.append(t.equation(letter, torque_node(draft, force, origin)))
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    draft.add(f"force.{force.name}.{force.on}", "torque", statement, f"forces.{force.law}",
-              body=BodyRef(force.on), by=force.by, where=force.where, force=node,
-              data={"forces": (force,), "origin": state.center, "value": center})
+    draft.add(
+        f"force.{force.name}.{force.on}",
+        "torque",
+        statement,
+        f"forces.{force.law}",
+        body=BodyRef(force.on),
+        by=force.by,
+        where=force.where,
+        force=node,
+        data={"forces": (force,), "origin": state.center, "value": center},
+    )
 
 
 def _define_vector(draft: Draft, node: t.Node, force: Force) -> None:

@@ -31,11 +31,22 @@ def write(draft: Draft) -> None:
         if draft.study.problem.body(name).shape.elements:
             _integrated(draft, name, state, moment)
         elif draft.study.problem.body(name).shape.given_moment is not None:
-            draft.add(f"moment.{name}", "statement", t.equation(moment, draft.show(state.moment)),
-                      "inertia.given", body=BodyRef(name))
+            draft.add(
+                f"moment.{name}",
+                "statement",
+                t.equation(moment, draft.show(state.moment)),
+                "inertia.given",
+                body=BodyRef(name),
+            )
         else:
-            draft.add(f"moment.{name}", "parallel_axis", t.equation(moment, draft.show(state.moment)),
-                      "inertia.assembled", body=BodyRef(name), data=_about(name, state, state.moment))
+            draft.add(
+                f"moment.{name}",
+                "parallel_axis",
+                t.equation(moment, draft.show(state.moment)),
+                "inertia.assembled",
+                body=BodyRef(name),
+                data=_about(name, state, state.moment),
+            )
         _steiner(draft, name, state, moment)
 
 
@@ -50,10 +61,18 @@ def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> Non
     if not centred:
         _center(draft, name, state, moments, elements)
     if centred or shifted is not None:
-        integral = _sum(draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements])
+        integral = _sum(
+            draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements]
+        )
         radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
-        draft.add(f"moment.{name}", "mass_integral", t.equation(moment, radius, integral, draft.show(state.moment)),
-                  "inertia.integral", body=BodyRef(name), **_spread(draft, elements))
+        draft.add(
+            f"moment.{name}",
+            "mass_integral",
+            t.equation(moment, radius, integral, draft.show(state.moment)),
+            "inertia.integral",
+            body=BodyRef(name),
+            **_spread(draft, elements),
+        )
         return
     _by_parallel_axis(draft, name, state, moment, elements)
 
@@ -129,14 +148,24 @@ def _by_parallel_axis(draft: Draft, name: str, state: BodyState, moment: t.Sym, 
     about = state.inertia.about_origin
     symbol_ = draft.define(draft.free(f"I_{name}_0"), about)
     integral = t.add(*(_integral(draft, e, _square(e, None)) for e in elements))
-    draft.add(f"moment.{name}.origin", "mass_integral", t.equation(symbol_, integral, draft.show(about)),
-              "inertia.about_origin", body=BodyRef(name))
+    draft.add(
+        f"moment.{name}.origin",
+        "mass_integral",
+        t.equation(symbol_, integral, draft.show(about)),
+        "inertia.about_origin",
+        body=BodyRef(name),
+    )
     square = tidy(state.inertia.x**2 + state.inertia.y**2)
     shift = t.mul(draft.show(state.mass), draft.show(square))
-    draft.add(f"moment.{name}", "parallel_axis",
-              t.equation(moment, t.add(symbol_, t.neg(shift)), draft.show(state.moment)), "inertia.steiner_back",
-              premises=[f"moment.{name}.origin", f"center.{name}"], body=BodyRef(name),
-              data=_about(name, state, state.moment))
+    draft.add(
+        f"moment.{name}",
+        "parallel_axis",
+        t.equation(moment, t.add(symbol_, t.neg(shift)), draft.show(state.moment)),
+        "inertia.steiner_back",
+        premises=[f"moment.{name}.origin", f"center.{name}"],
+        body=BodyRef(name),
+        data=_about(name, state, state.moment),
+    )
 
 
 def _about(name: str, state: BodyState, value: Scalar) -> dict:
@@ -165,9 +194,16 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
         letter = draft.define(draft.free(f"I_{name}_{label}" if not draft.is_single else f"I_{label}"), about)
         sum_ = t.add(moment, t.mul(draft.show(state.mass), _as_power(draft, square)))
         spelled = t.add(draft.show(state.moment), draft.show(state.mass * square))
-        draft.add(f"moment.{name}.{label}", "parallel_axis", _closed(draft, letter, sum_, spelled, about),
-                  "inertia.steiner", premises=[f"moment.{name}"], body=BodyRef(name), point=t.Sym(label),
-                  data={"body": name, "point": _fixed_point(draft, state, label), "value": about})
+        draft.add(
+            f"moment.{name}.{label}",
+            "parallel_axis",
+            _closed(draft, letter, sum_, spelled, about),
+            "inertia.steiner",
+            premises=[f"moment.{name}"],
+            body=BodyRef(name),
+            point=t.Sym(label),
+            data={"body": name, "point": _fixed_point(draft, state, label), "value": about},
+        )
 
 
 def _as_power(draft: Draft, square: Scalar) -> t.Node:
@@ -190,5 +226,3 @@ def _fixed_point(draft: Draft, state: BodyState, label: str) -> tuple[Scalar, Sc
     arm = draft.study.origins[label] - state.pose.origin
     c, s = cosine(state.pose.angle), sine(state.pose.angle)
     return tidy(arm.x * c + arm.y * s), tidy(arm.y * c - arm.x * s)
-
-

@@ -33,8 +33,15 @@ def _condition(draft: Draft, element: Element) -> None:
         return
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     labels = [ref.label for ref in _points(element)]
-    draft.add(f"condition.{element.name}", "constraint", statement, f"kinematics.condition.{element.kind}",
-              level=FULL, force=t.Vec(element.name), points=labels)
+    draft.add(
+        f"condition.{element.name}",
+        "constraint",
+        statement,
+        f"kinematics.condition.{element.kind}",
+        level=FULL,
+        force=t.Vec(element.name),
+        points=labels,
+    )
 
 
 def _points(element: Element) -> list[PointRef]:
@@ -94,17 +101,27 @@ def _dependent(draft: Draft) -> None:
     """Coordinates that the constraints tie to the others."""
     for name, value in draft.study.system.dependent.items():
         draft.context.scalars[name] = value
-        draft.add(f"dependent.{name}", "statement", t.equation(t.Sym(name), draft.show(value)),
-                  "kinematics.dependent", coordinate=t.Sym(name))
+        draft.add(
+            f"dependent.{name}",
+            "statement",
+            t.equation(t.Sym(name), draft.show(value)),
+            "kinematics.dependent",
+            coordinate=t.Sym(name),
+        )
 
 
 def _position(draft: Draft, name: str, state: BodyState) -> None:
     vector = draft.define_vector(draft.of_body("R", name), state.center)
     if not state.center:
         return
-    draft.add(f"position.{name}", "statement", t.equation(vector, draft.show_vector(state.center)),
-              "kinematics.position", premises=[s.id for s in draft.steps if s.rule == "constraint"],
-              body=BodyRef(name))
+    draft.add(
+        f"position.{name}",
+        "statement",
+        t.equation(vector, draft.show_vector(state.center)),
+        "kinematics.position",
+        premises=[s.id for s in draft.steps if s.rule == "constraint"],
+        body=BodyRef(name),
+    )
 
 
 def _turning(draft: Draft, name: str, state: BodyState) -> None:
@@ -117,9 +134,16 @@ def _turning(draft: Draft, name: str, state: BodyState) -> None:
     if not angle.num.terms:
         return
     statement = t.equation(omega, t.Deriv(draft.show(angle)), draft.show(state.omega))
-    draft.add(f"turning.{name}", "differentiation", statement, _turning_phrase(draft, state),
-              data={"pairs": [(angle, state.omega)]}, body=BodyRef(name), omega=omega,
-              coordinates=[t.Sym(n) for n in draft.study.system.independent if depends_on(state.omega, f"{n}_dot")])
+    draft.add(
+        f"turning.{name}",
+        "differentiation",
+        statement,
+        _turning_phrase(draft, state),
+        data={"pairs": [(angle, state.omega)]},
+        body=BodyRef(name),
+        omega=omega,
+        coordinates=[t.Sym(n) for n in draft.study.system.independent if depends_on(state.omega, f"{n}_dot")],
+    )
 
 
 def _turning_phrase(draft: Draft, state: BodyState) -> str:
@@ -146,9 +170,21 @@ def _velocity(draft: Draft, name: str, state: BodyState) -> None:
         return
     position = t.Vec(draft.of_body("R", name))
     pairs = [(tidy(a), tidy(b)) for a, b in ((state.center.x, state.velocity.x), (state.center.y, state.velocity.y))]
-    draft.add(f"velocity.{name}", "differentiation",
-              t.equation(vector, t.Deriv(position), draft.show_vector(state.velocity, factor=True)),
-              "kinematics.velocity", premises=[f"position.{name}"], data={"pairs": pairs}, body=BodyRef(name))
+    draft.add(
+        f"velocity.{name}",
+        "differentiation",
+        t.equation(vector, t.Deriv(position), draft.show_vector(state.velocity, factor=True)),
+        "kinematics.velocity",
+        premises=[f"position.{name}"],
+        data={"pairs": pairs},
+        body=BodyRef(name),
+    )
     square = tidy(state.velocity.dot(state.velocity))
-    draft.add(f"speed.{name}", "identity", t.equation(t.Pow(vector, t.TWO), draft.show(square, factor=True)),
-              "kinematics.speed", premises=[f"velocity.{name}"], body=BodyRef(name))
+    draft.add(
+        f"speed.{name}",
+        "identity",
+        t.equation(t.Pow(vector, t.TWO), draft.show(square, factor=True)),
+        "kinematics.speed",
+        premises=[f"velocity.{name}"],
+        body=BodyRef(name),
+    )

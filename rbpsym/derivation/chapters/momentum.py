@@ -34,12 +34,23 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
     draft.context.vectors[name] = Space(z=orbital + spin)
     if not orbital and not spin:
         return False
-    formula = t.add(t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body))),
-                    t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
-    statement = t.equation(t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin))
-    draft.add(f"momentum.{body}.{label}", "angular_momentum", statement, _phrase(orbital, spin),
-              premises=[f"position.{body}", f"velocity.{body}", f"moment.{body}"], body=BodyRef(body), point=t.Sym(label),
-              data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin})
+    formula = t.add(
+        t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body))),
+        t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))),
+    )
+    statement = t.equation(
+        t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin)
+    )
+    draft.add(
+        f"momentum.{body}.{label}",
+        "angular_momentum",
+        statement,
+        _phrase(orbital, spin),
+        premises=[f"position.{body}", f"velocity.{body}", f"moment.{body}"],
+        body=BodyRef(body),
+        point=t.Sym(label),
+        data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin},
+    )
     return True
 
 
@@ -82,6 +93,12 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
     name = draft.free("L" if label == "O" else f"L_{label}")
     draft.context.vectors[name] = Space(z=value)
     sum_ = t.add(*(t.Vec(momentum_name(draft, body, label)) for body in bodies))
-    draft.add(f"momentum.total.{label}", "angular_momentum", t.equation(t.Vec(name), sum_, along_z(draft, value)),
-              "momentum.total", premises=[f"momentum.{b}.{label}" for b in bodies], point=t.Sym(label),
-              data={"origin": origin, "bodies": tuple(bodies), "value": value})
+    draft.add(
+        f"momentum.total.{label}",
+        "angular_momentum",
+        t.equation(t.Vec(name), sum_, along_z(draft, value)),
+        "momentum.total",
+        premises=[f"momentum.{b}.{label}" for b in bodies],
+        point=t.Sym(label),
+        data={"origin": origin, "bodies": tuple(bodies), "value": value},
+    )

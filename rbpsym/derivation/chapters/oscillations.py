@@ -23,15 +23,27 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
     names = [t.Sym(name) for name in item.at]
     forces = [force for force in resting_forces(draft.study.system, draft.study.dynamics) if force]
-    zero = t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces)) if len(forces) > 1 else (
-        t.equation(draft.show(forces[0], factor=True), t.ZERO))
+    zero = (
+        t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces))
+        if len(forces) > 1
+        else (t.equation(draft.show(forces[0], factor=True), t.ZERO))
+    )
     verdict = {True: "stable", False: "unstable", None: "unclear"}[item.stable]
     linear = _is_linearized(draft, item)
     there = _at(draft, zero, item)
-    draft.add(f"equilibrium.{place}", "equilibrium", there if isinstance(there, t.System) else t.System((there,)),
-              f"oscillations.{verdict}", level=FULL if linear or item.stable is False else STANDARD,
-              premises=[f"motion.{n}" for n in draft.study.system.independent], names=names, count=len(names),
-              place=rows, told=linear, data={"at": item.at})
+    draft.add(
+        f"equilibrium.{place}",
+        "equilibrium",
+        there if isinstance(there, t.System) else t.System((there,)),
+        f"oscillations.{verdict}",
+        level=FULL if linear or item.stable is False else STANDARD,
+        premises=[f"motion.{n}" for n in draft.study.system.independent],
+        names=names,
+        count=len(names),
+        place=rows,
+        told=linear,
+        data={"at": item.at},
+    )
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{verdict}", rows)
     elif item.stable:
@@ -40,6 +52,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
 
 def _at(draft: Draft, zero: t.Node, item: Equilibrium) -> t.Node:
     """The equations of rest with the place put in: identities."""
+
     def put(node: t.Node) -> t.Node:
         if isinstance(node, t.Sym) and node.name in item.at:
             return draft.show(item.at[node.name])
@@ -80,13 +93,27 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     shown = _frequency(draft, item, square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     linear = _linear(draft, shown, deviation)
-    draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", linear),
-              phrase, place=there, premises=[f"equilibrium.{place}", f"motion.{name}"], coordinate=t.Sym(name),
-              data={"value": value, "name": name, "at": item.at, "slope": slope, "scalar": -square})
+    draft.add(
+        f"linear.{place}",
+        "linearization",
+        t.relation(t.Sym(f"{name}_ddot"), "~", linear),
+        phrase,
+        place=there,
+        premises=[f"equilibrium.{place}", f"motion.{name}"],
+        coordinate=t.Sym(name),
+        data={"value": value, "name": name, "at": item.at, "slope": slope, "scalar": -square},
+    )
     if item.stable:
         draft.context.scalars[letter.name] = _root(square)
-        draft.add(f"frequency.{place}", "identity", t.equation(t.Pow(letter, t.TWO), shown), "oscillations.frequency",
-                  premises=[f"linear.{place}"], is_result=True, letter=letter)
+        draft.add(
+            f"frequency.{place}",
+            "identity",
+            t.equation(t.Pow(letter, t.TWO), shown),
+            "oscillations.frequency",
+            premises=[f"linear.{place}"],
+            is_result=True,
+            letter=letter,
+        )
 
 
 def _letter(draft: Draft, item: Equilibrium) -> str:
@@ -126,7 +153,13 @@ def _modes(draft: Draft, item: Equilibrium, place: int) -> None:
         rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
     if rows:
         statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-        draft.add(f"modes.{place}", "normal_modes", statement, "oscillations.modes", count=len(rows), is_result=True,
-                  premises=[f"equilibrium.{place}"], data={"item": item})
-
-
+        draft.add(
+            f"modes.{place}",
+            "normal_modes",
+            statement,
+            "oscillations.modes",
+            count=len(rows),
+            is_result=True,
+            premises=[f"equilibrium.{place}"],
+            data={"item": item},
+        )

@@ -9,7 +9,8 @@ BEAD = "m: mass, R: length, g: acceleration"
 def test_particle_off_a_sphere():
     """Leaves at cos θ = 2/3."""
     problem = stated(
-        BEAD, coordinates={"theta": rb.coordinate(start="0", range=("0", "pi/2"))},
+        BEAD,
+        coordinates={"theta": rb.coordinate(start="0", range=("0", "pi/2"))},
         bodies={"bead": rb.particle(mass="m", center=("R*sin(theta)", "R*cos(theta)"))},
         constraints={"N": rb.contact("bead.center", circle="O", radius="R", side="outside")},
     )
@@ -20,7 +21,8 @@ def test_particle_off_a_sphere():
 
 def test_particle_in_a_bowl():
     problem = stated(
-        BEAD, coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
+        BEAD,
+        coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
         bodies={"bead": rb.particle(mass="m", center=("R*sin(theta)", "-R*cos(theta)"))},
         constraints={"N": rb.contact("bead.center", circle="O", radius="R", side="inside")},
     )
@@ -33,7 +35,9 @@ def test_bead_on_a_turning_hoop():
         "m: mass, M: mass, R: length, g: acceleration",
         coordinates={"phi": rb.coordinate(start="phi_0"), "theta": rb.coordinate(start="theta_0")},
         bodies={
-            "hoop": rb.ring("R", mass="M", center=("R*sin(phi)", "-R*cos(phi)"), angle="phi", points={"top": ("0", "R")}),
+            "hoop": rb.ring(
+                "R", mass="M", center=("R*sin(phi)", "-R*cos(phi)"), angle="phi", points={"top": ("0", "R")}
+            ),
             "bead": rb.particle(mass="m", center=("R*sin(phi) + R*sin(theta)", "-R*cos(phi) - R*cos(theta)")),
         },
         constraints={"P": rb.pivot("hoop.top"), "N": rb.guide("bead.center", circle="hoop.center")},
@@ -45,7 +49,10 @@ def test_bead_on_a_turning_hoop():
 def test_smooth_ball_in_a_bowl_does_not_turn():
     problem = stated(
         "M: mass, R: length, r: length, g: acceleration",
-        coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2")), "phi": rb.coordinate(start="0", speed="omega_0")},
+        coordinates={
+            "theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2")),
+            "phi": rb.coordinate(start="0", speed="omega_0"),
+        },
         bodies={"ball": rb.ball("r", mass="M", center=("(R - r)*sin(theta)", "-(R - r)*cos(theta)"), angle="phi")},
         constraints={"N": rb.touch("ball", circle="O", radius="R", side="inside")},
     )
@@ -73,18 +80,23 @@ def test_bead_on_a_swinging_rod():
     """A bead that slides on a hinged rod: r'' = r θ'² + g cos θ (θ from the downward vertical)."""
     problem = stated(
         "m: mass, M: mass, ell: length, g: acceleration",
-        coordinates={"theta": rb.coordinate(start="theta_0", range=("0", "pi/2")),
-                     "r": rb.coordinate(dimension="length", start="r_0", range=("0", "ell"))},
+        coordinates={
+            "theta": rb.coordinate(start="theta_0", range=("0", "pi/2")),
+            "r": rb.coordinate(dimension="length", start="r_0", range=("0", "ell")),
+        },
         bodies={
             "rod": rb.rod("ell", mass="M", start="O", angle="theta - pi/2"),
             "bead": rb.particle(mass="m", center=("r*sin(theta)", "-r*cos(theta)")),
         },
         constraints={"P": rb.pivot("rod.start"), "N": rb.guide("bead.center", "y = 0", of="rod")},
     )
-    check(problem, {
-        "r_ddot": "r*theta_dot**2 + g*cos(theta)",
-        "theta_ddot": "-(2*m*r*r_dot*theta_dot + (M*ell/2 + m*r)*g*sin(theta))/(M*ell**2/3 + m*r**2)",
-    })
+    check(
+        problem,
+        {
+            "r_ddot": "r*theta_dot**2 + g*cos(theta)",
+            "theta_ddot": "-(2*m*r*r_dot*theta_dot + (M*ell/2 + m*r)*g*sin(theta))/(M*ell**2/3 + m*r**2)",
+        },
+    )
 
 
 def test_rod_in_a_bowl():
@@ -105,18 +117,34 @@ def test_block_on_a_sliding_wedge():
     """A particle on a wedge that recoils: X'' = m g sin β cos β/(M + m sin² β)."""
     problem = stated(
         "m: mass, M: mass, b: length, beta: angle, g: acceleration",
-        coordinates={"X": rb.coordinate(dimension="length", start="0"), "s": rb.coordinate(dimension="length", start="0")},
+        coordinates={
+            "X": rb.coordinate(dimension="length", start="0"),
+            "s": rb.coordinate(dimension="length", start="0"),
+        },
         bodies={
-            "wedge": {"shape": "rectangle", "width": "b", "height": "b", "mass": "M", "center": ("X", "0"), "angle": "0"},
+            "wedge": {
+                "shape": "rectangle",
+                "width": "b",
+                "height": "b",
+                "mass": "M",
+                "center": ("X", "0"),
+                "angle": "0",
+            },
             "block": rb.particle(mass="m", center=("X + s*cos(beta)", "-s*sin(beta)")),
         },
-        constraints={"S": rb.slider("wedge.center", "y = 0"), "N": rb.contact("block.center", "y = -x*tan(beta)", of="wedge")},
+        constraints={
+            "S": rb.slider("wedge.center", "y = 0"),
+            "N": rb.contact("block.center", "y = -x*tan(beta)", of="wedge"),
+        },
     )
-    study = check(problem, {
-        "X_ddot": "-m*g*sin(beta)*cos(beta)/(M + m*sin(beta)**2)",
-        "s_ddot": "(M + m)*g*sin(beta)/(M + m*sin(beta)**2)",
-        "N": "M*m*g*cos(beta)/(M + m*sin(beta)**2)",
-    })
+    study = check(
+        problem,
+        {
+            "X_ddot": "-m*g*sin(beta)*cos(beta)/(M + m*sin(beta)**2)",
+            "s_ddot": "(M + m)*g*sin(beta)/(M + m*sin(beta)**2)",
+            "N": "M*m*g*cos(beta)/(M + m*sin(beta)**2)",
+        },
+    )
     assert study.dynamics.workless == {"S": True, "N": True}
 
 
@@ -128,10 +156,13 @@ def test_ladder_on_a_rough_floor_sticks():
         bodies={"rod": rb.rod("2*ell", mass="M", start="O", angle="pi/2 - theta")},
         constraints={"N": rb.sticking("rod.start", "y = 0")},
     )
-    check(problem, {
-        "theta_ddot": "3*g*sin(theta)/(4*ell)",
-        "f_N": "M*(3*g*sin(theta)*cos(theta)/4 - ell*theta_dot**2*sin(theta))",
-    })
+    check(
+        problem,
+        {
+            "theta_ddot": "3*g*sin(theta)/(4*ell)",
+            "f_N": "M*(3*g*sin(theta)*cos(theta)/4 - ell*theta_dot**2*sin(theta))",
+        },
+    )
 
 
 def test_sliding_friction_on_an_incline():

@@ -9,7 +9,8 @@ ROD = "M: mass, ell: length, g: acceleration"
 def test_rod_in_an_accelerating_truck():
     """θ'' = -3 (g sin θ + a cos θ)/(2 ℓ): it hangs at rest where tan θ = -a/g."""
     problem = stated(
-        ROD + ", a: acceleration", coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
+        ROD + ", a: acceleration",
+        coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
         bodies={"rod": rb.rod("ell", mass="M", start=("a*t**2/2", "0"), angle="theta - pi/2")},
         constraints={"P": rb.pivot("rod.start")},
     )
@@ -28,7 +29,8 @@ def test_rod_on_a_driven_cart():
             "rod": rb.rod("ell", mass="M", start=("x", "0"), angle="theta - pi/2"),
         },
         constraints={
-            "F": rb.prescribed("cart.center", "a*t**2/2"), "N": rb.contact("cart.center", "y = 0"),
+            "F": rb.prescribed("cart.center", "a*t**2/2"),
+            "N": rb.contact("cart.center", "y = 0"),
             "P": rb.pin(["cart.center", "rod.start"]),
         },
     )
@@ -39,7 +41,8 @@ def test_rod_on_a_driven_cart():
 def test_swinging_support():
     """A support that moves up and down: θ'' = -3 (g - A Ω² cos Ωt) sin θ/(2 ℓ)."""
     problem = stated(
-        ROD + ", A: length, Omega: angular speed", coordinates={"theta": rb.coordinate(start="theta_0")},
+        ROD + ", A: length, Omega: angular speed",
+        coordinates={"theta": rb.coordinate(start="theta_0")},
         bodies={"rod": rb.rod("ell", mass="M", angle="theta - pi/2")},
         constraints={"P": rb.pivot("rod.start", ["0", "A*cos(Omega*t)"])},
     )
@@ -56,7 +59,8 @@ def test_bead_on_a_turning_rod():
             "bead": rb.particle(mass="m", center=("r*cos(phi)", "r*sin(phi)")),
         },
         constraints={
-            "P": rb.pivot("rod.start"), "tau": rb.prescribed_angle("rod", "Omega*t"),
+            "P": rb.pivot("rod.start"),
+            "tau": rb.prescribed_angle("rod", "Omega*t"),
             "N": rb.guide("bead.center", "y = 0", of="rod"),
         },
     )
@@ -76,7 +80,8 @@ def test_disk_on_an_accelerated_plank():
             "disk": rb.disk("R", mass="m", center=("x", "R")),
         },
         constraints={
-            "S": rb.slider("plank.bottom", "y = -b"), "F": rb.prescribed("plank.center", "A*t**2/2"),
+            "S": rb.slider("plank.bottom", "y = -b"),
+            "F": rb.prescribed("plank.center", "A*t**2/2"),
             "N": rb.rolling("disk", "y = b/2", of="plank"),
         },
     )
@@ -94,8 +99,10 @@ def test_static_friction_of_a_moving_support_works():
             "rod": rb.rod("ell", mass="M", start=("s", "0"), angle="theta - pi/2"),
         },
         constraints={
-            "S": rb.slider("truck.bottom", "y = -b"), "F": rb.prescribed("truck.center", "a*t**2/2"),
-            "N": rb.sticking("crate.center", "y = b/2", of="truck"), "P": rb.pin(["crate.center", "rod.start"]),
+            "S": rb.slider("truck.bottom", "y = -b"),
+            "F": rb.prescribed("truck.center", "a*t**2/2"),
+            "N": rb.sticking("crate.center", "y = b/2", of="truck"),
+            "P": rb.pin(["crate.center", "rod.start"]),
         },
     )
     study = check(problem, {})

@@ -14,7 +14,10 @@ ROLLING = [{"name": "rolling", "event": "no slip", "of": "N", "constraints": {"N
 def slipping(speed="v_0", spin="0", more=""):
     return stated(
         f"{BALL}, {more}".rstrip(", "),
-        coordinates={"x": rb.coordinate(dimension="length", start="0", speed=speed), "phi": rb.coordinate(start="0", speed=spin)},
+        coordinates={
+            "x": rb.coordinate(dimension="length", start="0", speed=speed),
+            "phi": rb.coordinate(start="0", speed=spin),
+        },
         bodies={"ball": rb.ball("R", mass="M", center=("x", "R"), angle="-phi")},
         constraints={"N": rb.touch("ball", "y = 0", coefficient="mu")},
         phases=ROLLING,
@@ -42,7 +45,9 @@ def test_ball_with_backspin():
 
 
 FREE_ROD = {
-    "x": {"dimension": "length", "start": "0"}, "y": {"dimension": "length", "start": "0"}, "theta": {"start": "0"},
+    "x": {"dimension": "length", "start": "0"},
+    "y": {"dimension": "length", "start": "0"},
+    "theta": {"start": "0"},
 }
 
 
@@ -71,8 +76,19 @@ def test_ball_against_a_free_rod():
             "ball": rb.particle(mass="m", center=("s", "b")),
         },
         constraints={"T": rb.contact("ball.center", "y = b")},
-        phases=[{"name": "apart", "impulses": {
-            "J": {"type": "collision", "points": ["ball.center", "rod.spot"], "along": ["1", "0"], "restitution": "e"}}}],
+        phases=[
+            {
+                "name": "apart",
+                "impulses": {
+                    "J": {
+                        "type": "collision",
+                        "points": ["ball.center", "rod.spot"],
+                        "along": ["1", "0"],
+                        "restitution": "e",
+                    }
+                },
+            }
+        ],
     )
     _, second = stages(problem)
     expected = "(1 + e)*v_0/(1/m + 1/M + 12*b**2/(M*ell**2))"
@@ -86,7 +102,8 @@ def test_end_suddenly_held():
     problem = stated(
         "M: mass, a: length",
         coordinates={
-            "x": {"dimension": "length", "start": "0"}, "y": {"dimension": "length", "start": "0"},
+            "x": {"dimension": "length", "start": "0"},
+            "y": {"dimension": "length", "start": "0"},
             "theta": {"start": "0", "speed": "omega_0"},
         },
         bodies={"rod": rb.rod("2*a", mass="M", center=("x", "y"), angle="theta")},

@@ -20,15 +20,25 @@ def on_incline(shape, **keys):
     )
 
 
-@pytest.mark.parametrize(("shape", "c"), [
-    (rb.disk("R", mass="M"), "1/2"), (rb.ring("R", mass="M"), "1"), (rb.ball("R", mass="M"), "2/5"),
-    (rb.shell("R", mass="M"), "2/3"),
-])
+@pytest.mark.parametrize(
+    ("shape", "c"),
+    [
+        (rb.disk("R", mass="M"), "1/2"),
+        (rb.ring("R", mass="M"), "1"),
+        (rb.ball("R", mass="M"), "2/5"),
+        (rb.shell("R", mass="M"), "2/3"),
+    ],
+)
 def test_round_bodies_on_an_incline(shape, c):
     """Kleppner & Kolenkow 7.6: a = g sin β/(1 + c), f = M g sin β c/(1 + c)."""
-    study = check(on_incline(shape), {
-        "s_ddot": f"g*sin(beta)/(1 + {c})", "N": "M*g*cos(beta)", "f_N": f"M*g*sin(beta)*({c})/(1 + {c})",
-    })
+    study = check(
+        on_incline(shape),
+        {
+            "s_ddot": f"g*sin(beta)/(1 + {c})",
+            "N": "M*g*cos(beta)",
+            "f_N": f"M*g*sin(beta)*({c})/(1 + {c})",
+        },
+    )
     along, turning = work_of(study, "f_N", "body")
     assert_same(along, f"-M*g*s*sin(beta)*({c})/(1 + {c})", study)
     assert is_zero(along + turning)
@@ -45,7 +55,10 @@ def test_redundant_coordinates_with_a_pull():
     """x and φ of a disk, pulled at the top: a = 4F/(3M), f = F/3 forward."""
     problem = stated(
         "M: mass, R: length, F: force, g: acceleration",
-        coordinates={"x": rb.coordinate(dimension="length", start="x_0", speed="v_0"), "phi": rb.coordinate(start="phi_0")},
+        coordinates={
+            "x": rb.coordinate(dimension="length", start="x_0", speed="v_0"),
+            "phi": rb.coordinate(start="phi_0"),
+        },
         bodies={"disk": rb.disk("R", mass="M", center=("x", "R"), angle="phi", points={"top": ("0", "R")})},
         interactions={"P": rb.force("disk.center", ("F", "0")), "Q": rb.couple("disk", "-F*R")},
         constraints={"N": rb.rolling("disk", "y = 0")},
@@ -73,10 +86,14 @@ def test_cylinder_in_a_cylinder():
         bodies={"disk": rb.disk("r", mass="M", center=("(R - r)*sin(theta)", "-(R - r)*cos(theta)"))},
         constraints={"N": rb.rolling("disk", circle="O", radius="R", side="inside")},
     )
-    check(problem, {
-        "theta_ddot": "-2*g*sin(theta)/(3*(R - r))", "N": "M*g*cos(theta) + M*(R - r)*theta_dot**2",
-        "f_N": "M*g*sin(theta)/3",
-    })
+    check(
+        problem,
+        {
+            "theta_ddot": "-2*g*sin(theta)/(3*(R - r))",
+            "N": "M*g*cos(theta) + M*(R - r)*theta_dot**2",
+            "f_N": "M*g*sin(theta)/3",
+        },
+    )
 
 
 def test_cylinder_off_a_cylinder():
@@ -100,7 +117,10 @@ def test_cylinder_on_a_plank():
     """A plank on rollers pulled by F: A = F/(M + m/3), a cylinder of mass m on it moves with A/3."""
     problem = stated(
         PLANK,
-        coordinates={"X": rb.coordinate(dimension="length", start="0"), "x": rb.coordinate(dimension="length", start="0")},
+        coordinates={
+            "X": rb.coordinate(dimension="length", start="0"),
+            "x": rb.coordinate(dimension="length", start="0"),
+        },
         bodies={
             "plank": rb.rectangle("b", "h", mass="M", center=("X", "h/2"), angle="0"),
             "disk": rb.disk("R", mass="m", center=("x", "h + R")),
@@ -118,17 +138,30 @@ def test_cylinder_on_a_sliding_wedge():
     """The wedge recoils: X'' = -m g sin 2β/(3(M + m) - 2 m cos²β) for a disk (Spiegel-type)."""
     problem = stated(
         "m: mass, M: mass, R: length, beta: angle, g: acceleration",
-        coordinates={"X": rb.coordinate(dimension="length", start="0"), "s": rb.coordinate(dimension="length", start="0")},
+        coordinates={
+            "X": rb.coordinate(dimension="length", start="0"),
+            "s": rb.coordinate(dimension="length", start="0"),
+        },
         bodies={
-            "wedge": {"shape": "rectangle", "width": "R", "height": "R", "mass": "M", "center": ("X", "0"), "angle": "0"},
+            "wedge": {
+                "shape": "rectangle",
+                "width": "R",
+                "height": "R",
+                "mass": "M",
+                "center": ("X", "0"),
+                "angle": "0",
+            },
             "disk": rb.disk("R", mass="m", center=("X + s*cos(beta) + R*sin(beta)", "-s*sin(beta) + R*cos(beta)")),
         },
         constraints={"S": rb.slider("wedge.center", "y = 0"), "N": rb.rolling("disk", "y = -x*tan(beta)", of="wedge")},
     )
-    check(problem, {
-        "X_ddot": "-m*g*2*sin(beta)*cos(beta)/(3*(M + m) - 2*m*cos(beta)**2)",
-        "s_ddot": "2*(M + m)*g*sin(beta)/(3*(M + m) - 2*m*cos(beta)**2)",
-    })
+    check(
+        problem,
+        {
+            "X_ddot": "-m*g*2*sin(beta)*cos(beta)/(3*(M + m) - 2*m*cos(beta)**2)",
+            "s_ddot": "2*(M + m)*g*sin(beta)/(3*(M + m) - 2*m*cos(beta)**2)",
+        },
+    )
 
 
 def test_cylinder_on_a_turning_cylinder():
@@ -144,8 +177,7 @@ def test_cylinder_on_a_turning_cylinder():
     )
     study = check(problem, {})
     assert study.system.independent == ("theta", "psi")
-    assert_same(study.dynamics.accelerations["theta_ddot"],
-                "2*(M + m)*g*sin(theta)/((R + r)*(3*M + 2*m))", study)
+    assert_same(study.dynamics.accelerations["theta_ddot"], "2*(M + m)*g*sin(theta)/((R + r)*(3*M + 2*m))", study)
 
 
 def test_how_much_friction_rolling_needs():
@@ -177,7 +209,15 @@ def test_half_disk_that_rocks():
     problem = stated(
         "M: mass, R: length, g: acceleration",
         coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
-        bodies={"bowl": {"shape": "half-disk", "radius": "R", "mass": "M", "center": ("-R*theta", "R"), "angle": "theta + pi"}},
+        bodies={
+            "bowl": {
+                "shape": "half-disk",
+                "radius": "R",
+                "mass": "M",
+                "center": ("-R*theta", "R"),
+                "angle": "theta + pi",
+            }
+        },
         constraints={"N": rb.rolling("bowl", "y = 0", rim="R")},
     )
     study = check(problem, {})
@@ -190,15 +230,25 @@ def test_ring_with_a_point_mass():
     problem = stated(
         "m: mass, M: mass, R: length, g: acceleration",
         coordinates={"theta": rb.coordinate(start="theta_0", range=("-pi", "pi"))},
-        bodies={"ring": {
-            "shape": "composite", "points": {"center": ("0", "0")}, "angle": "theta - pi/2",
-            "parts": [{"shape": "ring", "radius": "R", "mass": "M"}, {"shape": "particle", "mass": "m", "at": ["R", "0"]}],
-        }},
+        bodies={
+            "ring": {
+                "shape": "composite",
+                "points": {"center": ("0", "0")},
+                "angle": "theta - pi/2",
+                "parts": [
+                    {"shape": "ring", "radius": "R", "mass": "M"},
+                    {"shape": "particle", "mass": "m", "at": ["R", "0"]},
+                ],
+            }
+        },
         constraints={"N": rb.rolling("ring", "y = 0", rim="R")},
     )
-    check(problem, {
-        "theta_ddot": "-m*sin(theta)*(R*theta_dot**2 + g)/(2*R*(M + m - m*cos(theta)))",
-    })
+    check(
+        problem,
+        {
+            "theta_ddot": "-m*sin(theta)*(R*theta_dot**2 + g)/(2*R*(M + m - m*cos(theta)))",
+        },
+    )
 
 
 def test_disk_in_a_bowl_in_four_coordinates():

@@ -22,11 +22,14 @@ def atwood(**more):
 
 def test_atwood_with_a_massive_pulley():
     """Kleppner & Kolenkow 6.5: a = (m1 - m2) g/(m1 + m2 + I/R²)."""
-    study = check(atwood(), {
-        "y_ddot": "(m_1 - m_2)*g/(m_1 + m_2 + M/2)",
-        "T_1": "m_1*(2*m_2 + M/2)*g/(m_1 + m_2 + M/2)",
-        "T_2": "m_2*(2*m_1 + M/2)*g/(m_1 + m_2 + M/2)",
-    })
+    study = check(
+        atwood(),
+        {
+            "y_ddot": "(m_1 - m_2)*g/(m_1 + m_2 + M/2)",
+            "T_1": "m_1*(2*m_2 + M/2)*g/(m_1 + m_2 + M/2)",
+            "T_2": "m_2*(2*m_1 + M/2)*g/(m_1 + m_2 + M/2)",
+        },
+    )
     assert study.dynamics.workless == {"A": True, "T_1": True, "T_2": True}
     along, _ = work_of(study, "T_1", "left")
     _, turning = work_of(study, "T_1", "pulley")
@@ -35,8 +38,11 @@ def test_atwood_with_a_massive_pulley():
 
 def test_atwood_in_redundant_coordinates():
     """Two heights and an angle: the string ties them."""
-    more = {"coordinates": {"z": rb.coordinate(**DOWN), "phi": rb.coordinate(start="0")},
-            "pulley": {"angle": "phi"}, "right": "-c - z"}
+    more = {
+        "coordinates": {"z": rb.coordinate(**DOWN), "phi": rb.coordinate(start="0")},
+        "pulley": {"angle": "phi"},
+        "right": "-c - z",
+    }
     study = check(atwood(**more), {})
     assert len(study.system.independent) == 1
     assert len(study.system.dependent) == 2
@@ -60,8 +66,7 @@ def test_double_atwood():
     )
     study = check(problem, {})
     m = "(m_2 + m_3)*(m_1 + m) + 4*m_2*m_3"
-    assert_same(study.dynamics.accelerations["x_ddot"],
-                f"g*(4*m_2*m_3 + (m - m_1)*(m_2 + m_3))/({m})", study)
+    assert_same(study.dynamics.accelerations["x_ddot"], f"g*(4*m_2*m_3 + (m - m_1)*(m_2 + m_3))/({m})", study)
 
 
 def test_yo_yo():
@@ -93,7 +98,9 @@ def test_block_incline_pulley_and_bob():
         "m: mass, M: mass, I: moment of inertia, R: length, b: length, beta: angle, mu: number, g: acceleration",
         coordinates={"s": rb.coordinate(dimension="length", start="0", speed="v_0")},
         bodies={
-            "block": rb.particle(mass="M", center=("-(b - s)*cos(beta) - R*sin(beta)", "-(b - s)*sin(beta) + R*cos(beta)")),
+            "block": rb.particle(
+                mass="M", center=("-(b - s)*cos(beta) - R*sin(beta)", "-(b - s)*sin(beta) + R*cos(beta)")
+            ),
             "pulley": {"shape": "given", "mass": "M", "moment": "I", "center": "O"},
             "bob": rb.particle(mass="m", center=("R", "-b - s")),
         },
@@ -103,9 +110,13 @@ def test_block_incline_pulley_and_bob():
             "T": rb.string(["block.center", {"around": "pulley", "radius": "R", "sense": "cw"}, "bob.center"]),
         },
     )
-    check(problem, {
-        "s_ddot": "(m - M*sin(beta) - mu*M*cos(beta))*g/(m + M + I/R**2)", "N": "M*g*cos(beta)",
-    })
+    check(
+        problem,
+        {
+            "s_ddot": "(m - M*sin(beta) - mu*M*cos(beta))*g/(m + M + I/R**2)",
+            "N": "M*g*cos(beta)",
+        },
+    )
 
 
 def test_falling_spool_and_bob():
@@ -120,9 +131,14 @@ def test_falling_spool_and_bob():
         },
         constraints={"A": rb.pivot("pulley.center"), "T": rb.string(["bob.center", "cw pulley", "ccw spool"])},
     )
-    check(problem, {
-        "x_ddot": "g*(6*m - 2*M)/(6*m + 5*M)", "y_ddot": "g*(2*m + 4*M)/(6*m + 5*M)", "T_2": "M*g*(4*m + M)/(6*m + 5*M)",
-    })
+    check(
+        problem,
+        {
+            "x_ddot": "g*(6*m - 2*M)/(6*m + 5*M)",
+            "y_ddot": "g*(2*m + 4*M)/(6*m + 5*M)",
+            "T_2": "M*g*(4*m + M)/(6*m + 5*M)",
+        },
+    )
 
 
 def test_rod_on_two_strings():
@@ -143,7 +159,10 @@ def test_string_pendulum_in_two_coordinates():
     """x and y of a bob on a string of given length: one equation ties them."""
     problem = stated(
         "m: mass, ell: length, g: acceleration",
-        coordinates={"x": rb.coordinate(dimension="length", start="x_0", range=("0", "ell/2")), "y": rb.coordinate(dimension="length", range=("-ell", "-ell/2"))},
+        coordinates={
+            "x": rb.coordinate(dimension="length", start="x_0", range=("0", "ell/2")),
+            "y": rb.coordinate(dimension="length", range=("-ell", "-ell/2")),
+        },
         bodies={"bob": rb.particle(mass="m", center=("x", "y"))},
         constraints={"T": rb.string(["O", "bob.center"], "ell")},
     )
@@ -169,19 +188,24 @@ def test_swinging_atwood():
     """Two pegs as points: r'' (m + M) = m r θ'² + g (m cos θ - M)."""
     problem = stated(
         "m: mass, M: mass, a: length, ell: length, g: acceleration",
-        coordinates={"r": rb.coordinate(dimension="length", start="r_0", range=("0", "ell")),
-                     "theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2"))},
+        coordinates={
+            "r": rb.coordinate(dimension="length", start="r_0", range=("0", "ell")),
+            "theta": rb.coordinate(start="theta_0", range=("-pi/2", "pi/2")),
+        },
         bodies={
             "bob": rb.particle(mass="m", center=("r*sin(theta)", "-r*cos(theta)")),
             "load": rb.particle(mass="M", center=("-a", "-ell + r")),
         },
         constraints={"T": rb.string(["load.center", {"around": ["-a", "0"]}, {"around": "O"}, "bob.center"])},
     )
-    check(problem, {
-        "r_ddot": "(m*r*theta_dot**2 + g*(m*cos(theta) - M))/(m + M)",
-        "theta_ddot": "-(2*r_dot*theta_dot + g*sin(theta))/r",
-        "T": "m*M*(r*theta_dot**2 + g*(1 + cos(theta)))/(m + M)",
-    })
+    check(
+        problem,
+        {
+            "r_ddot": "(m*r*theta_dot**2 + g*(m*cos(theta) - M))/(m + M)",
+            "theta_ddot": "-(2*r_dot*theta_dot + g*sin(theta))/r",
+            "T": "m*M*(r*theta_dot**2 + g*(1 + cos(theta)))/(m + M)",
+        },
+    )
 
 
 def test_massless_pulley():
