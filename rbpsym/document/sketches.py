@@ -99,10 +99,11 @@ def _origin_label(pose: DrawnPose, ref: PointRef) -> t.Node | None:
 
 
 def _lines(pose: DrawnPose) -> Iterator[SketchLine]:
+    """The fixed lines that anything touches."""
     seen = set()
-    for element in _elements(pose, "contact"):
+    for element in pose.study.problem.constraints:
         line = element.values.get("line")
-        if line is None or line.label in seen:
+        if line is None or element.values.get("of") or line.label in seen:
             continue
         seen.add(line.label)
         yield SketchLine(pose.node(line.a), pose.node(line.b), pose.node(line.c))

@@ -55,6 +55,8 @@ def _by(name: str, said: Words) -> Inlines:
 def _at(label: str, pose: DrawnPose, said: Words) -> Inlines:
     """Where the force acts, in a word."""
     body, _, point = label.partition(".")
+    if label in pose.study.problem.body_names:
+        return said.say("point.contact")
     known = body in pose.study.problem.body_names and (point == "cm" or point in pose.study.problem.body(body).points)
     return point_name(PointRef(label, body, point), pose, said) if known else said.say("plain", text=label)
 

@@ -131,14 +131,16 @@ class Reading:
         rest = reduced(whole.scaled(1, inverse(powers)))
         if not rest.terms:
             return Fraction(0), {}
-        found: Factors = {factor: -k for factor, k in divisors.items()}
         rational, more = rest.content()
+        found: Factors = {}
         for index, k in (*powers, *more):
             found[generator(index)] = found.get(generator(index), 0) + k
-        coefficient, parts = split(rest.scaled(1 / rational, inverse(more)), self.deep)
-        for factor, k in parts:
-            found[factor] = found.get(factor, 0) + k
-        return coefficient * rational, found
+        for whole, times in ((rest.scaled(1 / rational, inverse(more)), 1), *((f, -k) for f, k in divisors.items())):
+            coefficient, parts = split(whole, self.deep)
+            rational *= coefficient**times
+            for factor, k in parts:
+                found[factor] = found.get(factor, 0) + k * times
+        return rational, found
 
     def absolute(self, factor: Poly, exponent: int) -> Poly:
         """|factor|^exponent."""

@@ -12,8 +12,9 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import Condition, Pose
-from rbpsym.statement.model import Element, Problem
+from rbpsym.statement.model import Coordinate, Element, Problem
 
 
 def all_conditions(problem: Problem, geometry: Geometry) -> tuple[Condition, ...]:
@@ -66,13 +67,13 @@ def _turned(join, placed: Mapping[str, Pose], problem: Problem) -> Scalar:
 
 
 def solve_explicitly(
-    conditions: tuple[Condition, ...], names: tuple[str, ...]
+    conditions: tuple[Condition, ...], names: tuple[str, ...], problem: Problem
 ) -> tuple[dict[str, Scalar], tuple[Condition, ...]]:
     """(dependent coordinates in terms of the others, conditions that stay implicit).
 
-    A condition is solved for the last-named coordinate in which it is linear with a
-    coefficient that does not depend on coordinates. Raises StatementError if a condition
-    without coordinates is not satisfied.
+    A condition is solved for the last-named coordinate in which it is linear with a coefficient
+    that does not depend on coordinates. A condition on one coordinate alone, such as
+    L sin φ = 0, holds that one where it is.
     """
     solved: dict[str, Scalar] = {}
     implicit: list[Condition] = []
@@ -81,10 +82,11 @@ def solve_explicitly(
         if is_zero(value):
             continue
         name = next((n for n in reversed(names) if n not in solved and _is_linear(value, n, names)), None)
-        if name is None:
+        image = _held(value, names, problem) if name is None else _linear_zero(value, name)
+        if image is None:
             implicit.append(Condition(condition.constraint, value, condition.what))
             continue
-        image = substitute(value, {name: NOTHING}) / derivative(value, name) * -1
+        name = name or _names_in(value, names)[0]
         solved = {n: substitute(old, {name: image}) for n, old in solved.items()} | {name: image}
     left = tuple(Condition(c.constraint, substitute(c.value, solved), c.what) for c in implicit)
     return solved, tuple(c for c in left if not is_zero(c.value))
@@ -93,6 +95,42 @@ def solve_explicitly(
 def _is_linear(value: Scalar, name: str, names: tuple[str, ...]) -> bool:
     slope = derivative(value, name)
     return bool(slope) and not is_zero(slope) and not any(depends_on(slope, other) for other in names)
+
+
+def _linear_zero(value: Scalar, name: str) -> Scalar:
+    return substitute(value, {name: NOTHING}) / derivative(value, name) * -1
+
+
+def _names_in(value: Scalar, names: tuple[str, ...]) -> list[str]:
+    return [name for name in names if depends_on(value, name)]
+
+
+def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | None:
+    """Where a condition on one coordinate of several holds it: the zero that is nearest to 0 of those
+    that its range allows. None if it is not so, or if the coordinate is let go from a start of its own."""
+    from rbpsym.mechanics.roots import zeros
+
+    used = _names_in(value, names)
+    coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
+    if coordinate is None or coordinate.start is not None or len(names) < 2:
+        return None
+    numbers = sample(problem)
+    places = [(_place(zero, numbers), zero) for zero in zeros(value, coordinate.name)]
+    places = [item for item in places if item[0] is not None and _is_allowed(item[0], coordinate, numbers)]
+    return min(places, key=lambda item: abs(item[0]))[1] if places else None
+
+
+def _place(zero: Scalar, numbers: Mapping[str, float]) -> float | None:
+    """Where a zero is at sample numbers; None if it is not real there (acos 2)."""
+    try:
+        return number(zero, numbers)
+    except (ValueError, ZeroDivisionError):
+        return None
+
+
+def _is_allowed(place: float, coordinate: Coordinate, numbers: Mapping[str, float]) -> bool:
+    bounds = ((coordinate.lower, 1), (coordinate.upper, -1))
+    return all(node is None or side * (place - number(scalar(node), numbers)) > -1e-9 for node, side in bounds)
 
 
 def contradiction(condition: Condition, element: Element, text: str) -> StatementError:

@@ -33,11 +33,11 @@ class Tied:
 def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, Pose], names: tuple[str, ...]) -> Tied:
     """Conditions on the position first; then those on the speeds, integrated one after the other."""
     conditions = all_conditions(problem, _geometry(problem, inertias, given))
-    solved, implicit = solve_explicitly(conditions, names)
+    solved, implicit = solve_explicitly(conditions, names, problem)
     waiting = _rates(problem, inertias, given, solved, names)
     while (found := _first_integral(waiting, names, problem)) is not None:
         conditions = (*conditions, found)
-        solved, implicit = solve_explicitly(conditions, names)
+        solved, implicit = solve_explicitly(conditions, names, problem)
         waiting = _rates(problem, inertias, given, solved, names)
     return Tied(solved, implicit, tuple(waiting), conditions)
 

@@ -125,7 +125,9 @@ def _subscript(subs: list[Glyph], labels: list[str], part: str) -> None:
 
 
 def _nests(before: str, part: str) -> bool:
-    """Is `part` the subscript of `before`: of a force or point (N_w, A_1, W_rod)?"""
+    """Is `part` the subscript of `before`: of a force or point (N_w, A_1, W_rod, f_N)?"""
+    if before == "f" and part[0].isupper():
+        return True  # friction at the contact N: f_N
     owner = len(before) == 1 and before.isupper() and before not in _POINTLESS
     return (owner or before == "tau") and not part[0].isupper() and part not in _AXES
 

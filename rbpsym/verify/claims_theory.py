@@ -17,7 +17,7 @@ from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, space_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, cartesian
-from rbpsym.derivation import theory
+from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.statement.source import did_you_mean

@@ -1,4 +1,4 @@
-"""Contacts, strings and drives in maximal coordinates, from the directions of their unit forces.
+"""Contacts in maximal coordinates, from the directions of their unit forces.
 
 Of a constraint force per unit (pushes at places on bodies) the row of the condition is its
 generalized force in X: an ideal force does no work, so that row times V vanishes. Its rate along V
@@ -10,15 +10,11 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.notation.tree import Node
-from rbpsym.statement.model import Element, PointRef, Turn
-from rbpsym.statement.paths import runs, tensions
-from rbpsym.verify.simulation_bodies import Mechanism, Spot, State, placed
+from rbpsym.statement.model import Element, PointRef
+from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
 from rbpsym.verify.simulation_joints import Drag, Entries, Kept, Row
 
 STEP = 1e-30
@@ -59,7 +55,7 @@ def _entries(pushes: list[Push], where: Complex) -> list[tuple[int, complex]]:
     return found
 
 
-def _kept(
+def kept_by(
     name: str,
     multiplier: str,
     pushes: Pushes,
@@ -182,7 +178,7 @@ def _side_of_circle(element: Element, touching: Spot, middle: Spot, radius: floa
 
 
 def _normal(element: Element, bend: Curve, drag: Drag | None = None) -> Kept:
-    return _kept(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drag)
+    return kept_by(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drag)
 
 
 def _forward(bend: Curve, sign: int = 1) -> Pushes:
@@ -225,118 +221,4 @@ def holding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     sign = 1
     if element["line"] is not None and bend.bearer < 0:
         sign = -1 if -bend.normal(list(map(complex, start)))[0].real < -1e-9 else 1
-    return [_normal(element, bend), _kept(element.name, element["friction"], _forward(bend, sign))]
-
-
-# --- strings
-
-
-def string(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A tension for each run of the string, for the speeds along it."""
-    return [
-        _kept(element.name, name, _pulls(run, mechanism), _stretch(element, run, mechanism))
-        for name, run in zip(tensions(element), runs(element["path"]), strict=True)
-    ]
-
-
-def _stretch(element: Element, run: tuple[Turn, ...], mechanism: Mechanism) -> Callable[[Complex], complex] | None:
-    """Natural length minus length, for a straight piece whose length is given."""
-    if element["length"] is None:
-        return None
-    first, second = (mechanism.spot(turn.center) for turn in run)
-    length = mechanism.number(element["length"])
-
-    def gap(where: Complex) -> complex:
-        (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
-        return length - cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
-
-    return gap
-
-
-def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
-    circles = [(mechanism.spot(turn.center), turn.sense * mechanism.number(turn.radius)) for turn in run]
-
-    def pushes(where: Complex) -> list[Push]:
-        found = []
-        for (first, r1), (second, r2) in zip(circles, circles[1:], strict=False):
-            (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
-            ux, uy = _along(bx - ax, by - ay, r2 - r1)
-            found += [
-                Push(first.body, (ax + r1 * uy, ay - r1 * ux), ux, uy),
-                Push(second.body, (bx + r2 * uy, by - r2 * ux), -ux, -uy),
-            ]
-        return found
-
-    return pushes
-
-
-def _along(dx: complex, dy: complex, offset: complex) -> Point:
-    """u with d = L u + offset k×u."""
-    square = dx * dx + dy * dy
-    length = cmath.sqrt(square - offset * offset)
-    return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
-
-
-# --- drives
-
-
-def _driven(
-    name: str, multiplier: str, entries_of: Callable[[State, State], Row], node: Node, mechanism: Mechanism
-) -> Kept:
-    """A quantity of the bodies that equals a function of time."""
-    wanted = scalar(node)
-    speed_wanted = derivative(wanted, "t")
-    gain_wanted = derivative(speed_wanted, "t")
-
-    def row(where: State, speed: State) -> Row:
-        own = entries_of(where, speed)
-        at, rate, gain = (mechanism.at_time(value) for value in (wanted, speed_wanted, gain_wanted))
-        return Row(own.value - at, own.entries, own.bias - gain, -rate)
-
-    return Kept(name, multiplier, row)
-
-
-def _component(spot: Spot, dx: float, dy: float) -> Callable[[State, State], Row]:
-    def row(where: State, speed: State) -> Row:
-        at = placed(spot, where, speed)
-        return Row(dx * at.place[0] + dy * at.place[1], at.along(dx, dy), dx * at.bias[0] + dy * at.bias[1])
-
-    return row
-
-
-def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A point driven along a direction; the force is along it."""
-    along = _component(mechanism.spot(element["point"]), *mechanism.pair(element["along"]))
-    return [_driven(element.name, element.name, along, element["distance"], mechanism)]
-
-
-def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A body that is turned; the couple is the multiplier."""
-    column = 3 * mechanism.body_number(element["body"]) + 2
-
-    def turn(where: State, speed: State) -> Row:
-        return Row(where[column], [(column, 1.0)], 0.0)
-
-    return [_driven(element.name, element.name, turn, element["angle"], mechanism)]
-
-
-def driven_pivot(element: Element, mechanism: Mechanism) -> list[Kept]:
-    """A pivot whose support moves."""
-    spot = mechanism.spot(element["point"])
-    return [
-        _driven(element.name, f"{element.name}_{axis}", _component(spot, *direction), node, mechanism)
-        for axis, direction, node in zip("xy", ((1.0, 0.0), (0.0, 1.0)), element["at"], strict=True)
-    ]
-
-
-CONTACTS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
-    "contact": sliding,
-    "guide": sliding,
-    "slider": slider,
-    "touch": sliding,
-    "rolling": holding,
-    "sticking": holding,
-    "string": string,
-    "prescribed": driven_point,
-    "prescribed-angle": driven_angle,
-}
+    return [_normal(element, bend), kept_by(element.name, element["friction"], _forward(bend, sign))]

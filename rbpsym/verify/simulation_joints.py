@@ -82,7 +82,7 @@ def turning(first: int, second: int, offset: float, element: Element) -> Kept:
 def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     held = mechanism.spot(element["point"])
     if element["at"] is not None and not mechanism.is_constant(*element["at"]):
-        from rbpsym.verify.simulation_contacts import driven_pivot
+        from rbpsym.verify.simulation_drives import driven_pivot
 
         return driven_pivot(element, mechanism)
     here = placed(held, start, [0.0] * len(start)).place if element["at"] is None else mechanism.pair(element["at"])
@@ -125,9 +125,9 @@ JOINTS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
 
 def conditions(mechanism: Mechanism, start: State) -> list[Kept]:
     """All conditions of a statement; `start` says where a pivot without a place holds its point."""
-    from rbpsym.verify.simulation_contacts import CONTACTS
+    from rbpsym.verify.simulation_kinds import KINDS
 
-    found, known = [], {**JOINTS, **CONTACTS}
+    found, known = [], {**JOINTS, **KINDS}
     for element in mechanism.problem.constraints:
         if element.kind not in known:
             raise NotApplicable(f"the simulation does not know the constraint {element.kind}")

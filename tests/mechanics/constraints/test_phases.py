@@ -4,6 +4,8 @@ import pytest
 
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.phases import stages
+from rbpsym.mechanics.study import Study
+from rbpsym.solve import results
 from rbpsym.statement import build as rb
 from tests.mechanics.constraints.closed_forms import assert_same, check, stated
 
@@ -153,3 +155,30 @@ def test_an_end_without_a_closed_form():
     )
     with pytest.raises(NotApplicable, match="no closed form"):
         stages(problem)
+
+
+def test_ball_against_a_hinged_rod():
+    """A ball that sticks (e = 0) to a hinged rod at a distance b: ω = m v b/(M ℓ²/3 + m b²)."""
+    problem = stated(
+        "m: mass, M: mass, ell: length, b: length, v: speed, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="0"), "s": rb.coordinate(dimension="length", start="0", speed="v"),
+                     "h": rb.coordinate(dimension="length", start="0")},
+        bodies={
+            "rod": rb.rod("ell", mass="M", start="O", angle="theta - pi/2", points={"spot": ("b - ell/2", "0")}),
+            "ball": rb.particle(mass="m", center=("s", "h - b")),
+        },
+        constraints={"P": rb.pivot("rod.start")},
+        phases=[{"name": "after", "impulses": {
+            "J": {"type": "collision", "points": ["ball.center", "rod.spot"], "along": ["1", "0"], "restitution": "0"}}}],
+    )
+    _, second = stages(problem)
+    omega = "m*v*b/(M*ell**2/3 + m*b**2)"
+    assert_same(second.began.speeds["theta"], omega, second.study)
+    assert_same(second.began.speeds["s"], f"b*{omega}", second.study)
+
+
+def test_phases_in_the_answer():
+    """`rbpsym solve --json` tells how each phase begins."""
+    [phase] = results(Study(slipping()))["phases"]
+    assert phase["name"] == "rolling"
+    assert phase["time"] == "2*v_0/(7*g*mu)"

@@ -1,0 +1,175 @@
+"""An arbitrary rigid body by its mass moments: names, values, rates, and the two ways to integrate over it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import Scope, Value, rate, value
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import Space, cartesian
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.notation import tree as t
+
+XI, ETA = symbol("xi"), symbol("eta")
+OMEGA, ALPHA, MASS, MOMENT = symbol("omega"), symbol("alpha"), symbol("M"), symbol("I_cm")
+
+
+def _moving(name: str, orders: int = 2) -> dict[str, Scalar]:
+    """Rates of a coordinate and of its speed."""
+    steps = [name, f"{name}_dot", f"{name}_ddot"][: orders + 1]
+    return {a: symbol(b) for a, b in zip(steps, steps[1:], strict=False)}
+
+
+def _turning(x: str, y: str, speed: Scalar = OMEGA) -> dict[str, Scalar]:
+    """Rates of the components of a vector that is fixed in the body: ω × r."""
+    return {x: -(speed * symbol(y)), y: speed * symbol(x)}
+
+
+RATES: Mapping[str, Scalar] = {
+    **_moving("X"),
+    **_moving("Y"),
+    "omega": ALPHA,
+    "varphi": OMEGA,
+    **_turning("xi", "eta"),
+    **_turning("s_x", "s_y"),
+    **_turning("p_x", "p_y", symbol("omega_p")),
+    **_turning("q_x", "q_y", symbol("omega_q")),
+}
+
+
+def plane_vector(x: str, y: str) -> Space:
+    """The vector with the components of these names."""
+    return Space(cartesian(symbol(x), symbol(y)))
+
+
+def speed_of(vector: Space, rates: Mapping[str, Scalar] = RATES) -> Space:
+    """d/dt of a vector."""
+    from rbpsym.algebra.evaluate import space_derivative
+
+    return space_derivative(vector, Scope(rates=rates))
+
+
+R, r, s = plane_vector("X", "Y"), plane_vector("xi", "eta"), plane_vector("s_x", "s_y")
+V, v = speed_of(R), speed_of(r)
+A = speed_of(V)
+F = plane_vector("F_x", "F_y")
+
+VECTORS: Mapping[str, Space] = {
+    "R_cm": R,
+    "r": r,
+    "r_prime": R + r,
+    "V_cm": V,
+    "v": v,
+    "v_prime": V + v,
+    "A_cm": A,
+    "s": s,
+    "varphi": Space(z=symbol("varphi")),
+    "omega": Space(z=OMEGA),
+    "alpha": Space(z=ALPHA),
+    "P_cm": V * MASS,
+    "F": F,
+    "F_net": A * MASS,
+    "L": R.cross(V * MASS) + Space(z=MOMENT * OMEGA),
+    "tau_cm": Space(z=MOMENT * ALPHA),
+    "tau_net": R.cross(A * MASS) + Space(z=MOMENT * ALPHA),
+    "r_p": plane_vector("p_x", "p_y"),
+    "r_q": plane_vector("q_x", "q_y"),
+    "omega_p": Space(z=symbol("omega_p")),
+    "omega_q": Space(z=symbol("omega_q")),
+}
+SCALARS: Mapping[str, Scalar] = {
+    "E_K": (MASS * V.dot(V) + MOMENT * OMEGA * OMEGA) / 2,
+    "I_O": MOMENT + MASS * R.dot(R),
+    "tau_cm": MOMENT * ALPHA,
+}
+POWERS: Mapping[str, Scalar] = {
+    "cal_W_T": (A * MASS).dot(V),
+    "cal_W_theta": MOMENT * ALPHA * OMEGA,
+    "cal_W": (A * MASS).dot(V) + MOMENT * ALPHA * OMEGA,
+    "cal_w": F.dot(V + speed_of(s)),
+    "cal_w_T": F.dot(V),
+    "cal_w_theta": s.cross(F).z * OMEGA,
+}
+MOMENTS: Mapping[tuple[int, int], Scalar] = {
+    (0, 0): MASS,
+    (1, 0): NOTHING,
+    (0, 1): NOTHING,
+    (2, 0): symbol("m_xx"),
+    (1, 1): symbol("m_xy"),
+    (0, 2): MOMENT - symbol("m_xx"),
+}
+
+
+def by_moments(integrand: Scalar, body: str) -> Scalar:
+    """∫ f dm of a polynomial f in r, from the moments of the mass."""
+    return _over(integrand.num, lambda powers: MOMENTS[powers])
+
+
+def by_particles(integrand: Scalar, body: str) -> Scalar:
+    """Σ mᵢ f(rᵢ) over three particles whose centre of mass is at r = 0."""
+    total = NOTHING
+    for mass, x, y in PARTICLES:
+        total = total + mass * substitute(integrand, {"xi": x, "eta": y})
+    return total
+
+
+def _over(poly: Poly, moment) -> Scalar:
+    first, second = (atoms.intern("symbol", name) for name in ("xi", "eta"))
+    total = NOTHING
+    for a, part in poly.by_power(first).items():
+        for b, rest in part.by_power(second).items():
+            total = total + Scalar(rest) * moment((a, b))
+    return total
+
+
+def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
+    m = [symbol(f"m_{k}") for k in (1, 2, 3)]
+    x, y = ([symbol(f"{axis}_{k}") for k in (1, 2)] for axis in "xy")
+    last = [-(m[0] * p[0] + m[1] * p[1]) / m[2] for p in (x, y)]
+    return ((m[0], x[0], y[0]), (m[1], x[1], y[1]), (m[2], *last))
+
+
+PARTICLES = _particles()
+
+
+@dataclass(frozen=True)
+class TheoryContext:
+    """The same questions as `Context`, asked of an arbitrary body."""
+
+    body: object = by_moments
+    images: Mapping[str, Scalar] = field(default_factory=dict)
+    assumptions: Assumptions = field(default_factory=lambda: Assumptions({"M": "positive", "I_cm": "positive"}))
+    scalars: Mapping[str, Scalar] = field(default_factory=lambda: dict(SCALARS))
+    works: Mapping[str, Scalar] = field(default_factory=lambda: dict(POWERS))
+    vectors: Mapping[str, Space] = field(default_factory=lambda: dict(VECTORS))
+
+    @property
+    def scope(self) -> Scope:
+        """The scope of the theory."""
+        return Scope(self.scalars, self.vectors, RATES, {}, self.body, self.works)
+
+    def value(self, node: t.Node) -> Value:
+        """The value of a tree."""
+        found = value(node, self.scope)
+        if isinstance(found, Space):
+            return Space(found.plane.substitute(self.images), substitute(found.z, self.images))
+        return substitute(found, self.images)
+
+    def rate(self, node: t.Node) -> Scalar:
+        """d/dt of a tree with integrals along the motion."""
+        return substitute(rate(node, self.scope), self.images)
+
+    def start(self, found: Scalar) -> Scalar:
+        """All changes are counted from the start."""
+        return NOTHING
+
+
+def particle_context(context: TheoryContext) -> TheoryContext:
+    """Mass and moment of inertia are those of the three particles."""
+    mass = sum((m for m, _, _ in PARTICLES), NOTHING)
+    moment = sum((m * (x * x + y * y) for m, x, y in PARTICLES), NOTHING)
+    return replace(context, body=by_particles, images={"M": mass, "I_cm": moment})
