@@ -17,7 +17,7 @@ from rbpsym.algebra.modular import is_surely_nonzero
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.errors import StatementError
+from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.elimination import Matrix, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
 from rbpsym.mechanics.system import BodyState, Force, System
 
@@ -190,7 +190,15 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
     images = accelerations or {}
     if accelerations is not None and any(is_surely_nonzero(substitute(v, images).num) for v in solution.left):
         raise _contradictory(system)
-    return {name: short(substitute(solution.values[name], images)) for name in unknowns}
+    return {name: _on_motion(solution.values[name], images) for name in unknowns}
+
+
+def _on_motion(value: Scalar, accelerations: Mapping[str, Scalar]) -> Scalar:
+    """With the accelerations put in, unless that grows beyond the limits: then these stay as symbols."""
+    try:
+        return short(substitute(value, accelerations))
+    except LimitError:
+        return value
 
 
 def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
