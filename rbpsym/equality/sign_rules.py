@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from math import comb
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import partner, without_squares
-from rbpsym.algebra.poly import Poly, inverse
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra.poly import ONE, Poly, inverse
+from rbpsym.algebra.poly import ZERO as ZERO_POLY
+from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
 from rbpsym.equality.constants import is_algebraic, is_zero_number
@@ -17,6 +17,8 @@ from rbpsym.equality.points import Point, names_of
 
 if TYPE_CHECKING:
     from rbpsym.equality.signs import Study
+
+Linear = tuple[Poly, Poly]
 
 
 def _by_terms(study: Study, poly: Poly) -> int:
@@ -102,7 +104,6 @@ def _on_range(study: Study, poly: Poly, index: int, limits: b.Bounds) -> int:
     parts = poly.by_power(index)
     if min(parts) < 0 or max(parts) > 8 or max(parts) < 1:
         return ANY
-    parts = {k: Scalar(part) for k, part in parts.items()}
     lower, upper = limits.lower, limits.upper
     if lower is not None and upper is not None:
         found = _finite(parts, lower, upper)
@@ -128,33 +129,34 @@ def _common(study: Study, coefficients: list[Scalar], reached: tuple[bool, bool]
     return mask | signs[last] if reached[1] else mask
 
 
-def _finite(parts: dict[int, Scalar], lower: Scalar, upper: Scalar) -> list[Scalar]:
+def _finite(parts: dict[int, Poly], lower: Scalar, upper: Scalar) -> list[Scalar]:
     """Coefficients in u of (1 + u)^n p((lower + upper u)/(1 + u)), u > 0."""
-    degree = max(parts)
-    total = [NOTHING] * (degree + 1)
-    for k, part in parts.items():
-        factor = [UNITY]
-        for _ in range(k):
-            factor = _times_linear(factor, lower, upper)
-        for place, value in enumerate(factor):
-            for more in range(degree - k + 1):
-                total[place + more] = total[place + more] + part * value * comb(degree - k, more)
-    return total
+    ends = lower.num * upper.den, upper.num * lower.den
+    return _expanded(parts, ends, (ONE, ONE), lower.den * upper.den)
 
 
-def _times_linear(coefficients: list[Scalar], constant: Scalar, slope: Scalar) -> list[Scalar]:
-    low = [value * constant for value in coefficients] + [NOTHING]
-    high = [NOTHING] + [value * slope for value in coefficients]
-    return [x + y for x, y in zip(low, high, strict=True)]
-
-
-def _shifted(parts: dict[int, Scalar], end: Scalar, direction: int) -> list[Scalar]:
+def _shifted(parts: dict[int, Poly], end: Scalar, direction: int) -> list[Scalar]:
     """Coefficients in u of p(end ± u), u > 0."""
-    total = [NOTHING] * (max(parts) + 1)
+    return _expanded(parts, (end.num, end.den.scaled(direction)), (ONE, ZERO_POLY), end.den)
+
+
+def _expanded(parts: dict[int, Poly], above: Linear, below: Linear, den: Poly) -> list[Scalar]:
+    """Coefficients in u of belowⁿ p(above / (below × den)), both linear in u."""
+    degree = max(parts)
+    total = [ZERO_POLY] * (degree + 1)
     for k, part in parts.items():
-        for j in range(k + 1):
-            total[j] = total[j] + part * end ** (k - j) * (comb(k, j) * direction**j)
-    return total
+        term = [part * den ** (degree - k)]
+        for factor, times_taken in ((above, k), (below, degree - k)):
+            for _ in range(times_taken):
+                term = _times_linear(term, factor)
+        total = [a + b for a, b in zip(total, term, strict=True)]
+    return [quotient(coefficient, den**degree) for coefficient in total]
+
+
+def _times_linear(coefficients: list[Poly], factor: Linear) -> list[Poly]:
+    low = [value * factor[0] for value in coefficients] + [ZERO_POLY]
+    high = [ZERO_POLY] + [value * factor[1] for value in coefficients]
+    return [x + y for x, y in zip(low, high, strict=True)]
 
 
 def _by_root(study: Study, poly: Poly) -> int:

@@ -7,7 +7,7 @@ NAMES = """
     E_k E_K E_p L L_rod L_disk r P_cm R_cm V_cm I_cm I_rod I_disk I_0 F_net N_w N_f W
     tau_net tau_cm tau_N vartheta_1 vartheta_2 v_prime r_prime p_prime x_cm y_cm r_p r_i
     cal_W cal_W_T cal_W_theta cal_W_nc cal_w_c cal_w_N cal_w_T cal_w_theta I_O_prime
-""".split()  # noqa: SIM905
+""".split()
 
 SPELLINGS = {
     r"\vec{F}^{ext}_i": "F_ext_i",

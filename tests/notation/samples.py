@@ -37,8 +37,8 @@ from rbpsym.notation.tree import (
     relation,
 )  # fmt: skip
 
-th, th0, m, M, g, ell, R, t = (Sym(n) for n in "theta theta_0 m M g ell R t".split())  # noqa: SIM905
-omega, omega_0, I_O, tau = (Sym(n) for n in "omega omega_0 I_O tau".split())  # noqa: SIM905
+th, th0, m, M, g, ell, R, t = (Sym(n) for n in "theta theta_0 m M g ell R t".split())
+omega, omega_0, I_O, tau = (Sym(n) for n in "omega omega_0 I_O tau".split())
 
 
 def sin(arg):

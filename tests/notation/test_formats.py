@@ -14,7 +14,7 @@ from tests.notation.paper import NAMES
 from tests.notation.samples import CALCULUS, SAMPLES, SCALARS
 
 CORE = frozenset(
-    "math mi mn mo mrow mfrac msqrt msub msup msubsup mover munder mspace mtable mtr mtd".split()  # noqa: SIM905
+    "math mi mn mo mrow mfrac msqrt msub msup msubsup mover munder mspace mtable mtr mtd".split()
 )  # fmt: skip
 
 

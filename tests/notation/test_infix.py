@@ -10,7 +10,7 @@ from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Fn, Group, Mul, Neg, Num, Pow, Sym, walk
 
 SYMBOLS = """m M g ell theta theta_0 theta_dot omega omega_1 E I N S Q beta gamma lambda x_dot
-    varphi k R theta_1_ddot n mu1""".split()  # fmt: skip  # noqa: SIM905
+    varphi k R theta_1_ddot n mu1""".split()  # fmt: skip
 
 MEANINGS = {
     "2 ell": "2*ell",

@@ -7,7 +7,7 @@ from rbpsym.notation.latex import to_latex, to_latex_rows
 from rbpsym.notation.text import to_text
 from tests.notation.samples import CALCULUS, RELATIONS, SCALARS, VECTORS
 
-SYMBOLS = "m M g ell R theta theta_0 theta_1 theta_2 omega t x y k".split()  # noqa: SIM905
+SYMBOLS = "m M g ell R theta theta_0 theta_1 theta_2 omega t x y k".split()
 
 TYPED = {
     "-3*g*cos(theta)/(4*ell)": (r"-\frac{3 g \cos\theta}{4 \ell}", "−3g cos θ/4ℓ"),

@@ -11,7 +11,7 @@ from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Abs, BodyIntegral, Integral, Mul, Pow, Sym, Vec, Word, relation
 
 SYMBOLS = """m M g ell R theta theta_0 theta_dot theta_ddot phi omega omega_0 I_cm I_O_prime N_w r
-    r_prime V_cm F_net Delta_x cal_W_T t T k x y""".split()  # fmt: skip  # noqa: SIM905
+    r_prime V_cm F_net Delta_x cal_W_T t T k x y""".split()  # fmt: skip
 
 READ = {
     r"g(m + M)": "g(m + M)",
