@@ -1,6 +1,7 @@
 # make notes   lecture notes of the paper's course: PDF, HTML and LaTeX in build/
 # make test    the whole test suite
 # make check   derive every problem that ships and decide every claim, all of it anew
+# make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make lint    style, by ruff
 # make bench   how fast, as ratios
 # make docs    write the reference pages of docs/ anew
@@ -19,7 +20,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test check lint bench docs clean
+.PHONY: help notes test check mutants lint bench docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -36,6 +37,9 @@ test: $(VENV)/dev.stamp
 
 check: $(VENV)/run.stamp
 	$(BIN)/rbpsym check --no-cache --simulation --failures
+
+mutants: $(VENV)/run.stamp
+	@$(BIN)/python -m rbpsym.verify.mutants_run
 
 lint: $(VENV)/dev.stamp
 	$(BIN)/ruff check .

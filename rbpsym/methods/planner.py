@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 
+from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.balances import Balance, all_balances
@@ -21,7 +22,15 @@ class Plan:
 
 
 def plan(study: Study) -> Plan | None:
-    """The cheapest set that determines all accelerations; None if the search is too wide."""
+    """The cheapest set that determines all accelerations; None if the search is too wide, or if
+    the accelerations that the balances give grow beyond the limits."""
+    try:
+        return _search(study)
+    except LimitError:
+        return None
+
+
+def _search(study: Study) -> Plan | None:
     wanted = study.system.accelerations
     candidates = all_balances(study)
     trivial = [b for b in candidates if b.unknowns]

@@ -6,6 +6,7 @@ the first thing that it doesn't know: no character is ever passed over.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
@@ -40,9 +41,22 @@ def read_latex(
     if not isinstance(symbols, SymbolTable):
         symbols = symbol_table(symbols, notation, spellings)
     source = Source(text, place)
-    reader = Reader(source, _formula_tokens(tokenize(source)), table=symbols)
+    reader = Reader(source, _formula_tokens(tokenize(Source(_unbroken(text), place))), table=symbols)
     node = _rows(reader)
     return _checked(node, source)
+
+
+_FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")
+_GOES_ON = re.compile(r"\\\\\s*&?\s*\\q?quad\b\s*(?:\{\})?")
+
+
+def _unbroken(text: str) -> str:
+    """The text with a frame round all of it, and the breaks of a sum that goes on, made blank; places are kept."""
+    frame, end = _FRAME.match(text), len(text.rstrip()) - 1
+    while frame and text[end] == "}":
+        text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
+        frame, end = _FRAME.match(text), len(text.rstrip()) - 1
+    return _GOES_ON.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
 
 
 def _checked(node: t.Node, source: Source) -> t.Node:

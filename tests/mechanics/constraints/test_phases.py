@@ -161,15 +161,29 @@ def test_ball_against_a_hinged_rod():
     """A ball that sticks (e = 0) to a hinged rod at a distance b: ω = m v b/(M ℓ²/3 + m b²)."""
     problem = stated(
         "m: mass, M: mass, ell: length, b: length, v: speed, g: acceleration",
-        coordinates={"theta": rb.coordinate(start="0"), "s": rb.coordinate(dimension="length", start="0", speed="v"),
-                     "h": rb.coordinate(dimension="length", start="0")},
+        coordinates={
+            "theta": rb.coordinate(start="0"),
+            "s": rb.coordinate(dimension="length", start="0", speed="v"),
+            "h": rb.coordinate(dimension="length", start="0"),
+        },
         bodies={
             "rod": rb.rod("ell", mass="M", start="O", angle="theta - pi/2", points={"spot": ("b - ell/2", "0")}),
             "ball": rb.particle(mass="m", center=("s", "h - b")),
         },
         constraints={"P": rb.pivot("rod.start")},
-        phases=[{"name": "after", "impulses": {
-            "J": {"type": "collision", "points": ["ball.center", "rod.spot"], "along": ["1", "0"], "restitution": "0"}}}],
+        phases=[
+            {
+                "name": "after",
+                "impulses": {
+                    "J": {
+                        "type": "collision",
+                        "points": ["ball.center", "rod.spot"],
+                        "along": ["1", "0"],
+                        "restitution": "0",
+                    }
+                },
+            }
+        ],
     )
     _, second = stages(problem)
     omega = "m*v*b/(M*ell**2/3 + m*b**2)"

@@ -1,0 +1,49 @@
+"""Our own notes read back: every displayed formula of the LaTeX file passes the checkers of its step."""
+
+from dataclasses import replace
+
+from rbpsym.derivation.rules import certify
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.model import Display
+from rbpsym.document.notes import notation_of, notes
+from rbpsym.document.numbering import parts
+from rbpsym.document.writers import writer
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex_reader import read_latex
+from rbpsym.verify.paper_walk import read_paper
+
+ALWAYS = {"O", "C", "t", "r"}
+
+
+def _rows(node):
+    return [row for part in node.rows for row in _rows(part)] if isinstance(node, t.System) else [node]
+
+
+def test_every_display_of_the_file_is_proved(draft, tmp_path):
+    derivation = Derivation(draft.study, tuple(draft.steps), tuple(draft.skipped))
+    document = notes(derivation, "en", "full")
+    file = tmp_path / "notes.tex"
+    file.write_text(writer("tex")(document), encoding="utf-8")
+    shown = {d.label: d.node for d in parts(document) if isinstance(d, Display) and d.label}
+    found = {f.labels[0]: f.latex for f in read_paper(file).displayed if f.labels}
+    assert found.keys() == shown.keys()
+    assert len(found) > 25
+    for label, latex in found.items():
+        _read_back(draft, derivation, label, shown[label], latex)
+
+
+def _read_back(draft, derivation, label, node, latex):
+    """The formula is read with the names that it may hold; each step that it shows is certified again."""
+    variables = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
+    back = read_latex(latex.strip(), t.names(node) | ALWAYS | variables, notation=notation_of(derivation))
+    printed, read = _rows(node), _rows(back)
+    assert len(printed) == len(read), label
+    left = set(range(len(printed)))
+    for step in draft.steps:
+        rows = _rows(step.statement)
+        if all(row in printed for row in rows):
+            places = [printed.index(row) for row in rows]
+            statement = read[places[0]] if len(places) == 1 else t.System(tuple(read[k] for k in places))
+            assert certify(draft.context, replace(step, statement=statement)).verdict.is_proved, (label, latex)
+            left -= set(places)
+    assert not left, (label, latex)
