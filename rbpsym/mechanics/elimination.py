@@ -7,7 +7,7 @@ by substitution; a small dense block is solved by determinants, which stay polyn
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import derivative, substitute
@@ -159,15 +159,28 @@ def has_full_rank(rows: Sequence[Scalar], unknowns: Sequence[str]) -> bool:
 
     The image of a rank at one point is a lower bound of the rank, so True is a proof.
     """
-    matrix = [[_residue(derivative(row, name)) for name in unknowns] for row in rows]
+    try:
+        matrix = [[residue(derivative(row, name)) for name in unknowns] for row in rows]
+    except (NoImage, ValueError):
+        return not solve_linear(rows, unknowns).free
     return _rank(matrix) == len(unknowns) or not solve_linear(rows, unknowns).free
 
 
-def _residue(value: Scalar) -> int:
+def residue(value: Scalar) -> int:
+    """The image modulo a prime at one point. Raises NoImage (a root, an odd angle) or ValueError
+    (a pole there)."""
+    return value_of(value.num) * pow(value_of(value.den), -1, PRIME) % PRIME
+
+
+def is_surely_nonzero_on(value: Scalar, images: Mapping[str, Scalar]) -> bool:
+    """Whether a value that is linear in some symbols does not vanish identically when they are these
+    (True is a proof, False decides nothing); nothing is multiplied out."""
+    row = linear_row(value, tuple(images))
     try:
-        return value_of(value.num) * pow(value_of(value.den), -1, PRIME) % PRIME
+        parts = (residue(part) * residue(images[name]) for name, part in row.items() if name != CONSTANT)
+        return bool((sum(parts) + residue(row[CONSTANT])) % PRIME)
     except (NoImage, ValueError):
-        return 0
+        return False
 
 
 def _rank(matrix: list[list[int]]) -> int:
