@@ -8,6 +8,7 @@ from rbpsym.errors import Place, ReadError
 from rbpsym.statement.source import did_you_mean
 
 _PACKAGE = Path(__file__).resolve().parent.parent
+_OTHER_KINDS = {"claims", "courses", "worksheets"}
 _FOLDERS = (_PACKAGE / "_data" / "derivations", _PACKAGE.parent / "derivations")  # in a wheel, in a checkout
 
 
@@ -17,8 +18,13 @@ def library_folder() -> Path:
 
 
 def problem_files() -> dict[str, Path]:
-    """The files of the library by the name of their problem."""
-    return {path.stem: path for path in sorted(library_folder().glob("*.toml"))}
+    """The files of the library by the name of their problem: all but those of the other kinds' folders."""
+    files = (path for path in library_folder().rglob("*.toml") if _is_problem(path))
+    return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
+
+
+def _is_problem(path: Path) -> bool:
+    return not _OTHER_KINDS & set(path.relative_to(library_folder()).parts[:-1])
 
 
 def course_files() -> dict[str, Path]:
