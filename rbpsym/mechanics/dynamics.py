@@ -13,12 +13,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.modular import is_surely_nonzero
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError, StatementError
-from rbpsym.mechanics.elimination import Matrix, blocks, linear_row, short, solve_linear, solve_matrix, solve_rows
+from rbpsym.mechanics.elimination import (
+    Matrix,
+    blocks,
+    is_surely_nonzero_on,
+    linear_row,
+    short,
+    solve_linear,
+    solve_matrix,
+    solve_rows,
+)
 from rbpsym.mechanics.system import BodyState, Force, System
 
 LARGEST_BLOCK = 3
@@ -188,7 +196,7 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
     if solution.free:
         raise _indistinct(system, solution.free)
     images = accelerations or {}
-    if accelerations is not None and any(is_surely_nonzero(substitute(v, images).num) for v in solution.left):
+    if accelerations is not None and any(is_surely_nonzero_on(value, images) for value in solution.left):
         raise _contradictory(system)
     return {name: _on_motion(solution.values[name], images) for name in unknowns}
 
