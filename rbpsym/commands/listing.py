@@ -9,6 +9,8 @@ import click
 
 from rbpsym.commands.shelf import Entry, shelf
 
+LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard
+
 
 @click.command("list")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
@@ -38,14 +40,22 @@ def lines(entries: Iterable[Entry], language: str) -> Iterator[str]:
 
 
 def section(title: str, entries: list[Entry], width: int, language: str) -> Iterator[str]:
-    """The entries of one kind under their title."""
+    """The entries of one kind under their title: by topic, and from easy to hard."""
     yield click.style(title, bold=True)
-    for topic, group in groupby(sorted(entries, key=lambda entry: entry.topic), key=lambda entry: entry.topic):
+    for topic, group in groupby(sorted(entries, key=place), key=lambda entry: entry.topic(language)):
         if topic:
             yield click.style(f"  {topic}", dim=True)
         for entry in group:
-            yield f"    {entry.name:<{width}}  {entry.title(language)}"
+            level = entry.level(language)
+            said = click.style(f"  ({level})", dim=True) if level else ""
+            yield f"    {entry.name:<{width}}  {entry.title(language)}{said}"
     yield ""
+
+
+def place(entry: Entry) -> tuple[str, int, str]:
+    """Where an entry stands among those of its kind: topic, level (one that is not ours comes last), name."""
+    level = entry.level()
+    return entry.topic(), LEVELS.index(level) if level in LEVELS else len(LEVELS), entry.name
 
 
 def as_machine_text(entries: Iterable[Entry], language: str) -> str:
@@ -63,8 +73,8 @@ def record(entry: Entry, language: str) -> dict[str, str]:
     return {
         "name": entry.name,
         "title": entry.title(language),
-        "topic": entry.topic,
-        "level": entry.level,
+        "topic": entry.topic(language),
+        "level": entry.level(language),
         "source": entry.source,
         "file": str(entry.path),
     }

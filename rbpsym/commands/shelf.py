@@ -20,13 +20,26 @@ class Entry:
     name: str
     path: Path
     titles: Mapping[str, str]
-    topic: str = ""
-    level: str = ""
+    topics: Mapping[str, str]
+    levels: Mapping[str, str]
     source: str = ""
 
     def title(self, language: str = "en") -> str:
         """Its title in a language, or in English if it has none in that."""
-        return self.titles.get(language) or self.titles.get("en") or self.name
+        return in_language(self.titles, language) or self.name
+
+    def topic(self, language: str = "en") -> str:
+        """What it teaches; empty if no one said."""
+        return in_language(self.topics, language)
+
+    def level(self, language: str = "en") -> str:
+        """For whom it is; empty if no one said."""
+        return in_language(self.levels, language)
+
+
+def in_language(texts: Mapping[str, str], language: str) -> str:
+    """The text in a language, or in English if there is none in that."""
+    return texts.get(language) or texts.get("en", "")
 
 
 def shelf() -> Iterator[Entry]:
@@ -39,9 +52,15 @@ def shelf() -> Iterator[Entry]:
 def entry(kind: str, name: str, path: Path) -> Entry:
     """The entry of a file, from its head."""
     head = tomllib.loads(path.read_text(encoding="utf-8"))
-    title = head.get("title", name)
-    titles = title if isinstance(title, Mapping) else {"en": str(title)}
-    return Entry(kind, name, path, titles, *(str(head.get(key, "")) for key in ("topic", "level", "source")))
+    return Entry(
+        kind, name, path, *(worded(head, key) for key in ("title", "topic", "level")), str(head.get("source", ""))
+    )
+
+
+def worded(head: Mapping[str, object], key: str) -> Mapping[str, str]:
+    """A text by language; one that is not told apart is taken for English."""
+    value = head.get(key, "")
+    return value if isinstance(value, Mapping) else {"en": str(value)}
 
 
 def names() -> list[str]:

@@ -26,8 +26,8 @@ SECTIONS: dict[str, str] = {
     "name": "name of the problem; else the file's",
     "title": "title, or titles by language",
     "source": "where the problem comes from",
-    "level": "for whom it is",
-    "topic": "what it teaches",
+    "level": "for whom it is, or that by language",
+    "topic": "what it teaches, or that by language",
     "parameters": 'constants: name = "dimension: meaning"',
     "coordinates": "what tells the position: meaning, dimension, start, speed, range",
     "points": 'fixed points: Q = ["a", "0"]',
@@ -79,10 +79,10 @@ def assemble(table: Table, name: str) -> Problem:
 def _about(table: Table, name: str) -> dict[str, object]:
     """What a file says about the problem, beside the physics."""
     return {
-        "title": _title(table, name),
+        "title": _worded(table, "title", name),
         "source": table.string("source"),
-        "level": table.string("level"),
-        "topic": table.string("topic"),
+        "level": _worded(table, "level").get("en", ""),
+        "topic": _worded(table, "topic").get("en", ""),
         "notation": _strings(table, "notation"),
         "meanings": _meanings(table),
         "example": _values(table, "example"),
@@ -116,19 +116,19 @@ def _origins(table: Table, around: Surroundings) -> dict[str, PointRef]:
     return {point.label: point for point in points}
 
 
-def _title(table: Table, name: str) -> Mapping[str, str]:
-    value = table.data.get("title", name)
-    if isinstance(value, Mapping):
-        titles = _strings(table, "title")
-        _check_languages(table.table("title", "title"))
-        return titles
-    return {"en": table.string("title", name)}
+def _worded(table: Table, key: str, default: str = "") -> Mapping[str, str]:
+    """A text by language; one that is not told apart is taken for English."""
+    if not isinstance(table.data.get(key), Mapping):
+        return {"en": table.string(key, default)}
+    texts = _strings(table, key)
+    _check_languages(table.table(key, key), f'write {key} = {{ en = "...", es = "..." }}')
+    return texts
 
 
-def _check_languages(section: Table) -> None:
+def _check_languages(section: Table, cure: str) -> None:
     for language in section.names():
         if not re.fullmatch(r"[a-z]{2,3}", language):
-            raise section.error(f"“{language}” is no language", 'write title = { en = "...", es = "..." }', language)
+            raise section.error(f"“{language}” is no language", cure, language)
 
 
 def _strings(table: Table, key: str) -> dict[str, str]:
@@ -145,7 +145,7 @@ def _values(table: Table, key: str) -> dict[str, str]:
 
 def _meanings(table: Table) -> dict[str, dict[str, str]]:
     section = table.table("meanings", "meanings")
-    _check_languages(section)
+    _check_languages(section, 'write [meanings.es] and, below it, theta = "..."')
     return {language: _strings(section, language) for language in section.names()}
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from rbpsym.statement.library import problem_files
 from tests.architecture.source import MODULES, ROOT, Module
 
 LONGEST = 400  # lines
@@ -16,7 +17,7 @@ GUESSES = {"simplify", "trigsimp", "radsimp", "sympify", "parse_expr", "nsimplif
 # What is not a value but walks over something and remembers where it is.
 WALKERS = {"Context", "Reading", "Study", "Cursor", "_Reader", "Reader", "PositionIndex"}
 VAGUE = {"utils", "util", "helper", "helpers", "manager", "managers", "base", "misc", "common"}
-SHIPPED = sorted(path.stem for path in (ROOT / "derivations").glob("*.toml"))
+SHIPPED = sorted(problem_files())
 TEMPLATES = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
 
 by_name = pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)

@@ -1,0 +1,86 @@
+"""The library: every problem is told in full, derived in full, and bears out what its source says.
+
+That the claims of each file come out as expected is tests/claims/test_shipped.py.
+"""
+
+import time
+import tomllib
+from functools import cache
+
+import pytest
+
+from rbpsym.commands.listing import LEVELS
+from rbpsym.commands.shelf import entry
+from rbpsym.statement.library import library_folder, problem_files
+from tests.library.derived import NAMES, derived, problem
+
+SLOWEST = 10  # seconds to derive, on two cores; benchmarks/library.py has the table
+UNDECIDED = 0.02  # of all steps
+
+by_name = pytest.mark.parametrize("name", NAMES)
+
+
+@cache
+def bound():
+    """The problems that some claims file speaks of."""
+    files = (library_folder() / "claims").glob("*.toml")
+    settings = [setting for file in files for setting in tomllib.loads(file.read_text()).get("settings", {}).values()]
+    return {setting["problem"] for setting in settings if "problem" in setting}
+
+
+@by_name
+def test_it_is_told_in_english_and_spanish(name):
+    head = entry("problem", name, problem_files()[name])
+    for texts in (head.titles, head.topics, head.levels):
+        assert texts.keys() >= {"en", "es"} and all(texts.values())
+    found = problem(name)
+    own = {q.name for q in found.parameters if q.name not in found.implicit} | {c.name for c in found.coordinates}
+    assert found.meanings["es"].keys() >= own
+    assert all(c.quantity.meaning for c in found.coordinates)
+
+
+@by_name
+def test_it_has_its_place_in_the_library(name):
+    head = entry("problem", name, problem_files()[name])
+    assert head.source and head.level() in LEVELS
+    assert name in bound(), "no claims file speaks of it"
+
+
+def test_the_problems_of_a_folder_have_one_topic():
+    topics = {}
+    for name, file in problem_files().items():
+        head = entry("problem", name, file)
+        topics.setdefault(file.parent, set()).add((head.topic("en"), head.topic("es")))
+    assert all(len(found) == 1 for found in topics.values()), topics
+
+
+@by_name
+def test_no_file_is_longer_than_a_page(name):
+    text = problem_files()[name].read_text(encoding="utf-8")
+    stated = text.split("[notation]")[0].split("[meanings")[0].split("[example]")[0].splitlines()
+    assert len([line for line in stated if line.strip() and not line.startswith("#")]) <= 60
+
+
+@by_name
+def test_every_step_is_proved_or_says_why_not(name):
+    begun = time.perf_counter()
+    found = derived(name)
+    assert time.perf_counter() - begun < 3 * SLOWEST  # others may be running beside it
+    verdicts = [step.certificate.verdict for step in found.steps]
+    wrong = [step.id for step in found.steps if str(step.certificate.verdict.kind) == "REFUTED"]
+    assert verdicts and not wrong
+    assert all(verdict.is_proved or verdict.reason for verdict in verdicts)
+
+
+@by_name
+def test_methods_and_oracles_agree(name):
+    found = derived(name).summary()
+    assert found["methods"] and found["methods_agree"], found["methods"]
+    assert found["lagrange"] == "PROVED"
+    assert found["simulation"] is not None and found["simulation"]["max_relative_error"] <= 1e-8
+
+
+def test_almost_no_step_is_undecided():
+    counts = [derived(name).summary() for name in NAMES]
+    undecided = sum(count["undecided"] for count in counts)
+    assert undecided <= UNDECIDED * sum(count["steps"] for count in counts)
