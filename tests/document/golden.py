@@ -1,4 +1,4 @@
-"""The LaTeX of the shipped problems' notes, kept in tests/golden so that every change of a page is seen.
+"""The LaTeX of the notes of the paper's problems, kept in tests/golden so that every change of a page is seen.
 
 `python -m tests.document.golden` writes it anew; read the difference before you commit it.
 """
@@ -8,11 +8,12 @@ from pathlib import Path
 from rbpsym.derive import derive
 from rbpsym.document.notes import notes
 from rbpsym.document.writers import writer
-from rbpsym.statement.library import problem_files
+from rbpsym.statement.course import load_course
+from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_problem
 
 FOLDER = Path(__file__).parents[1] / "golden"
-NAMES = tuple(sorted(problem_files()))
+NAMES = tuple(part.name for part in load_course(course_files()["paper"]).parts if part.kind == "problem")
 
 
 def body(name: str) -> str:
