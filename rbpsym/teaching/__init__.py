@@ -1,0 +1,1 @@
+"""Worksheets from derivations: tasks, misconceptions, numbers, keys, exports and grading."""

@@ -1,0 +1,55 @@
+"""The table of formats: each exporter turns worksheets into files, and says what a format can't carry.
+
+A new format is a module of `exports` with a function `(worksheets, options) -> Exported`, and an entry here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+
+from rbpsym.errors import RbpsymError
+from rbpsym.teaching.model import Worksheet
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """key: write keys and solutions too; separate: one file a student (where the format allows both);
+    engine: what makes PDF ("typst" or "pdflatex")."""
+
+    key: bool = False
+    separate: bool = True
+    engine: str = "typst"
+
+
+@dataclass(frozen=True, slots=True)
+class Exported:
+    """files: content by path within the output folder; left_out: a sentence for each thing that the
+    format can't carry (never dropped silently)."""
+
+    files: Mapping[str, str | bytes]
+    left_out: tuple[str, ...] = field(default=())
+
+
+Exporter = Callable[[tuple[Worksheet, ...], Options], Exported]
+
+# format -> (module, function); imported when asked for
+EXPORTERS: Mapping[str, tuple[str, str]] = {
+    "pdf": ("rbpsym.teaching.paper_pdf", "export_pdf"),
+    "tex": ("rbpsym.teaching.paper_latex", "export_latex"),
+    "html": ("rbpsym.teaching.paper_html", "export_html"),
+    "moodle": ("rbpsym.teaching.exports.moodle", "export_moodle"),
+    "qti": ("rbpsym.teaching.exports.qti", "export_qti"),
+    "canvas": ("rbpsym.teaching.exports.canvas", "export_canvas"),
+    "prairielearn": ("rbpsym.teaching.exports.prairielearn", "export_prairielearn"),
+    "gift": ("rbpsym.teaching.exports.gift", "export_gift"),
+}
+
+
+def exporter(name: str) -> Exporter:
+    """The exporter of a format. Raises RbpsymError with the known ones."""
+    if name not in EXPORTERS:
+        raise RbpsymError(f"unknown format “{name}”", instead=f"known: {', '.join(EXPORTERS)}.")
+    module, function = EXPORTERS[name]
+    return getattr(import_module(module), function)
