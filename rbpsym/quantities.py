@@ -86,7 +86,8 @@ class Quantity:
     """A named quantity of a problem.
 
     `sign` is "positive", "nonnegative", "nonzero" or "real". `glyph` overrides how the name
-    is printed: the name of another glyph ("omega"), see `notation.glyphs`.
+    is printed: the name of another glyph ("omega"), see `notation.glyphs`. An acute angle lies
+    between 0 and π/2.
     """
 
     name: str
@@ -94,3 +95,4 @@ class Quantity:
     meaning: str = ""
     sign: str = "positive"
     glyph: str | None = None
+    is_acute: bool = False

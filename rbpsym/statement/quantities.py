@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 
 from rbpsym.errors import DimensionError
@@ -13,7 +14,7 @@ from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 
-SIGNS = ("positive", "nonnegative", "nonzero", "real")
+SIGNS = ("positive", "nonnegative", "nonzero", "real", "acute")  # acute: an angle between 0 and π/2
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
 _EXAMPLE = 'write it as "length: radius of the disk" or "mass, nonnegative: mass of the rod"'
@@ -36,7 +37,7 @@ def _parameter(name: str, section: Table) -> Quantity:
     head, _, meaning = item.value.partition(":")
     dimension, _, sign = head.partition(",")
     checked = _sign(item, sign, len(dimension) + 1) if sign else "positive"
-    return Quantity(name, _dimension(item, dimension), meaning.strip(), checked)
+    return _quantity(item, name, _dimension(item, dimension), meaning.strip(), checked)
 
 
 def _parameter_of_table(name: str, table: Table) -> Quantity:
@@ -44,7 +45,16 @@ def _parameter_of_table(name: str, table: Table) -> Quantity:
     table.require("dimension", f"the parameter “{name}”", 'add dimension = "length"')
     dimension = _dimension(table.item("dimension"), table.string("dimension"))
     sign = _sign(table.item("sign"), table.string("sign")) if "sign" in table else "positive"
-    return Quantity(name, dimension, table.string("meaning"), sign, table.string("glyph") or None)
+    found = _quantity(table.item("dimension"), name, dimension, table.string("meaning"), sign)
+    return replace(found, glyph=table.string("glyph") or None)
+
+
+def _quantity(item: Item, name: str, dimension: Dimension, meaning: str, sign: str) -> Quantity:
+    if sign != "acute":
+        return Quantity(name, dimension, meaning, sign)
+    if dimension != NUMBER:
+        raise item.error(f"the {dimension} “{name}” can't be acute", "only an angle is acute: leave the word out.")
+    return Quantity(name, dimension, meaning, "positive", is_acute=True)
 
 
 def _dimension(item: Item, text: str) -> Dimension:
