@@ -86,8 +86,8 @@ class Quantity:
     """A named quantity of a problem.
 
     `sign` is "positive", "nonnegative", "nonzero" or "real". `glyph` overrides how the name
-    is printed: the name of another glyph ("omega"), see `notation.glyphs`. An acute angle lies
-    between 0 and π/2.
+    is printed: the name of another glyph ("omega"), see `notation.glyphs`. `lower` and `upper`
+    are the bounds of an open interval in which it lies (display trees), None where there is none.
     """
 
     name: str
@@ -95,4 +95,5 @@ class Quantity:
     meaning: str = ""
     sign: str = "positive"
     glyph: str | None = None
-    is_acute: bool = False
+    lower: object = None
+    upper: object = None

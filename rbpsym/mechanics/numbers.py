@@ -66,6 +66,7 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
     """
     numbers = {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}
     _make_room(problem, numbers)
+    _keep_bounds(problem, numbers)
     numbers |= _starts(problem, numbers)
     numbers |= {name: value for name, text in (example or {}).items() if (value := _read(text)) is not None}
     for coordinate in problem.coordinates:
@@ -83,6 +84,18 @@ def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
             name = getattr(element["radius"], "name", None)
             if name in numbers and None not in (radius, rim) and radius < 2 * rim:
                 numbers[name] = 2.3 * rim
+
+
+def _keep_bounds(problem: Problem, numbers: dict[str, float]) -> None:
+    """A parameter with declared bounds lies between them; twice, as a bound may hold a later one."""
+    for quantity in (*problem.parameters, *problem.parameters):
+        low, high = (_bound(node, numbers) for node in (quantity.lower, quantity.upper))
+        value = numbers[quantity.name]
+        if (low is None or value > low) and (high is None or value < high):
+            continue
+        low = high - abs(high) if low is None else low
+        high = low + (abs(low) or 1.0) if high is None else high
+        numbers[quantity.name] = low + 0.6 * (high - low)
 
 
 def _read(text: str) -> float | None:

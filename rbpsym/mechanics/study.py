@@ -65,10 +65,9 @@ class Study:
     def assumptions(self) -> Assumptions:
         """Declared signs of the parameters and ranges of the coordinates."""
         signs = {q.name: q.sign for q in self.problem.parameters}
-        ranges: dict = {q.name: ACUTE for q in self.problem.parameters if q.is_acute}
-        ranges |= {
+        ranges = {
             c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
-            for c in self.problem.coordinates
+            for c in (*self.problem.parameters, *self.problem.coordinates)
             if (c.lower, c.upper) != (None, None)
         }
         ranges |= {
@@ -152,8 +151,6 @@ class Study:
         value = substitute(value, self.dynamics.reactions)
         return substitute(value, self.dynamics.accelerations or {})
 
-
-ACUTE = (NOTHING, symbol("pi") / 2)  # between these lies an acute angle
 
 RANKS = (
     (lambda d: d.mass and not d.length and not d.time, 1),

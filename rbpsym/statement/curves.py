@@ -75,9 +75,9 @@ def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> El
 
 
 def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    """The radius at which a round body touches."""
+    """The radius at which a round body touches; a half disk or half ring does so with its round side."""
     body = bodies[element["body"]]
-    own = round_size(body)
+    own = round_size(body) or (body.shape.sizes["radius"] if body.shape.kind.startswith("half") else None)
     if element["rim"] is None and own is None:
         cure = "give it the shape disk, ring, ball, shell or annulus" + (
             "." if body.shape.kind == "particle" else ', or say at which radius it touches: rim = "R"'

@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 
 from rbpsym.errors import DimensionError
-from rbpsym.notation.tree import Node, Sym
+from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
-from rbpsym.statement.scope import Scope, read_expression
+from rbpsym.statement.scope import Scope, read_expression, read_text
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 
 SIGNS = ("positive", "nonnegative", "nonzero", "real", "acute")  # acute: an angle between 0 and π/2
-_PARAMETER_KEYS = ("dimension", "meaning", "sign", "glyph")
+_PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
-_EXAMPLE = 'write it as "length: radius of the disk" or "mass, nonnegative: mass of the rod"'
+_EXAMPLE = 'write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"'
+_RIGHT_ANGLE = Div(Sym("pi"), Num(2))
 
 
-def read_parameters(table: Table) -> Iterator[Quantity]:
-    """The quantities of the section [parameters]."""
+def read_parameters(table: Table) -> tuple[Quantity, ...]:
+    """The quantities of the section [parameters]. A bound may hold any of them."""
     section = table.table("parameters", "parameters")
+    found: dict[str, Quantity] = {}
     for name in section.names():
         check_name(name, section, RESERVED | AXES, key=name)
-        yield _parameter(name, section)
+        found[name] = _parameter(name, section)
+    scope = Scope({name: quantity.dimension for name, quantity in found.items()})
+    return tuple(_bounded(quantity, section, scope) for quantity in found.values())
 
 
 def _parameter(name: str, section: Table) -> Quantity:
@@ -35,9 +40,14 @@ def _parameter(name: str, section: Table) -> Quantity:
     if not isinstance(item.value, str) or not item.value.strip():
         raise item.error(f"the parameter “{name}” must be a text, not {kind_of(item.value)}", _EXAMPLE)
     head, _, meaning = item.value.partition(":")
-    dimension, _, sign = head.partition(",")
+    dimension, _, sign = _unbounded(head).partition(",")
     checked = _sign(item, sign, len(dimension) + 1) if sign else "positive"
     return _quantity(item, name, _dimension(item, dimension), meaning.strip(), checked)
+
+
+def _unbounded(head: str) -> str:
+    """What stands before “> a”."""
+    return re.split("[<>]", head)[0]
 
 
 def _parameter_of_table(name: str, table: Table) -> Quantity:
@@ -54,7 +64,25 @@ def _quantity(item: Item, name: str, dimension: Dimension, meaning: str, sign: s
         return Quantity(name, dimension, meaning, sign)
     if dimension != NUMBER:
         raise item.error(f"the {dimension} “{name}” can't be acute", "only an angle is acute: leave the word out.")
-    return Quantity(name, dimension, meaning, "positive", is_acute=True)
+    return Quantity(name, dimension, meaning, "positive", lower=ZERO, upper=_RIGHT_ANGLE)
+
+
+def _bounded(quantity: Quantity, section: Table, scope: Scope) -> Quantity:
+    """With the bounds of `range = ["a", ""]` or of the short form "length > a: ..."."""
+    what = f"bound of “{quantity.name}”"
+    if isinstance(section.data[quantity.name], Mapping):
+        table = section.table(quantity.name, f"parameters.{quantity.name}")
+        if "range" not in table:
+            return quantity
+        lower, upper = read_range(table.item("range"), scope, f"the parameter “{quantity.name}”", quantity.dimension)
+        return replace(quantity, lower=lower, upper=upper)
+    item, head = section.item(quantity.name), section.data[quantity.name].partition(":")[0]
+    kept = _unbounded(head)
+    if kept == head:
+        return quantity
+    side = "lower" if head[len(kept)] == ">" else "upper"
+    bound = read_text(item, head[len(kept) + 1 :], scope, what, quantity.dimension, shift=len(kept) + 1)
+    return replace(quantity, **{side: bound})
 
 
 def _dimension(item: Item, text: str) -> Dimension:
@@ -136,11 +164,16 @@ class CoordinateReader:
     def _range(self, table: Table, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
         if "range" not in table:
             return None, None
-        item = table.item("range")
-        if not isinstance(item.value, (list, tuple)) or len(item.value) != 2:
-            raise item.error(f"range of {where} must be a list of two expressions", 'write range = ["0", "pi/2"]')
-        lower, upper = (self._bound(part, f"range of {where}", dimension) for part in item.items())
-        return lower, upper
+        return read_range(table.item("range"), self._scope(), where, dimension)
 
-    def _bound(self, item: Item, what: str, dimension: Dimension) -> Node | None:
-        return None if item.value == "" else read_expression(item, self._scope(), what, dimension)
+
+def read_range(item: Item, scope: Scope, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
+    """The two bounds of an open interval; None for a side that is left open."""
+    if not isinstance(item.value, (list, tuple)) or len(item.value) != 2:
+        raise item.error(f"range of {where} must be a list of two expressions", 'write range = ["0", "pi/2"]')
+    lower, upper = (_bound(part, scope, f"range of {where}", dimension) for part in item.items())
+    return lower, upper
+
+
+def _bound(item: Item, scope: Scope, what: str, dimension: Dimension) -> Node | None:
+    return None if item.value == "" else read_expression(item, scope, what, dimension)
