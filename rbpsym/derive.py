@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.verdict import Verdict
+from rbpsym.errors import LimitError
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
 from rbpsym.verify.agreement import agreement
 
+MOST_PRODUCTS = 8_000_000
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, oscillations.write)
 
@@ -27,10 +30,22 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     draft = Draft(Study(problem))
     for write in BEFORE:
         write(draft)
-    found = {name: method(draft) for name, method in METHODS.items()}
+    found = {name: _carried_out(draft, name, method) for name, method in METHODS.items()}
     for write in AFTER:
         write(draft)
     return _with_oracles(draft, found, simulation)
+
+
+def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scalar] | None:
+    """What a method finds; None, with its steps left out, if its formulas grow beyond the limits."""
+    before = len(draft.steps)
+    try:
+        with at_most(MOST_PRODUCTS):
+            return method(draft)
+    except LimitError:
+        del draft.steps[before:]
+        draft.skip(name, "skipped.too_long", method=name)
+        return None
 
 
 def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:

@@ -11,6 +11,7 @@ from fractions import Fraction
 from rbpsym.algebra.modular import PRIME, free_image, term_values
 from rbpsym.algebra.poly import ONE, Monomial, Poly, clean, inverse, times
 
+LARGEST_GCD = 60_000  # products of terms, above which a common factor is not looked for
 Terms = list[tuple[dict[int, int], int]]
 
 
@@ -36,7 +37,9 @@ def _cancel_plain(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     if not _may_cancel(num, den):
         return num, den
     whole = divide(num, den)
-    return (whole, ONE) if whole is not None else _cancel_by_gcd(num, den)
+    if whole is not None:
+        return whole, ONE
+    return _cancel_by_gcd(num, den) if len(num) * len(den) <= LARGEST_GCD else (num, den)
 
 
 def _has_partners(num: Poly, den: Poly) -> bool:

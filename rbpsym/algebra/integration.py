@@ -50,7 +50,7 @@ def _monomial(m: Monomial, name: str) -> Scalar | None:
         found = atoms.atom(index)
         if found.kind == "symbol":
             power = exponent
-        elif found.kind in ("cos", "sin") and exponent > 0 and _rate(found.arg, name):
+        elif found.kind in ("cos", "sin") and _rate(found.arg, name):
             angles.setdefault(found.arg, [0, 0])[found.kind == "sin"] += exponent
         else:
             return None
@@ -58,10 +58,9 @@ def _monomial(m: Monomial, name: str) -> Scalar | None:
         return _power(power, name)
     if power == 0 and len(angles) == 1:
         [(angle, (cosines, sines))] = angles.items()
-        found = _single_angle(angle, cosines, sines)
-        if found is not None:
-            return found * (1 / _rate(angle, name))
-    return _by_waves(power, angles, name) if power >= 0 else None
+        return _single_angle(angle, cosines, sines, name)
+    is_whole = power >= 0 and all(exponent >= 0 for pair in angles.values() for exponent in pair)
+    return _by_waves(power, angles, name) if is_whole else None
 
 
 def _rate(angle: Poly, name: str) -> Scalar | None:
@@ -75,20 +74,43 @@ def _power(n: int, name: str) -> Scalar:
     return generator_of("ln", variable) if n == -1 else variable ** (n + 1) * Fraction(1, n + 1)
 
 
-def _single_angle(angle: Poly, cosines: int, sines: int) -> Scalar | None:
-    """∫ cos^a sin^b dA by substitution when one power is odd."""
-    c, s = cosine(Scalar(angle)), sine(Scalar(angle))
-    if cosines % 2:
-        return _substituted(s, cosines // 2, sines)
-    return -_substituted(c, sines // 2, cosines) if sines % 2 else None
+def _single_angle(angle: Poly, cosines: int, sines: int, name: str) -> Scalar | None:
+    """∫ cos^a sin^b of one angle: by substitution of the other if one power is odd, of the tangent, or by waves."""
+    c, s, rate = cosine(Scalar(angle)), sine(Scalar(angle)), 1 / _rate(angle, name)
+    if cosines > 0 and cosines % 2:
+        return _times_rate(_substituted(s, -1, cosines // 2, sines), rate)
+    if sines > 0 and sines % 2:
+        return _times_rate(_substituted(c, -1, sines // 2, cosines), -rate)
+    if min(cosines, sines) >= 0:
+        return _by_waves(0, {angle: [cosines, sines]}, name)
+    if (cosines + sines) % 2 == 0 and cosines + sines < 0:
+        return _times_rate(_substituted(s / c, 1, -(cosines + sines) // 2 - 1, sines), rate)
+    return _lowered(angle, cosines, sines, name)
 
 
-def _substituted(u: Scalar, halves: int, power: int) -> Scalar:
-    """∫ (1 - u²)^halves u^power du."""
+def _times_rate(value: Scalar | None, rate: Scalar) -> Scalar | None:
+    return None if value is None else value * rate
+
+
+def _lowered(angle: Poly, cosines: int, sines: int, name: str) -> Scalar | None:
+    """By cos² = 1 - sin² (or sin² = 1 - cos²) where the other power is negative; None if neither is a square."""
+    if cosines >= 2:
+        parts = [_single_angle(angle, cosines - 2, sines + more, name) for more in (0, 2)]
+    elif sines >= 2:
+        parts = [_single_angle(angle, cosines + more, sines - 2, name) for more in (0, 2)]
+    else:
+        return None
+    return None if None in parts else parts[0] - parts[1]
+
+
+def _substituted(u: Scalar, sign: int, halves: int, power: int) -> Scalar | None:
+    """∫ (1 + sign u²)^halves u^power du; None if it holds a logarithm."""
     total, binomial = NOTHING, 1
     for k in range(halves + 1):
         degree = power + 2 * k + 1
-        total = total + u**degree * Fraction(binomial * (-1) ** k, degree)
+        if degree == 0:
+            return None
+        total = total + u**degree * Fraction(binomial * sign**k, degree)
         binomial = binomial * (halves - k) // (k + 1)
     return total
 

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import gcd
 
+from rbpsym.algebra.effort import spend
 from rbpsym.errors import LimitError
 
 Monomial = tuple[tuple[int, int], ...]
@@ -93,6 +94,7 @@ class Poly:
     def __mul__(self, other: Poly) -> Poly:
         if len(self.terms) * len(other.terms) > 40 * MOST_TERMS:
             raise LimitError("the expression grows beyond what can be expanded exactly")
+        spend(len(self.terms) * len(other.terms))
         if len(other.terms) == 1:
             [(m, c)] = other.terms.items()
             return self.scaled(c, m)
@@ -181,6 +183,7 @@ def accumulate(parts: Iterable[tuple[Coefficient, Poly]]) -> Poly:
     """Σ coefficient × poly, in one pass."""
     result: dict[Monomial, Coefficient] = {}
     for factor, poly in parts:
+        spend(len(poly.terms))
         for m, c in poly.terms.items():
             result[m] = result.get(m, 0) + factor * c
     return clean(result)

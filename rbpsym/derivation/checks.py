@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Value
 from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.integration import antiderivative
@@ -22,6 +23,7 @@ from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 
+MOST_PRODUCTS = 1_000_000  # of a single check: what takes more stays undecided
 Check = Callable[[Context, Step], Verdict]
 
 
@@ -46,7 +48,8 @@ def weakest(verdicts: Iterable[Verdict]) -> Verdict:
 def guarded(check: Callable[[], Verdict]) -> Verdict:
     """An error on the way is UNDECIDED with its reason, never PROVED."""
     try:
-        return check()
+        with at_most(MOST_PRODUCTS):
+            return check()
     except (RbpsymError, ZeroDivisionError) as error:
         return Verdict(UNDECIDED, reason=str(error))
 

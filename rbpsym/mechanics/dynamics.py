@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import prod
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.normal import is_zero
@@ -18,6 +19,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.elimination import (
+    CONSTANT,
     Matrix,
     blocks,
     is_surely_nonzero_on,
@@ -30,6 +32,7 @@ from rbpsym.mechanics.elimination import (
 from rbpsym.mechanics.system import BodyState, Force, System
 
 LARGEST_BLOCK = 3
+LARGEST_REACTION = 10_000  # products to multiply out: beyond, nobody reads the formula
 
 
 @dataclass(frozen=True)
@@ -203,10 +206,21 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
 
 def _on_motion(value: Scalar, accelerations: Mapping[str, Scalar]) -> Scalar:
     """With the accelerations put in, unless that grows beyond the limits: then these stay as symbols."""
+    if _products(value, accelerations) > LARGEST_REACTION:
+        return value
     try:
         return short(substitute(value, accelerations))
     except LimitError:
         return value
+
+
+def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
+    """How many products of terms it takes to put the accelerations into a value that is linear in them."""
+    row = linear_row(value, tuple(accelerations))
+    images = [accelerations[name] for name in row if name != CONSTANT]
+    common = prod(len(den) for den in {image.den for image in images})
+    found = sum(len(row[name].num) * len(accelerations[name].num) for name in row if name != CONSTANT)
+    return common * (found + len(row[CONSTANT].num))
 
 
 def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:

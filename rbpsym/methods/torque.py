@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Space
@@ -12,6 +13,7 @@ from rbpsym.derivation.chapters.forces import is_reaction, tag
 from rbpsym.derivation.chapters.momentum import momentum_name
 from rbpsym.derivation.draft import Draft, acceleration_symbol
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
+from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.methods.balances import Balance, outer_forces
 from rbpsym.methods.planner import Plan, plan
@@ -19,18 +21,22 @@ from rbpsym.methods.solving import isolated
 from rbpsym.notation import tree as t
 
 NAME = "torque"
+MOST_PRODUCTS = 3_000_000  # some seconds: what takes more can't be read either
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
     """The steps; returns the accelerations that they give, None if the method does not apply."""
     draft.chapter = "motion"
-    found = plan(draft.study)
-    if found is None:
-        draft.skip(NAME, "skipped.planner")
-        _projected(draft)
-        return None
-    steps = [_balance(draft, balance) for balance in found.balances]
-    return _solve(draft, found, steps)
+    try:
+        with at_most(MOST_PRODUCTS):
+            found = plan(draft.study)
+            if found is not None:
+                return _solve(draft, found, [_balance(draft, balance) for balance in found.balances])
+    except LimitError:
+        draft.steps[:] = [step for step in draft.steps if step.chapter != draft.chapter]
+    draft.skip(NAME, "skipped.planner")
+    _projected(draft)
+    return None
 
 
 def _projected(draft: Draft) -> None:
