@@ -1,0 +1,142 @@
+"""Units of the numbers on a paper, and how a number is rounded and printed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from decimal import ROUND_HALF_UP, Decimal
+from fractions import Fraction
+
+from rbpsym.errors import RbpsymError
+from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
+from rbpsym.teaching.model import Measure
+
+# unit -> (dimension, how many SI units it is)
+UNITS: Mapping[str, tuple[Dimension, float]] = {
+    unit: (DIMENSIONS[name], scale)
+    for name, units in {
+        "number": {"": 1.0, "rad": 1.0, "deg": math.pi / 180, "°": math.pi / 180},
+        "mass": {"kg": 1.0, "g": 1e-3, "t": 1e3},
+        "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3},
+        "time": {"s": 1.0, "ms": 1e-3, "min": 60.0},
+        "speed": {"m/s": 1.0, "cm/s": 1e-2, "km/h": 1 / 3.6},
+        "acceleration": {"m/s^2": 1.0, "cm/s^2": 1e-2},
+        "angular speed": {"rad/s": 1.0, "1/s": 1.0, "Hz": 1.0},
+        "angular acceleration": {"rad/s^2": 1.0, "1/s^2": 1.0},
+        "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3},
+        "energy": {"J": 1.0, "N*m": 1.0, "kJ": 1e3, "mJ": 1e-3},
+        "stiffness": {"N/m": 1.0, "N/cm": 100.0, "kN/m": 1e3},
+        "torsion stiffness": {"N*m/rad": 1.0},
+        "damping": {"N*s/m": 1.0, "kg/s": 1.0},
+        "rotary damping": {"N*m*s": 1.0, "N*m*s/rad": 1.0},
+        "moment of inertia": {"kg*m^2": 1.0, "g*cm^2": 1e-7},
+        "momentum": {"kg*m/s": 1.0, "N*s": 1.0},
+        "angular momentum": {"kg*m^2/s": 1.0, "J*s": 1.0, "N*m*s": 1.0},
+        "area": {"m^2": 1.0, "cm^2": 1e-4},
+        "linear density": {"kg/m": 1.0},
+        "surface density": {"kg/m^2": 1.0},
+        "density": {"kg/m^3": 1.0},
+        "power": {"W": 1.0, "kW": 1e3},
+    }.items()
+    for unit, scale in units.items()
+}
+# names of dimensions whose unit is not the first of that dimension above
+BY_NAME: Mapping[str, str] = {"torque": "N*m", "angle": "deg"}
+
+
+def unit_of(dimension: Dimension, name: str = "") -> str:
+    """The unit in which a quantity is printed: by the name of what it is, else the first of its dimension."""
+    if name in BY_NAME:
+        return BY_NAME[name]
+    found = next((unit for unit, (known, _) in UNITS.items() if known == dimension), None)
+    return _composed(dimension) if found is None else found
+
+
+def _composed(dimension: Dimension) -> str:
+    """kg*m^2*s^-3 for a dimension without a name."""
+    parts = zip(("kg", "m", "s"), (dimension.mass, dimension.length, dimension.time), strict=True)
+    return "*".join(unit if n == 1 else f"{unit}^{n}" for unit, n in parts if n)
+
+
+def si(measure: Measure) -> float:
+    """The value in SI units, angles in radians."""
+    return float(measure.value) * scale_of(measure.unit)
+
+
+def scale_of(unit: str) -> float:
+    """How many SI units a unit is; 1 for a composed one."""
+    return UNITS[unit][1] if unit in UNITS else 1.0
+
+
+def known_unit(unit: str, dimension: Dimension, what: str) -> str:
+    """The unit, if it is one of the dimension. Raises RbpsymError with those that are."""
+    if unit in UNITS and UNITS[unit][0] == dimension:
+        return unit
+    fitting = [name for name, (known, _) in UNITS.items() if known == dimension and name]
+    what = f"“{unit}” is no unit of {what}" if unit else f"{what} needs a unit"
+    raise RbpsymError(what, instead=f"write one of {', '.join(fitting)}." if fitting else "leave the unit out.")
+
+
+def measured(value: float, unit: str, digits: int) -> Measure:
+    """A value in SI units as it is printed: in `unit`, rounded half up to so many significant figures."""
+    return Measure(Fraction(rounded(value / scale_of(unit), digits)), unit, digits)
+
+
+def rounded(value: float, digits: int) -> Decimal:
+    """The value rounded half up to significant figures (ValueError for nan and infinity).
+
+    A value that is a tie but for the noise of floating point is taken for the tie, so that every machine rounds alike.
+    """
+    if not math.isfinite(value):
+        raise ValueError("no number")
+    if not value:
+        return Decimal(0)
+    exact = Decimal(f"{value:.13e}")
+    place = exact.adjusted() - digits + 1
+    return exact.quantize(Decimal(1).scaleb(place), rounding=ROUND_HALF_UP)
+
+
+def digits_text(measure: Measure, mark: str = ".") -> str:
+    """The digits as printed: all significant ones, powers of ten only for very large and very small numbers.
+
+    >>> digits_text(Measure(Fraction(5, 2), "m", 3)), digits_text(Measure(Fraction(1, 80000), "", 2))
+    ('2.50', '1.3 × 10⁻⁵')
+    """
+    value = Decimal(measure.value.numerator) / Decimal(measure.value.denominator)
+    if not value:
+        return "0"
+    power = value.adjusted()
+    if -4 <= power < 6:
+        text = f"{value.quantize(Decimal(1).scaleb(min(power - measure.digits + 1, 0)), rounding=ROUND_HALF_UP)}"
+        return _signed(text, mark)
+    scaled = value.scaleb(-power).quantize(Decimal(1).scaleb(1 - measure.digits), rounding=ROUND_HALF_UP)
+    return f"{_signed(str(scaled), mark)} × 10{str(power).translate(RAISED)}"
+
+
+def _signed(text: str, mark: str) -> str:
+    return text.replace("-", "−").replace(".", mark)
+
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def unit_text(unit: str) -> str:
+    """The unit as printed: kg·m², m/s², °."""
+    base = unit.replace("*", "·").replace("deg", "°")
+    found, rest = "", base
+    while "^" in rest:
+        head, _, rest = rest.partition("^")
+        end = 1 + (rest[:1] == "-")
+        found, rest = found + head + rest[:end].translate(RAISED), rest[end:]
+    return found + rest
+
+
+def measure_text(measure: Measure, mark: str = ".") -> str:
+    """Number and unit: “2.50 m”, “64.0°”."""
+    unit = unit_text(measure.unit)
+    return digits_text(measure, mark) + (unit if unit in ("", "°") else f"\u00a0{unit}")
+
+
+def is_pure(dimension: Dimension) -> bool:
+    """Whether it is a number or an angle."""
+    return dimension == NUMBER
