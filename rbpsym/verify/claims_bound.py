@@ -117,9 +117,10 @@ class Motion:
 
 
 class World(Protocol):
-    """A problem or a theory as claims see it."""
+    """A problem or a theory as claims see it; `symbols`: what its own names are printed as, with the names."""
 
     motion: Motion
+    symbols: Mapping[str, str]
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError with what is known for one that means nothing."""

@@ -119,6 +119,7 @@ def key_of(claim: Claim, printed: Printed | None, problem: bytes, made_by: str) 
         made_by,
         problem,
         setting.theory,
+        setting.phase,
         str(setting.fixed_axis),
         *_symbols(setting),
         formula.latex,

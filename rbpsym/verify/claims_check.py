@@ -21,7 +21,7 @@ from rbpsym.verify.claims_ground import Ground, grounded
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
 from rbpsym.verify.claims_question import Question
-from rbpsym.verify.claims_symbols import Glossary, glossary
+from rbpsym.verify.claims_symbols import Glossary, glossary, with_own_symbols
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
@@ -76,6 +76,7 @@ class Checker:
         )
         if claim.not_computed or printed is None:
             return blank
+        claim = replace(claim, setting=with_own_symbols(claim.setting, self.world(claim.setting)))
         words = glossary(claim.setting.symbols)
         node = read(printed, words)
         right = read(claim.right, words) if claim.right else None

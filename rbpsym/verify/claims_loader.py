@@ -1,7 +1,7 @@
 """Claims files: TOML -> `ClaimsFile`, every fault told with its place.
 
-A file has `[settings.NAME]` tables (a problem or a theory, the meanings of symbols) and
-`[[claim]]` tables in the order of the source. `docs/claims.md` shows the grammar by examples.
+A file says what its symbols mean, by `problem` and `[symbols]` for all claims or by `[settings.NAME]` tables for
+some of them, and has `[[claim]]` tables in the order of the source. `docs/claims.md` shows the grammar by examples.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, ReadError
@@ -17,8 +18,9 @@ from rbpsym.statement.source import Source, Table, did_you_mean, kind_of
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Meaning, Printed, Setting
 
 MAX_BYTES = 512 * 1024
-FILE_KEYS = ("title", "source", "text", "settings", "claim")
-SETTING_KEYS = ("problem", "theory", "fixed_axis", "like", "symbols", "given")
+SHARED_KEYS = ("problem", "phase", "theory", "fixed_axis", "symbols", "given")
+SETTING_KEYS = (*SHARED_KEYS, "like")
+FILE_KEYS = ("title", "source", "text", "settings", "claim", *SHARED_KEYS)
 CLAIM_KEYS = (
     "id",
     "number",
@@ -36,6 +38,7 @@ CLAIM_KEYS = (
     "not_computed",
     "given",
 )
+WHOLE = "the file"  # the name of the setting that a file's own keys make
 HOLDS = ("", "identity", "motion", "start")
 
 
@@ -95,6 +98,8 @@ def _title(root: Table) -> str:
 
 def _settings(root: Table) -> dict[str, Setting]:
     found: dict[str, Setting] = {}
+    if any(key in root for key in SHARED_KEYS):
+        found[WHOLE] = _setting(WHOLE, root, found)
     for name, table in root.tables("settings", "settings"):
         table.check_keys(SETTING_KEYS, f"settings.{name}")
         found[name] = _setting(name, table, found)
@@ -102,18 +107,28 @@ def _settings(root: Table) -> dict[str, Setting]:
 
 
 def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
-    like = table.string("like")
+    like = table.string("like") if "like" in table else WHOLE if WHOLE in known and _adds(table) else ""
     if like and like not in known:
         raise table.value_error("like", f"there is no setting “{like}” above", did_you_mean(like, known, "settings"))
     base = known.get(like) or Setting(name)
     problem, theory = table.string("problem", base.problem), table.string("theory", base.theory)
+    phase = table.string("phase", base.phase)
+    if phase and not problem:
+        raise table.error("a phase belongs to a problem", 'write problem = "NAME" too.', "phase")
     if bool(problem) == bool(theory):
         what = "both a problem and a theory" if problem else "neither a problem nor a theory"
-        raise table.error(f"the setting “{name}” has {what}", 'write problem = "NAME" or theory = "plane-motion".')
+        subject = "the file" if name == WHOLE else f"the setting “{name}”"
+        raise table.error(f"{subject} has {what}", 'write problem = "NAME" or theory = "plane-motion".')
     symbols = {**base.symbols, **_symbols(table)}
     given = (*base.given, *_many(table, "given"))
     fixed = _flag(table, "fixed_axis", base.fixed_axis)
-    return Setting(name, problem, theory, fixed, symbols, given, table.source.key(table.path))
+    place = table.source.key(table.path) if table.path else table.source.key(("problem",))
+    return Setting(name, problem, theory, fixed, symbols, given, place, phase)
+
+
+def _adds(table: Table) -> bool:
+    """Does a setting name no problem of its own, so that it goes on from that of the file?"""
+    return "problem" not in table and "theory" not in table
 
 
 def _flag(table: Table, key: str, default: bool) -> bool:
@@ -193,15 +208,15 @@ def _choice(table: Table, key: str, value: str, known: tuple[str, ...]) -> None:
 
 def _setting_of(table: Table, settings: Mapping[str, Setting]) -> Setting:
     name = table.string("setting")
-    if not name and len(settings) == 1:
-        name = next(iter(settings))
+    if not name and (WHOLE in settings or len(settings) == 1):
+        name = WHOLE if WHOLE in settings else next(iter(settings))
     if name not in settings:
         what = f"there is no setting “{name}”" if name else "the claim has no setting"
         raise table.error(what, did_you_mean(name, settings, "settings"), "setting" if "setting" in table else "id")
     base = settings[name]
     own = _symbols(table)
     given = (*base.given, *_many(table, "given"))
-    return Setting(name, base.problem, base.theory, base.fixed_axis, {**base.symbols, **own}, given, base.place)
+    return replace(base, symbols={**base.symbols, **own}, given=given)
 
 
 def _number(table: Table) -> str:

@@ -47,9 +47,9 @@ class Meaning:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What several claims share: a problem or a theory, the meanings of symbols, assumptions.
+    """What several claims share: a problem (or one phase of it) or a theory, the meanings of symbols, assumptions.
 
-    `given` are relations that are assumed, as printed; `where` conditions such as "omega > 0".
+    `given` are relations that are assumed, as printed.
     """
 
     name: str
@@ -59,6 +59,7 @@ class Setting:
     symbols: Mapping[str, Meaning] = field(default_factory=dict)
     given: tuple[Printed, ...] = ()
     place: Place | None = field(default=None, compare=False)
+    phase: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function
-from rbpsym.algebra.evaluate import at_start, scalar, space_derivative, time_derivative
+from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Space, Vector
 from rbpsym.errors import StatementError
@@ -21,6 +21,8 @@ from rbpsym.mechanics.system import Force
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import Bound, axial, number, plane
+from rbpsym.verify.claims_moments import EXAMPLES as AT_MOMENTS
+from rbpsym.verify.claims_moments import PHRASES as MOMENTS
 
 if TYPE_CHECKING:
     from rbpsym.verify.claims_problem import ProblemWorld
@@ -33,15 +35,6 @@ def _inner(world: ProblemWorld, phrase: str, see: Callable[[Scalar], Scalar]) ->
         parts = {angle: see(length) for angle, length in vector.plane.parts.items()}
         vector = Space(Vector({a: n for a, n in parts.items() if n}), see(vector.z))
     return replace(found, scalar=None if found.scalar is None else see(found.scalar), vector=vector)
-
-
-def _start(world: ProblemWorld, phrase: str) -> Bound:
-    scope = world.motion.scope
-    found = world.bound(phrase)
-    if found.vector is not None and found.vector.plane.parts:
-        moved = found.vector.plane.substitute(scope.start)
-        return plane(moved)
-    return _inner(world, phrase, lambda value: at_start(world.motion.moved(value), scope))
 
 
 def _minus(world: ProblemWorld, phrase: str) -> Bound:
@@ -161,13 +154,6 @@ def _relative(world: ProblemWorld) -> Bound:
     return number(_kinetic(world, None, None).scalar - push.dot(push) / mass / 2)
 
 
-def _elsewhere(world: ProblemWorld, phrase: str, problem: str) -> Bound:
-    """The same in another problem, whose parameters of the same names are the same quantities."""
-    if world.others is None:
-        raise StatementError("no other problem is known here")
-    return world.others(problem).bound(phrase)
-
-
 def _potential(world: ProblemWorld, name: str | None) -> Bound:
     found = potentials(world.study.system)
     values = [found.get(name)] if name else list(found.values())
@@ -184,28 +170,22 @@ def _energy(world: ProblemWorld, loose: str | None) -> Bound:
     return Bound(world.study.first_integral, kind="up to a constant" if loose else "value")
 
 
-def _frequency(world: ProblemWorld, name: str) -> Bound:
-    for item in world.study.equilibria:
-        if item.stable and name in item.at and item.frequencies_squared:
-            return number(function("sqrt", item.frequencies_squared[0]))
-    raise StatementError(f"no small oscillations of “{name}” are known")
+def _lagrangian(world: ProblemWorld) -> Bound:
+    return number(_kinetic(world, None, None).scalar - _potential(world, None).scalar)
 
 
-def _leaves(world: ProblemWorld, name: str, force: str) -> Bound:
-    for item in world.study.losses:
-        if item.force == force and name in item.at:
-            return number(item.at[name])
-    raise StatementError(f"“{force}” does not vanish during the motion, as far as is known")
+def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
+    mass = sum((state.mass for state in world.bodies(name)), NOTHING)
+    return number(function("sqrt", _moment(world, name, about).scalar / mass))
 
 
-_B, _P, _F = r"(the system|[\w-]+)", r"([\w.-]+)", r"([\w, ]+?)"
+_B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+)", r"([\w, ]+?)"
 _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
 PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
-    (r"(.+) in ([\w./-]+)", _elsewhere),
+    *MOMENTS,
     (r"kinetic energy of the system relative to its centre of mass", _relative),
-    (r"start of (.+)", _start),
     (r"minus (.+)", _minus),
     (r"magnitude of (.+)", _magnitude),
     (r"([xyz]) component of (.+)", _component),
@@ -233,8 +213,12 @@ PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
     (rf"kinetic energy(?: of {_B})?{_HALF}", _kinetic),
     (rf"potential energy(?: of {_B})?", _potential),
     (r"energy(, up to a constant)?", _energy),
-    (r"frequency of ([\w]+)", _frequency),
-    (r"([\w]+) where ([\w]+) vanishes", _leaves),
+    (r"Lagrangian", _lagrangian),
+    (rf"radius of gyration of {_B}{_ABOUT}", _gyration),
+    (
+        rf"power of {_F}{_ON}?{_HALF}",
+        lambda world, names, on, part: number(_power(world, world.forces(names, on or "system"), part)),
+    ),
 )
 EXAMPLES = (
     "velocity of BODY.cm",
@@ -246,7 +230,7 @@ EXAMPLES = (
     "energy",
     "moment of inertia of BODY about O",
     "position of BODY.cm",
-    "frequency of COORDINATE",
+    *AT_MOMENTS,
     "a constant",
     "unknown",
     "defined here",

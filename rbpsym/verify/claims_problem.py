@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
@@ -15,11 +16,17 @@ from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.points import pair, position
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
+from rbpsym.notation.glyphs import notation_for
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.tree import Sym
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import Bound, Motion, number
 from rbpsym.verify.claims_phrases import EXAMPLES, PHRASES
+
+if TYPE_CHECKING:
+    from rbpsym.mechanics.phases import Stage
 
 SYSTEM = ("system", "the system", "pendulum")
 KINDS = {"a constant": "constant", "unknown": "unknown", "defined here": "defined here"}
@@ -31,6 +38,28 @@ class ProblemWorld:
 
     study: Study
     others: Callable[[str], ProblemWorld] | None = None
+
+    @cached_property
+    def stages(self) -> tuple[Stage, ...]:
+        """The phases of the motion, the first included. Raises NotApplicable."""
+        from rbpsym.mechanics.phases import stages
+
+        return stages(self.study.problem)
+
+    @cached_property
+    def _phases(self) -> dict[int, ProblemWorld]:
+        return {}
+
+    def phase(self, place: int) -> ProblemWorld:
+        """The world of a phase."""
+        if place not in self._phases:
+            self._phases[place] = ProblemWorld(self.stages[place].study, self.others)
+        return self._phases[place]
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of all coordinates."""
+        return [coordinate.name for coordinate in self.study.problem.coordinates]
 
     @cached_property
     def motion(self) -> Motion:
@@ -95,6 +124,13 @@ class ProblemWorld:
             *system.unknowns,
         ]
 
+    @cached_property
+    def symbols(self) -> dict[str, str]:
+        """The names as the problem's notation prints them, and as they are printed without it."""
+        known = self.names
+        drawn = {to_latex(Sym(name), notation_for(known, self.study.problem.notation)): name for name in known}
+        return {to_latex(Sym(name), notation_for(known)): name for name in known} | drawn
+
     def body(self, name: str) -> BodyState:
         """A body. Raises StatementError for an unknown name."""
         bodies = self.study.system.bodies
@@ -103,8 +139,10 @@ class ProblemWorld:
         return bodies[name]
 
     def bodies(self, name: str) -> list[BodyState]:
-        """A body, or all bodies of the system."""
-        return list(self.study.system.bodies.values()) if name in SYSTEM else [self.body(name)]
+        """A body, several (“rod and disk”), or all bodies of the system."""
+        if name in SYSTEM:
+            return list(self.study.system.bodies.values())
+        return [self.body(part) for part in name.split(" and ")]
 
     def place(self, name: str | None) -> Vector:
         """The position of a point: O, a named point, body.point. Raises StatementError."""

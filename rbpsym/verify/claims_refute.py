@@ -22,6 +22,7 @@ from rbpsym.equality.verdict import Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.mechanics.motion import along_motion, with_squares
 from rbpsym.notation import tree as t
+from rbpsym.verify.claims_bound import Motion
 from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
 
 
@@ -108,16 +109,15 @@ def carried_out(value: Scalar, question: Question) -> Scalar | None:
     images: dict[str, Scalar] = {}
     for name, power in question.motion.ledger.items():
         if depends_on(value, name):
-            done = _work_done(power, question)
+            done = work_done(power, question.motion)
             if done is None:
                 return None
             images[name] = done
     return question.seen(substitute(value, images), "start")
 
 
-def _work_done(power: Scalar, question: Question) -> Scalar | None:
-    """∫ power dt over the one coordinate along which it is done."""
-    motion = question.motion
+def work_done(power: Scalar, motion: Motion) -> Scalar | None:
+    """∫ power dt from the start over the one coordinate along which it is done; None without a closed form."""
     known = motion.moved(power)
     for name in motion.scope.start:
         speed = f"{name}_dot"

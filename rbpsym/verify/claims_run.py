@@ -86,18 +86,4 @@ def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) ->
 
 def names_of_problem(path: Path) -> ClaimsFile:
     """A problem without claims: its own names are what the printed symbols mean."""
-    from rbpsym.notation.glyphs import notation_for
-    from rbpsym.notation.latex import to_latex
-    from rbpsym.notation.tree import Sym
-    from rbpsym.statement.loader import load_problem
-    from rbpsym.verify.claims_model import Meaning
-
-    problem = load_problem(path)
-    moving = [coordinate.name for coordinate in problem.coordinates]
-    names = [quantity.name for quantity in problem.parameters] + moving
-    names += [f"{name}_{dots}" for name in moving for dots in ("dot", "ddot")]
-    names += [element.name for element in problem.constraints if element.kind == "contact"]
-    notation = notation_for(names, problem.notation)
-    symbols = {to_latex(Sym(name), notation): Meaning(name) for name in names}
-    setting = Setting(problem.name, problem=str(path.resolve()), symbols=symbols)
-    return ClaimsFile(problem.name, "", "", "", (), str(path), setting=setting)
+    return ClaimsFile(path.stem, "", "", "", (), str(path), setting=Setting(path.stem, problem=str(path.resolve())))

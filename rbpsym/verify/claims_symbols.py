@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -14,7 +14,8 @@ from rbpsym.notation.latex_tokens import tokenize
 from rbpsym.notation.letters import NAME_OF_LETTER
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
-from rbpsym.verify.claims_model import Meaning
+from rbpsym.verify.claims_bound import World
+from rbpsym.verify.claims_model import Meaning, Setting
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +24,18 @@ class Glossary:
 
     table: SymbolTable
     names: Mapping[str, tuple[str, bool]]
+
+
+def with_own_symbols(setting: Setting, world: World) -> Setting:
+    """The setting with the problem's own names as they are printed, where it gives them no other meaning."""
+    taken = {found[0] for latex in setting.symbols if (found := _drawn(latex))}
+    own = {latex: Meaning(name) for latex, name in world.symbols.items() if _is_free(latex, taken)}
+    return replace(setting, symbols={**own, **setting.symbols}) if own else setting
+
+
+def _is_free(latex: str, taken: set[Drawn]) -> bool:
+    found = _drawn(latex)
+    return found is not None and found[0] not in taken
 
 
 def glossary(symbols: Mapping[str, Meaning]) -> Glossary:

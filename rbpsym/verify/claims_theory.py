@@ -46,6 +46,7 @@ class TheoryWorld:
     fixed_axis: bool = False
     particles: bool = False
     shared: dict[str, Bound] = field(default_factory=dict)
+    symbols: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def rates(self) -> Mapping[str, Scalar]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import ReadError, StatementError
+from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_model import Setting
 
@@ -23,7 +24,7 @@ class Worlds:
     def __call__(self, setting: Setting) -> World:
         """The world of a setting. Raises ReadError or StatementError."""
         if setting.problem:
-            return self.problem(setting.problem, setting)
+            return phase_of(self.problem(setting.problem, setting), setting)
         if setting.theory not in THEORIES:
             raise StatementError(
                 f"unknown theory “{setting.theory}”", instead=f"known: {', '.join(THEORIES)}.", place=setting.place
@@ -44,6 +45,17 @@ class Worlds:
             path = problem_path(name, self.folder, setting)
             self.problems[name] = ProblemWorld(Study(load_problem(path)), self.problem)
         return self.problems[name]
+
+
+def phase_of(world: World, setting: Setting) -> World:
+    """The world of the phase of a setting; the whole problem's if it names none. Raises StatementError."""
+    if not setting.phase:
+        return world
+    names = [stage.name for stage in world.stages]
+    if setting.phase not in names:
+        hint = did_you_mean(setting.phase, names, "phases")
+        raise StatementError(f"there is no phase “{setting.phase}”", instead=hint, place=setting.place)
+    return world.phase(names.index(setting.phase))
 
 
 def problem_path(name: str, folder: Path, setting: Setting | None = None) -> Path:

@@ -1,0 +1,322 @@
+"""Phrases about a moment of the motion: the start, a place, a rest, a phase that begins; and about oscillations.
+
+“speed of s where s = L”, “N_w where theta = 0”, “x when rolling begins”, “time until rolling”. Each is a
+constant: accelerations and unknown forces are those of the motion, speeds follow from the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cmp_to_key
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.calculus import depends_on, function, root, substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.vector import Space, Vector
+from rbpsym.equality.signs import sign
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.motion import with_squares
+from rbpsym.mechanics.roots import zeros
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.source import did_you_mean
+from rbpsym.verify.claims_bound import Bound, number, plane
+from rbpsym.verify.claims_refute import work_done
+
+if TYPE_CHECKING:
+    from rbpsym.mechanics.phases import Stage
+    from rbpsym.verify.claims_problem import ProblemWorld
+
+See = Callable[[Scalar], Scalar]
+SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}
+
+
+def mapped(found: Bound, see: See, image: Mapping[str, Scalar]) -> Bound:
+    """The bound with its lengths seen otherwise and a place put in. Raises StatementError if it has no value."""
+    if found.scalar is None and found.vector is None:
+        raise StatementError("this has no value of its own", instead="name a quantity.")
+
+    def there(value: Scalar) -> Scalar:
+        return substitute(see(value), image)
+
+    vector = found.vector
+    if vector is not None:
+        lengths = Vector({angle: see(length) for angle, length in vector.plane.parts.items()})
+        vector = Space(lengths.substitute(image), there(vector.z))
+        if vector.plane.parts:
+            return plane(vector)
+    return replace(found, scalar=None if found.scalar is None else there(found.scalar), vector=vector)
+
+
+def _still(world: ProblemWorld, found: Bound, phrase: str) -> Bound:
+    """The bound, which must hold nothing that moves. Raises StatementError."""
+    parts = [] if found.scalar is None else [found.scalar]
+    parts += [] if found.vector is None else list(found.vector.components())
+    moving = next((n for n in world.motion.scope.rates for part in parts if depends_on(part, n)), None)
+    if moving is None:
+        return found
+    raise StatementError(
+        f"“{phrase}” still depends on {moving} there", instead=f'does [coordinates.{moving}] have a start = "..."?'
+    )
+
+
+def carried(world: ProblemWorld, value: Scalar) -> Scalar:
+    """The value on the motion, works in closed form. Raises StatementError for a work that has none."""
+    motion, images = world.motion, {}
+    for name, power in motion.ledger.items():
+        if depends_on(value, name):
+            done = work_done(power, motion)
+            if done is None:
+                raise StatementError("a work in this phrase has no closed form")
+            images[name] = done
+    return motion.moved(substitute(value, images) if images else value)
+
+
+def start(world: ProblemWorld, phrase: str) -> Bound:
+    """The value in the start state."""
+    found = mapped(world.bound(phrase), lambda v: carried(world, v), world.motion.scope.start)
+    return _still(world, found, phrase)
+
+
+def elsewhere(world: ProblemWorld, phrase: str, problem: str) -> Bound:
+    """The same in another problem, whose parameters of the same names are the same quantities."""
+    if world.others is None:
+        raise StatementError("no other problem is known here")
+    other = world.others(problem)
+    found = other.bound(phrase)
+    return found if found.kind != "value" else mapped(found, lambda v: carried(other, v), {})
+
+
+# --- at a place
+
+
+def _at(world: ProblemWorld, phrase: str, place: Mapping[str, Scalar]) -> Bound:
+    """The value where a coordinate has a value, along the motion from the start."""
+    motion = world.motion
+    squares = {name: short(substitute(square, place)) for name, square in motion.squares.items()}
+    speeds = {f"{name}_dot": _speed(world, name, square, place) for name, square in squares.items() if name in place}
+
+    def see(value: Scalar) -> Scalar:
+        return substitute(with_squares(carried(world, value), motion.squares), speeds)
+
+    return _still(world, mapped(world.bound(phrase), see, place), phrase)
+
+
+def _speed(world: ProblemWorld, name: str, square: Scalar, place: Mapping[str, Scalar]) -> Scalar:
+    """The speed when the place is first passed: its sign is that of the way from the start."""
+    begin = world.motion.scope.start[name]
+    if is_zero(place[name] - begin):
+        return world.motion.scope.start.get(f"{name}_dot", NOTHING)
+    return root(square) * _sense(world, place[name] - begin)
+
+
+def _sense(world: ProblemWorld, value: Scalar) -> Scalar | int:
+    """1 or -1, or x/|x| where the sign depends on the parameters."""
+    known = sign(value, world.motion.assumptions).kind
+    return SENSES.get(known) or value / root(value * value)
+
+
+def where_equal(world: ProblemWorld, phrase: str, name: str, text: str) -> Bound:
+    """PHRASE where COORDINATE = VALUE; a coordinate that is tied to another one is solved for that."""
+    value = scalar(read_infix(text, world.names))
+    if name not in world.dependent:
+        if name not in world.study.system.independent:
+            raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, world.coordinates))
+        return _at(world, phrase, {name: value})
+    gap = world.dependent[name] - value
+    ways = [(n, zeros(gap, n)) for n in world.study.system.independent if depends_on(gap, n)]
+    if len(ways) != 1 or len(ways[0][1]) != 1:
+        raise StatementError(f"the place where {name} = {text} has no single closed form")
+    return _at(world, phrase, {ways[0][0]: ways[0][1][0]})
+
+
+def where_vanishes(world: ProblemWorld, phrase: str, force: str) -> Bound:
+    """PHRASE where FORCE vanishes: where a contact is lost or a string gets slack."""
+    for item in world.study.losses:
+        if item.force == force and item.at:
+            return _at(world, phrase, item.at)
+    raise StatementError(f"“{force}” does not vanish during the motion, as far as is known")
+
+
+def where_rests(world: ProblemWorld, phrase: str, name: str) -> Bound:
+    """PHRASE where COORDINATE comes to rest: the only place ahead at which its speed is zero."""
+    motion = world.motion
+    square, begin = motion.squares.get(name), motion.scope.start.get(name)
+    if square is None or begin is None:
+        raise StatementError(f"the speed of “{name}” as a function of its place is not known")
+    first = motion.scope.start.get(f"{name}_dot") or motion.moved(symbol(f"{name}_ddot"))
+    way = substitute(first, motion.scope.start)
+    places = [place for place in zeros(square, name) if not is_zero(place - begin)]
+    if len(places) != 1 or sign(way * (places[0] - begin), motion.assumptions).kind != "positive":
+        raise StatementError(f"the place where “{name}” comes to rest has no single closed form")
+    return _at(world, phrase, {name: places[0]})
+
+
+def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
+    """The time from the start until COORDINATE = VALUE, if the acceleration is uniform."""
+    motion, value = world.motion, scalar(read_infix(text, world.names))
+    begin = start(world, name).scalar
+    actual = motion.moved(world.bound(f"acceleration of {name}").scalar)
+    if any(depends_on(actual, moving) for moving in (*motion.scope.rates, "t")):
+        raise StatementError(f"the acceleration of “{name}” is not uniform, so that this time has no closed form")
+    speed, gain, way = start(world, f"speed of {name}").scalar, actual, value - begin
+    if not gain:
+        return number(way / speed)
+    spread = root(short(speed * speed + way * gain * 2))
+    return number((spread * _sense(world, way) - speed) / gain)
+
+
+# --- phases
+
+
+def _stage(world: ProblemWorld, name: str) -> tuple[int, Stage]:
+    names = [stage.name for stage in world.stages]
+    if name not in names[1:]:
+        known = did_you_mean(name, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
+        raise StatementError(f"there is no phase “{name}” that begins", instead=known)
+    place = names.index(name)
+    return place, world.stages[place]
+
+
+def when_begins(world: ProblemWorld, phrase: str, name: str) -> Bound:
+    """PHRASE when PHASE begins, just after the impulses."""
+    place, _ = _stage(world, name)
+    return start(world.phase(place), phrase)
+
+
+def just_before(world: ProblemWorld, phrase: str, name: str) -> Bound:
+    """PHRASE just before PHASE: at the end of the phase before it."""
+    place, stage = _stage(world, name)
+    earlier, state = world.phase(place - 1), stage.began.before
+    image = {**state.places, **{f"{n}_dot": v for n, v in state.speeds.items()}}
+    return _still(earlier, mapped(earlier.bound(phrase), lambda v: carried(earlier, v), image), phrase)
+
+
+def until(world: ProblemWorld, name: str) -> Bound:
+    """The time from the start of the phase before to the beginning of PHASE."""
+    _, stage = _stage(world, name)
+    if not stage.began.before.time:
+        raise StatementError(f"the time until “{name}” has no closed form, or the phase begins at once")
+    return number(stage.began.before.time)
+
+
+def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
+    """The impulse of a constraint or collision when PHASE begins."""
+    _, stage = _stage(world, name)
+    found = stage.began.impulses
+    if force not in found:
+        raise StatementError(f"no impulse “{force}” is known there", instead=did_you_mean(force, found, "impulses"))
+    return number(found[force])
+
+
+def energy_lost(world: ProblemWorld, name: str) -> Bound:
+    """Kinetic energy lost when PHASE begins."""
+    return number(_stage(world, name)[1].began.energy_lost)
+
+
+# --- equilibria and oscillations
+
+ORDINALS = {None: None, "lowest ": 0, "second ": 1, "third ": 2, "highest ": -1}
+
+
+def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list:
+    found = [item for item in world.study.equilibria if bool(item.stable) is stable and name in item.at]
+    if not found:
+        raise StatementError(f"no {'' if stable else 'un'}stable equilibrium of “{name}” is known")
+    return found
+
+
+def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
+    """An angular frequency of small oscillations about the stable equilibrium."""
+    squares = [s for item in _equilibria(world, name, True)[:1] for s in item.frequencies_squared]
+    place = ORDINALS[ordinal]
+    if not squares:
+        raise StatementError(f"no small oscillations of “{name}” are known")
+    if place is None and len(squares) > 1:
+        raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
+    if place is not None and place >= len(squares):
+        raise StatementError(f"there are only {len(squares)} frequencies")
+    return number(function("sqrt", _ordered(world, squares)[place or 0]))
+
+
+def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
+    """From the lowest to the highest, for all parameters. Raises StatementError if that depends on them."""
+    return sorted(values, key=cmp_to_key(lambda a, b: _compared(world, a, b)))
+
+
+def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
+    found = SENSES.get(sign(a - b, world.motion.assumptions).kind)
+    if found is None:
+        raise StatementError("which of the frequencies is the lower one depends on the parameters, or is not decided")
+    return found
+
+
+def period(world: ProblemWorld, name: str) -> Bound:
+    """The period of small oscillations."""
+    return number(PI * 2 / frequency(world, None, name).scalar)
+
+
+def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
+    """The place of the one stable (unstable) equilibrium."""
+    found = _equilibria(world, name, not unstable)
+    if len(found) > 1:
+        raise StatementError(f"“{name}” has {len(found)} such equilibria")
+    return number(found[0].at[name])
+
+
+def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
+    """f/N of a contact that static friction holds."""
+    needs = {item.constraint: item for item in world.study.friction_needs}
+    if contact not in needs:
+        raise StatementError(
+            f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts")
+        )
+    return number(needs[contact].ratio)
+
+
+def needed_friction(world: ProblemWorld, contact: str) -> Bound:
+    """|f|/N of a contact that static friction holds: the coefficient that it needs."""
+    ratio = friction_ratio(world, contact).scalar
+    return number(ratio * _sense(world, ratio))
+
+
+_W = r"([\w-]+)"
+PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
+    (rf"impulse of (\w+) when {_W} begins", impulse),
+    (rf"energy lost when {_W} begins", energy_lost),
+    (rf"(.+) when {_W} begins", when_begins),
+    (rf"(.+) just before {_W}", just_before),
+    (r"time until (\w+) = (.+)", time_until),
+    (rf"time until {_W}", until),
+    (r"(.+) where (\w+) = (.+)", where_equal),
+    (r"(.+) where (\w+) vanishes", where_vanishes),
+    (r"(.+) where (\w+) comes to rest", where_rests),
+    (r"(.+) in ([\w./-]+)", elsewhere),
+    (r"start of (.+)", start),
+    (r"(lowest |second |third |highest )?frequency of (\w+)", frequency),
+    (r"period of (\w+)", period),
+    (r"(unstable )?equilibrium of (\w+)", equilibrium),
+    (r"friction ratio at (\w+)", friction_ratio),
+    (r"friction coefficient needed at (\w+)", needed_friction),
+)
+EXAMPLES = (
+    "speed of COORDINATE where COORDINATE = VALUE",
+    "start of FORCE",
+    "COORDINATE where FORCE vanishes",
+    "COORDINATE where COORDINATE comes to rest",
+    "time until COORDINATE = VALUE",
+    "speed of COORDINATE when PHASE begins",
+    "speed of COORDINATE just before PHASE",
+    "time until PHASE",
+    "impulse of FORCE when PHASE begins",
+    "energy lost when PHASE begins",
+    "frequency of COORDINATE",
+    "lowest frequency of COORDINATE",
+    "period of COORDINATE",
+    "equilibrium of COORDINATE",
+    "friction ratio at CONTACT",
+    "friction coefficient needed at CONTACT",
+)
