@@ -12,6 +12,7 @@ _PLACES = {
     "latex": "rbpsym.notation.latex:to_latex",
     "typst": "rbpsym.notation.typst:to_typst",
     "mathml": "rbpsym.notation.mathml:to_mathml",
+    "omml": "rbpsym.notation.omml:to_omml",
     "text": "rbpsym.notation.text:to_text",
     "machine": "rbpsym.notation.machine:to_machine",
     "speech": "rbpsym.notation.speech:to_speech",

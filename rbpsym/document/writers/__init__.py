@@ -16,6 +16,7 @@ WRITERS: Mapping[str, tuple[str, str]] = {
     "html": ("rbpsym.document.writers.html", "write_html"),
     "pdf": ("rbpsym.document.writers.pdf", "write_pdf"),
     "md": ("rbpsym.document.writers.markdown", "write_markdown"),
+    "docx": ("rbpsym.document.writers.word", "write_word"),
 }
 
 

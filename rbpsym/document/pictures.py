@@ -1,0 +1,56 @@
+"""Figures as files for formats that can't draw: each one a PNG or SVG, set by Typst like those of the PDF."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rbpsym.document.figures.typst import to_typst_drawing
+from rbpsym.document.model import Document, FigureBlock
+from rbpsym.document.numbering import parts
+from rbpsym.document.writers.page import shell
+from rbpsym.notation.glyphs import Notation
+
+RESOLUTION = 200.0  # dots an inch of a PNG
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure as a file; `number` is that of its caption, the size in cm is known of a PNG."""
+
+    number: str
+    content: bytes
+    width: float = 0.0
+    height: float = 0.0
+
+
+def figures_of(document: Document) -> tuple[FigureBlock, ...]:
+    """The figures of a numbered document that show something."""
+    return tuple(part for part in parts(document.sections) if isinstance(part, FigureBlock) and part.scenes)
+
+
+def pictures(document: Document, kind: str = "png") -> dict[str, Picture]:
+    """The figures of a numbered document by number; `kind` is "png" or "svg"."""
+    figures = figures_of(document)
+    drawn = drawings(tuple(figure.scenes for figure in figures), document.notation, kind)
+    return {f.number: picture(f.number, content, kind) for f, content in zip(figures, drawn, strict=True)}
+
+
+def drawings(scenes: Sequence[tuple], notation: Notation, kind: str) -> list[bytes]:
+    """Each group of scenes side by side, all of them drawn in one run."""
+    if not scenes:
+        return []
+    import typst
+
+    groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group in scenes]
+    source = shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups))
+    found = typst.compile(source.encode(), format=kind, ppi=RESOLUTION)
+    return found if isinstance(found, list) else [found]
+
+
+def picture(number: str, content: bytes, kind: str) -> Picture:
+    """The picture with its size."""
+    if kind != "png":
+        return Picture(number, content)
+    wide, high = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))  # the head of a PNG
+    return Picture(number, content, wide / RESOLUTION * 2.54, high / RESOLUTION * 2.54)

@@ -1,0 +1,184 @@
+"""Word: a .docx with native equations, native tables, links and pictures; needs python-docx."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rbpsym.document import breaking
+from rbpsym.document.extras import extra
+from rbpsym.document.model import (
+    Callout,
+    Display,
+    Document,
+    Emph,
+    FigureBlock,
+    Inlines,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Section,
+    Strong,
+    Table,
+    Text,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.page import Page, Print, body
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.word_math import TEXT_WIDTH, display_table, is_aside, math
+from rbpsym.document.writers.word_xml import Cell, Look, link, paragraph, safe, table_of, text_run
+from rbpsym.notation.layout import layout
+from rbpsym.notation.omml import formula, render, to_omml
+
+COLUMN = 31.0  # em, between a margin for the number and one like it at the left
+
+
+@dataclass(frozen=True, slots=True)
+class WordPage(Page):
+    """A page of Word: `pictures` are the drawn figures by number, `lists` the numberings of ordered lists."""
+
+    pictures: Mapping[str, str] | None = None
+    lists: Mapping[int, int] | None = None
+    look: str = ""
+
+
+def write_word(document: Document) -> bytes:
+    """The document as a .docx file. Raises RbpsymError if python-docx is missing."""
+    extra("docx")
+    from rbpsym.document.writers import word_package as package
+
+    document = numbered(document)
+    title = plain_text(document.title, document.notation)
+    file = package.new(title, document.language)
+    pictures, lists = package.put_pictures(file, document), package.put_lists(file, document)
+    page = WordPage(WORD, document.notation, document.language, COLUMN, pictures, lists)
+    package.fill(file, head(document, page) + body(document, page))
+    return package.saved(file)
+
+
+def head(document: Document, page: Page) -> str:
+    """Title, subtitle and source."""
+    lines = (("Title", document.title), ("Subtitle", document.subtitle), ("Source", document.source))
+    return "".join(paragraph(page.inlines(inlines), style) for style, inlines in lines if inlines)
+
+
+def section(part: Section, page: Page) -> str:
+    """A heading and what stands under it."""
+    number = text_run(f"{part.number}\u2002") if part.number else ""
+    heading = paragraph(number + page.inlines(part.title), f"Heading{min(part.level, 3)}", part.label)
+    return heading + page.blocks(part.blocks, "")
+
+
+def marked(inlines: Inlines, page: Page, look: str) -> str:
+    """Inlines in a look that is added to the one around them."""
+    changed = WordPage(page.table, page.notation, page.language, page.column, look=getattr(page, "look", "") + look)
+    return changed.inlines(inlines)
+
+
+def display(block: Display, page: Page) -> str:
+    """A displayed formula with its reason below."""
+    shown = display_table(block, page, block.label)
+    below = block.reason and not is_aside(block, page)
+    return shown + paragraph(page.inlines(block.reason), "Reason") if below else shown
+
+
+def table(block: Table, page: Page) -> str:
+    """A native table with three rules; its header is repeated on each page."""
+    columns = widths(block, page)
+    header = [Cell(cell(c, letter, page, "<w:b/>"), UNDER) for c, letter in zip(block.header, block.columns, strict=True)]
+    rows = [[Cell(cell(c, x, page)) for c, x in zip(row, block.columns, strict=True)] for row in block.rows]
+    shown = table_of(columns, [header, *rows], Look("center", RULES, 90), header=True)
+    return captioned(block, "table", page) + shown if block.caption else shown
+
+
+UNDER = '<w:tcBorders><w:bottom w:val="single" w:sz="4" w:space="0" w:color="1F2430"/></w:tcBorders>'
+RULES = "<w:tblBorders>{}{}</w:tblBorders>".format(
+    *(f'<w:{side} w:val="single" w:sz="10" w:space="0" w:color="1F2430"/>' for side in ("top", "bottom"))
+)
+SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
+
+
+def widths(block: Table, page: Page) -> list[int]:
+    """The columns in twips: as wide as they need be; where that is too much, words give way, then all."""
+    places = range(len(block.header))
+    wanted = [round(breaking.column_width(block, k, page.notation) * SMALL) + 320 for k in places]
+    wordy = [k for k in places if block.columns[k] in "lp" and wraps(block, k)]
+    spare, share = TEXT_WIDTH - sum(wanted), sum(wanted[k] for k in wordy)
+    if spare < 0 < share:
+        kept = max(1 + spare / share, 0.45)
+        wanted = [round(w * kept) if k in wordy else w for k, w in enumerate(wanted)]
+    factor = min(1.0, TEXT_WIDTH / sum(wanted))
+    return [int(w * factor) for w in wanted]
+
+
+SMALL = 235  # twips an em in a table
+
+
+def wraps(block: Table, place: int) -> bool:
+    """Does a column hold words of which several make a cell?"""
+    return any(isinstance(inline, Text) and " " in inline.text for row in block.rows for inline in row[place])
+
+
+def cell(inlines: Inlines, letter: str, page: Page, look: str = "") -> str:
+    """The paragraph of a cell; a formula alone in it stands in display style."""
+    side = f'<w:jc w:val="{SIDES[letter]}"/>'
+    if len(inlines) == 1 and isinstance(inlines[0], Math):
+        return paragraph(math(render(layout(inlines[0].node, page.notation)), SIDES[letter]), "Cell", more=side)
+    return paragraph(marked(inlines, page, look) if look else page.inlines(inlines), "Cell", more=side)
+
+
+def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
+    """ "Figure 2. What is seen"; a table's stays with the table."""
+    name = text_run(page.word(f"block.{kind}", number=block.number) + ". ", "<w:b/>")
+    stay = "<w:keepNext/>" if kind == "table" else ""
+    return paragraph(name + page.inlines(block.caption), "Caption", block.label, more=stay)
+
+
+def figure(block: FigureBlock, page: Page) -> str:
+    """A picture with its alt text, and its caption below."""
+    drawn = (page.pictures or {}).get(block.number, "")
+    drawn = drawn.replace("ALTERNATIVE", safe(block.alt)).replace("NAME", safe(f"figure {block.number}"))
+    return paragraph(drawn, "Figure") + captioned(block, "figure", page)
+
+
+def item_list(block: ItemList, page: Page) -> str:
+    """A list; an ordered one has a numbering of its own."""
+    number = (page.lists or {}).get(id(block)) if block.ordered else None
+    own = f'<w:numPr><w:ilvl w:val="0"/><w:numId w:val="{number}"/></w:numPr>' if number else ""
+    style = "ListNumber" if block.ordered else "ListBullet"
+    return "".join(paragraph(page.inlines(item), style, more=own) for item in block.items)
+
+
+def callout(block: Callout, page: Page) -> str:
+    """A remark in a cell with a rule at its left."""
+    title = page.inlines(block.title) if block.title else text_run(page.word(f"callout.{block.kind}"))
+    inner = paragraph(title, "CalloutTitle") + page.blocks(block.blocks, "")
+    inner += "" if inner.endswith("</w:p>") else paragraph("", "Gap")
+    rule = f'<w:left w:val="single" w:sz="18" w:space="0" w:color="{TONES[block.kind]}"/>'
+    look = Look(borders=f"<w:tblBorders>{rule}</w:tblBorders>", beside=180, indent=60)
+    return table_of([TEXT_WIDTH - 60], [[Cell(inner)]], look)
+
+
+TONES = {"result": "1D5FA8", "why": "6B7280", "note": "6B7280", "check": "2A7548"}
+
+
+def reference(inline: Ref, page: Page) -> str:
+    """A link to what the number belongs to."""
+    return link(inline.label, inline.mark)
+
+
+WORD: Mapping[type, Print] = {
+    Text: lambda inline, page: text_run(inline.text, page.look),
+    Math: lambda inline, page: to_omml(inline.node, page.notation),
+    Ref: reference,
+    Emph: lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
+    Strong: lambda inline, page: marked(inline.inlines, page, "<w:b/>"),
+    Paragraph: lambda block, page: paragraph(page.inlines(block.inlines), "BodyText"),
+    Display: display,
+    Table: table,
+    FigureBlock: figure,
+    ItemList: item_list,
+    Callout: callout,
+    Section: section,
+}
