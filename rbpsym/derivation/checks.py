@@ -6,7 +6,7 @@ integral differentiated, a moment taken over the mass itself, a solution substit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.effort import at_most
@@ -196,12 +196,19 @@ def _integrated(context: Context, of: Scalar, found: Scalar) -> Verdict:
         primitive = antiderivative(slope, name)
         if primitive is None:
             return Verdict(UNDECIDED, reason="the rate can't be integrated back in closed form")
-        gained = primitive - substitute(primitive, {name: NOTHING})
-        moved = of - substitute(of, {name: NOTHING})
+        gained, moved = _gained((primitive, of), name)
         if not is_zero(gained - moved):
             return same(context, gained, moved)
         total = total + slope * system.scope.rates[name]
     return same(context, found, total + derivative(of, "t"))
+
+
+def _gained(values: Sequence[Scalar], name: str) -> list[Scalar]:
+    """By how much they grow from 0 on; from a place of any name on, where one of them has no value at 0."""
+    try:
+        return [value - substitute(value, {name: NOTHING}) for value in values]
+    except ZeroDivisionError:
+        return [value - substitute(value, {name: symbol(f"{name}_A")}) for value in values]
 
 
 def momentum_over_mass(context: Context, step: Step) -> Verdict:

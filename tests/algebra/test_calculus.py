@@ -157,6 +157,15 @@ def test_definite_integral_is_additive(terms, lower: Scalar, upper: Scalar) -> N
     assert same(whole, -definite(value, "a", upper, lower))
 
 
+@pytest.mark.parametrize("sines", range(-4, 5))
+@pytest.mark.parametrize("cosines", range(-4, 5))
+def test_powers_of_sine_and_cosine(cosines: int, sines: int) -> None:
+    value = cosine(2 * X + Y) ** cosines * sine(2 * X + Y) ** sines
+    found = antiderivative(value, "x")
+    assert found is not None or min(cosines, sines) < 0
+    assert found is None or same(derivative(found, "x"), value)
+
+
 @pytest.mark.parametrize(
     ("value", "lower", "upper", "expected"),
     [
@@ -167,6 +176,9 @@ def test_definite_integral_is_additive(terms, lower: Scalar, upper: Scalar) -> N
         (X * sine(X), lift(0), PI, PI),
         (cosine(X * Y), lift(0), PI / Y, lift(0)),
         ((1 + M) / (1 + Y) * X, lift(0), lift(2), 2 * (1 + M) / (1 + Y)),
+        (1 / sine(X) ** 2, PI * Fraction(1, 4), PI * Fraction(1, 2), lift(1)),
+        (cosine(X) / sine(X) ** 4, PI * Fraction(1, 6), PI * Fraction(1, 2), lift(Fraction(7, 3))),
+        (sine(X) ** 2 / cosine(X) ** 2, lift(0), PI * Fraction(1, 4), 1 - PI * Fraction(1, 4)),
     ],
 )
 def test_known_integrals(value: Scalar, lower: Scalar, upper: Scalar, expected: Scalar) -> None:
