@@ -30,7 +30,8 @@ from rbpsym.verify.simulation_start import Conditions, Start, idle_angles, start
 
 GENERIC_STATES = 8
 GENERIC_TIME = 0.3
-FAINT = 1e-2
+FAINT = 1e-2  # of the largest value of its kind: what a small quantity is compared with at least
+NOISE = 1e-3  # the same where all of a kind vanish (a body that stays at rest); sample numbers are near 1
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class SimulationReport:
     """Largest relative differences; `errors` by quantity, `drift` of the first integral (None: none).
 
     A difference is relative to the largest value of the quantity along the motion (or to a
-    hundredth of the largest of its kind, if that is more). `freedom` is the number of degrees of
+    hundredth of the largest of its kind, or to 0.001 where all vanish). `freedom` is the number of degrees of
     freedom that the numerical conditions leave.
     """
 
@@ -112,7 +113,7 @@ class _Errors:
         for (kind, _), scale in self.scale.items():
             largest[kind] = max(largest.get(kind, 0.0), scale)
         return {
-            f"{kind} {name}": float(gap / (max(self.scale[kind, name], FAINT * largest[kind]) or 1.0))
+            f"{kind} {name}": float(gap / max(self.scale[kind, name], FAINT * largest[kind], NOISE))
             for (kind, name), gap in self.difference.items()
         }
 
