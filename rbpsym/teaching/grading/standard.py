@@ -54,7 +54,7 @@ def standard(node: t.Node, typed: Mapping[str, str], has_euler: bool) -> t.Node:
         raise ReadError("only numbers, symbols, roots and functions can be read here", instead="Enter the result.")
     if isinstance(node, t.Sym):
         return _name(node, typed, has_euler)
-    inner = _mapped(node, lambda part: standard(part, typed, has_euler))
+    inner = mapped(node, lambda part: standard(part, typed, has_euler))
     return _power(inner) if isinstance(inner, t.Pow) else inner
 
 
@@ -64,7 +64,7 @@ def _name(node: t.Sym, typed: Mapping[str, str], has_euler: bool) -> t.Node:
     return replace(node, name=typed.get(node.name, node.name))
 
 
-def _mapped(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
+def mapped(node: t.Node, change: Made) -> t.Node:
     """The node with changed parts."""
     changed = {}
     for item in fields(node):

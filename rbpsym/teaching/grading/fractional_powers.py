@@ -1,0 +1,133 @@
+"""Cube roots and the like, made integer powers of new positive symbols: x^(2/3) is u² with x = u³.
+
+Positive factors leave the root one by one. The root of a sum is a symbol u too, of which u³ is that
+sum; what is proved with these relations alone holds for the roots. A refutation needs a point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import lcm
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.decide import cross_difference, scalars_equal
+from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.notation import tree as t
+from rbpsym.notation.limits import number_of
+from rbpsym.teaching.grading.standard import mapped
+
+LARGEST_NUMBER = 10**6  # that is split into primes
+Power = tuple[t.Node, Fraction]
+
+
+@dataclass(frozen=True)
+class Roots:
+    """The roots in some trees: for each base the common denominator of its exponents, and its symbol."""
+
+    assumptions: Assumptions
+    orders: dict[t.Node, int] = field(default_factory=dict)
+    names: dict[t.Node, str] = field(default_factory=dict)
+
+    def note(self, node: t.Node) -> None:
+        """Note the roots of a tree."""
+        for part in t.walk(node):
+            for base, exponent in _powers(part, self.assumptions):
+                self.orders[base] = lcm(self.orders.get(base, 1), exponent.denominator)
+                self.names.setdefault(base, f"root_{len(self.names) + 1}")
+
+    def without(self, node: t.Node) -> t.Node:
+        """The tree with roots as powers of the new symbols."""
+        found = list(_powers(node, self.assumptions))
+        if not found:
+            return mapped(node, self.without)
+        return t.Mul(tuple(t.Pow(t.Sym(self.names[b]), t.Num(n * self.orders[b])) for b, n in found))
+
+    def meanings(self) -> dict[str, Scalar]:
+        """What the positive symbols under roots are: x = u³."""
+        plain = (base for base in self.orders if isinstance(base, t.Sym))
+        return {base.name: symbol(self.names[base]) ** self.orders[base] for base in plain}
+
+    def reduced(self, value: Scalar, scope: Scope) -> Scalar:
+        """A polynomial in which no root stands to its order or more."""
+        for base, order in self.orders.items():
+            if not isinstance(base, t.Sym):
+                value = _reduced(value, self.names[base], order, scalar(self.without(base), scope))
+        return value
+
+
+def equal_with_roots(answer: t.Node, key: t.Node, assumptions: Assumptions, scope: Scope) -> Verdict | None:
+    """PROVED or UNDECIDED for formulas with cube roots and the like; None for formulas without."""
+    if not any(_is_root(part) for side in (answer, key) for part in t.walk(side)):
+        return None
+    roots = Roots(assumptions)
+    for side in (answer, key):
+        roots.note(side)
+    scope = scope.with_scalars(roots.meanings())
+    given = assumptions.with_signs(dict.fromkeys(roots.names.values(), "positive"))
+    gap = cross_difference(*(scalar(roots.without(side), scope) for side in (answer, key)))
+    found = scalars_equal(roots.reduced(gap, scope), NOTHING, given)
+    return found if found.is_proved else undecided("a root of higher order")
+
+
+def _reduced(value: Scalar, name: str, order: int, base: Scalar) -> Scalar:
+    parts = value.num.by_power(atoms.intern("symbol", name)).items()
+    return sum((Scalar(part) * base ** (k // order) * symbol(name) ** (k % order) for k, part in parts), NOTHING)
+
+
+def _is_root(node: t.Node) -> bool:
+    exponent = number_of(node.exponent) if isinstance(node, t.Pow) else None
+    return exponent is not None and exponent.denominator > 2
+
+
+def _powers(node: t.Node, given: Assumptions) -> Iterator[Power]:
+    """The factors of a root of higher order, each with its exponent; nothing for any other node."""
+    if _is_root(node):
+        yield from _split(node.base, number_of(node.exponent), given)
+
+
+def _split(base: t.Node, exponent: Fraction, given: Assumptions) -> Iterator[Power]:
+    if isinstance(base, t.Group):
+        yield from _split(base.arg, exponent, given)
+    elif isinstance(base, t.Num) and 0 < base.value < LARGEST_NUMBER:
+        yield from _primes(Fraction(base.value), exponent)
+    elif isinstance(base, (t.Mul, t.Div, t.Pow, t.Sqrt)) and _is_positive(base, given):
+        parts = {
+            t.Mul: lambda: [(factor, exponent) for factor in base.factors],
+            t.Div: lambda: [(base.num, exponent), (base.den, -exponent)],
+            t.Pow: lambda: [(base.base, exponent * number_of(base.exponent))],
+            t.Sqrt: lambda: [(base.arg, exponent / 2)],
+        }[type(base)]()
+        for part, power in parts:
+            yield from _split(part, power, given)
+    else:
+        yield base, exponent
+
+
+def _is_positive(node: t.Node, given: Assumptions) -> bool:
+    """Is it made of positive symbols and numbers by products, quotients, powers and sums?"""
+    if isinstance(node, t.Sym):
+        return node.name == "pi" or given.sign_of(node.name) == "positive"
+    if isinstance(node, t.Num):
+        return node.value > 0
+    if isinstance(node, t.Pow):
+        return number_of(node.exponent) is not None and _is_positive(node.base, given)
+    made = isinstance(node, (t.Mul, t.Div, t.Add, t.Sqrt, t.Group))
+    return made and all(_is_positive(part, given) for part in t.children(node))
+
+
+def _primes(value: Fraction, exponent: Fraction) -> Iterator[Power]:
+    for number, sign in ((value.numerator, 1), (value.denominator, -1)):
+        prime = 2
+        while number > 1:
+            count = 0
+            prime = prime if prime * prime <= number else number
+            while number % prime == 0:
+                number, count = number // prime, count + 1
+            if count:
+                yield t.Num(prime), exponent * count * sign
+            prime += 1

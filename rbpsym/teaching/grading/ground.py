@@ -1,0 +1,97 @@
+"""What holds where an answer is judged: meanings, assumptions, dimensions, the motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra.evaluate import BARE, Scope, time_derivative
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import NONE, Assumptions
+from rbpsym.mechanics.motion import with_squares
+from rbpsym.mechanics.study import Study
+from rbpsym.quantities import FORCE, TIME, Dimension
+from rbpsym.statement.checks import unknowns_of
+from rbpsym.teaching.grading.book import Book, book
+
+
+def _same(value: Scalar) -> Scalar:
+    return value
+
+
+@dataclass(frozen=True)
+class Ground:
+    """Meanings of names (`scope`), assumptions, dimensions, and how names may be typed (`book`).
+
+    on_motion: replaces accelerations and unknown forces by what they are; along: squares of the speeds too.
+    """
+
+    book: Book
+    assumptions: Assumptions = NONE
+    scope: Scope = BARE
+    dimensions: Mapping[str, Dimension] = field(default_factory=dict)
+    on_motion: Callable[[Scalar], Scalar] = _same
+    along: Callable[[Scalar], Scalar] = _same
+    has_motion: bool = False
+
+
+def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> Ground:
+    """The ground of some names alone, with their signs (“positive”, “nonnegative”, “nonzero”, “real”)."""
+    signs = dict(symbols) if isinstance(symbols, Mapping) else {}
+    return Ground(book(symbols, language=language), Assumptions(signs))
+
+
+def ground_of(study: Study, language: str = "en") -> Ground:
+    """The ground of a problem: its names, on its constraints."""
+    problem, system = study.problem, study.system
+    named = named_quantities(study)
+    dimensions = dimensions_of(study)
+    names = {*dimensions, *named, *system.unknowns}
+    scalars = {**named, **dependents(study)}
+    return Ground(
+        book(names, problem.notation, language),
+        study.assumptions,
+        system.scope.with_scalars({**system.scope.scalars, **scalars}),
+        dimensions,
+        study.on_motion,
+        lambda value: with_squares(study.on_motion(value), study.squares),
+        True,
+    )
+
+
+def dependents(study: Study) -> dict[str, Scalar]:
+    """Coordinates that the constraints tie to others, with their rates: x is Rφ where it rolls."""
+    found, scope = {}, study.system.scope
+    for name, value in study.system.dependent.items():
+        for tail in ("", "_dot", "_ddot"):
+            found[f"{name}{tail}"] = value
+            value = time_derivative(value, scope)
+    return found
+
+
+def named_quantities(study: Study) -> dict[str, Scalar]:
+    """Quantities that a student may name without being told: I of each body, ω and α of the only turning one."""
+    bodies = study.system.bodies
+    taken = {q.name for q in study.problem.parameters} | set(study.problem.notation.values())
+    found = {f"I_{name}": state.moment for name, state in bodies.items()}
+    found |= {f"omega_{name}": state.omega for name, state in bodies.items() if state.omega}
+    found |= {f"alpha_{name}": state.alpha for name, state in bodies.items() if state.alpha}
+    turning = {state.omega for state in bodies.values() if state.omega}
+    if len(turning) == 1:
+        state = next(state for state in bodies.values() if state.omega)
+        found |= {"omega": state.omega, "alpha": state.alpha}
+    return {name: value for name, value in found.items() if name not in taken and value is not None}
+
+
+def dimensions_of(study: Study) -> dict[str, Dimension]:
+    """The dimension of every name of a problem: constants, coordinates with their rates, unknown forces."""
+    problem = study.problem
+    found = {q.name: q.dimension for q in problem.parameters}
+    for coordinate in problem.coordinates:
+        for power, tail in enumerate(("", "_dot", "_ddot")):
+            found[f"{coordinate.name}{tail}"] = coordinate.quantity.dimension / TIME**power
+    for name in study.system.unknowns:
+        found[name] = FORCE
+    for element in problem.constraints:
+        found |= unknowns_of(element)
+    return found
