@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
@@ -55,8 +57,33 @@ def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> 
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return ()
-    places = common_zeros(forces, names)
+    places = common_zeros(forces, names) or _all_zero(forces, names, assumptions)
     return tuple(_describe(system, dynamics, forces, at, assumptions) for at in places if _within(system, at))
+
+
+def _all_zero(forces: Iterable[Scalar], names: Iterable[str], assumptions: Assumptions) -> list[dict[str, Scalar]]:
+    """Where all coordinates are 0, if the forces vanish there: authors often count from the position of rest."""
+    at = dict.fromkeys(names, NOTHING)
+    try:
+        left = [_without_roots(substitute(force, at), assumptions) for force in forces]
+    except ZeroDivisionError:
+        return []
+    return [] if any(left) else [at]
+
+
+def _without_roots(value: Scalar, assumptions: Assumptions) -> Scalar:
+    """The value with √(x²) = x for what is positive."""
+    for index in sorted(value.atoms()):
+        found = atoms.atom(index)
+        if found.kind == "root":
+            inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+            image = simplified_root(inner, lambda name: assumptions.sign_of(name) == "positive")
+            value = _with_image(value.num, index, image) / _with_image(value.den, index, image)
+    return short(value)
+
+
+def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
+    return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
 
 
 def _within(system: System, at: Mapping[str, Scalar]) -> bool:
@@ -83,8 +110,12 @@ def _number(node, numbers) -> float:
 
 def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assumptions) -> Equilibrium:
     names = system.independent
-    stiffness = tuple(tuple(short(substitute(-derivative(force, n), at)) for n in names) for force in forces)
-    inertia = tuple(tuple(short(substitute(entry, at)) for entry in row) for row in dynamics.mass_matrix)
+
+    def there(value: Scalar) -> Scalar:
+        return _without_roots(substitute(value, at), assumptions)
+
+    stiffness = tuple(tuple(there(-derivative(force, n)) for n in names) for force in forces)
+    inertia = tuple(tuple(there(entry) for entry in row) for row in dynamics.mass_matrix)
     return Equilibrium(
         at,
         _stability(stiffness, names, forces, at, assumptions),
