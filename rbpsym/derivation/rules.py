@@ -8,12 +8,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.derivation import checks as c
+from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
 
 RULES: Mapping[str, tuple[c.Check, ...]] = {
     "statement": (c.identity,),
     "constraint": (c.identity,),
+    "no_slip": (c.identity, k.no_slip),
+    "taut": (c.identity, k.tension_without_power),
+    "tied": (c.identity, k.conditions_kept),
     "mass_integral": (c.identity, c.integrals_by_differentiation),
     "parallel_axis": (c.identity, c.moment_over_mass),
     "differentiation": (c.identity, c.derivatives_by_integration),

@@ -74,11 +74,13 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     """Positions, velocities and speeds of all bodies together, then how they turn."""
     teller = Teller(said)
     yield from _intro("kinematics", derivation, said)
-    kinds = ("position", "velocity", "speed", "turning")
-    others, *groups = by_kind(steps, [f"kinematics.{kind}" for kind in kinds])
-    yield from teller.steps(others)
+    kinds = ("dependent", "tied_speed", "position", "velocity", "speed", "turning")
+    found = [step for step in steps if step.phrase == "kinematics.turning.found"]
+    others, *groups = by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
+    yield from teller.steps((*others, *found))
     for kind, group in zip(kinds, groups, strict=True):
-        yield from teller.together(group, f"kinematics.{kind}_many")
+        tied = [step.slots["coordinate"] for step in group if "coordinate" in step.slots]
+        yield from teller.together(group, f"kinematics.{kind}_many", coordinates=tied)
 
 
 def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -1,4 +1,6 @@
-"""Drafts of the shipped problems, derived once a session without the oracles."""
+"""Drafts of the shipped problems and of many other systems, derived once a session without the oracles."""
+
+from pathlib import Path
 
 import pytest
 
@@ -9,19 +11,22 @@ from rbpsym.methods.registry import METHODS
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 
+ROOT = Path(__file__).parents[2]
+MORE = (*(ROOT / "docs/examples").glob("[ci]*/*.toml"), *(ROOT / "tests/derivation/systems").glob("*.toml"))
+FILES = {**problem_files(), **{f"{path.parent.name}/{path.stem}": path for path in sorted(MORE)}}
 _DRAFTS = {}
 
 
 def drafted(name: str) -> Draft:
-    """The whole draft of a shipped problem."""
+    """The whole draft of a problem."""
     if name not in _DRAFTS:
-        draft = Draft(Study(load_problem(problem_files()[name])))
+        draft = Draft(Study(load_problem(FILES[name])))
         for write in (*BEFORE, *METHODS.values(), *AFTER):
             write(draft)
         _DRAFTS[name] = draft
     return _DRAFTS[name]
 
 
-@pytest.fixture(params=sorted(problem_files()))
+@pytest.fixture(params=sorted(FILES))
 def draft(request) -> Draft:
     return drafted(request.param)

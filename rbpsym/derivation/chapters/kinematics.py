@@ -1,113 +1,26 @@
-"""Positions, velocities and angular velocities of all bodies; the constraints' conditions."""
+"""The constraints' conditions; positions, velocities and angular velocities of all bodies."""
 
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.chapters import conditions
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import FULL, BodyRef
-from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Body, Element, PointRef
 
 
 def write(draft: Draft) -> None:
     """The chapter."""
     draft.chapter = "kinematics"
-    for element in draft.study.problem.constraints:
-        _condition(draft, element)
-    _dependent(draft)
+    conditions.write(draft)
     for name, state in draft.study.system.bodies.items():
         _position(draft, name, state)
         _turning(draft, name, state)
         _velocity(draft, name, state)
-
-
-def _condition(draft: Draft, element: Element) -> None:
-    """What a constraint asks, written in the poses as given: an identity, or an equation for coordinates."""
-    rows = [row for row in (_meeting(draft, element), *_touching(draft, element)) if row is not None]
-    if not rows or draft.study.system.dependent or draft.study.system.implicit:
-        return
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    labels = [ref.label for ref in _points(element)]
-    draft.add(
-        f"condition.{element.name}",
-        "constraint",
-        statement,
-        f"kinematics.condition.{element.kind}",
-        level=FULL,
-        force=t.Vec(element.name),
-        points=labels,
-    )
-
-
-def _points(element: Element) -> list[PointRef]:
-    joint = JOINTS[element.kind]
-    return [ref for join in joint.joins(element) for ref in join if ref] + [t_.point for t_ in joint.touches(element)]
-
-
-def _raw(draft: Draft, ref: PointRef) -> tuple[t.Node, t.Node] | None:
-    """Coordinates of a point as they follow from the pose as the author gave it, nothing worked out."""
-    if ref.body is None:
-        return ref.at
-    body = draft.study.problem.body(ref.body)
-    if body.placed is None or ref.point == "cm" or body.placed[0] == "cm":
-        return None
-    angle = body.angle if body.angle is not None else t.ZERO
-    x, y = _local_difference(body, ref.point)
-    (px, py), cos, sin = body.placed[1], t.Fn("cos", angle), t.Fn("sin", angle)
-    return (t.add(px, *_signed(x, cos), *_signed(y, sin, -1)), t.add(py, *_signed(x, sin), *_signed(y, cos)))
-
-
-def _local_difference(body: Body, point: str) -> tuple[Scalar, Scalar]:
-    from rbpsym.algebra.evaluate import scalar
-
-    (ax, ay), (bx, by) = body.points[point], body.points[body.placed[0]]
-    return scalar(ax) - scalar(bx), scalar(ay) - scalar(by)
-
-
-def _signed(length: Scalar, function: t.Node, sign: int = 1) -> tuple[t.Node, ...]:
-    from rbpsym.algebra.present import present
-
-    return (t.mul(present(length * sign), function),) if length else ()
-
-
-def _meeting(draft: Draft, element: Element) -> t.Node | None:
-    rows = []
-    for first, second in JOINTS[element.kind].joins(element):
-        if first is None:
-            return None
-        ends = [_raw(draft, ref) for ref in (second, first)]
-        if None in ends:
-            return None
-        rows += [t.equation(a, b) for a, b in zip(*ends, strict=True) if a != b]
-    return None if not rows else rows[0] if len(rows) == 1 else t.System(tuple(rows))
-
-
-def _touching(draft: Draft, element: Element) -> list[t.Node]:
-    rows = []
-    for touch in JOINTS[element.kind].touches(element):
-        at = _raw(draft, touch.point)
-        if at is not None:
-            left = t.add(t.mul(touch.line.a, at[0]), t.mul(touch.line.b, at[1]))
-            rows.append(t.equation(left, touch.line.c))
-    return rows
-
-
-def _dependent(draft: Draft) -> None:
-    """Coordinates that the constraints tie to the others."""
-    for name, value in draft.study.system.dependent.items():
-        draft.context.scalars[name] = value
-        draft.add(
-            f"dependent.{name}",
-            "statement",
-            t.equation(t.Sym(name), draft.show(value)),
-            "kinematics.dependent",
-            coordinate=t.Sym(name),
-        )
 
 
 def _position(draft: Draft, name: str, state: BodyState) -> None:
@@ -128,12 +41,12 @@ def _turning(draft: Draft, name: str, state: BodyState) -> None:
     """ω of the body against the coordinates: dφ/dt, its sign included."""
     omega = draft.define(draft.of_body("omega", name), state.omega)
     draft.context.vectors[omega.name] = _along_z(state.omega)
-    if draft.study.problem.body(name).angle is None and not state.omega:
+    if draft.has(f"turning.{name}") or (draft.study.problem.body(name).angle is None and not state.omega):
         return
     angle = state.pose.angle
     if not angle.num.terms:
         return
-    statement = t.equation(omega, t.Deriv(draft.show(angle)), draft.show(state.omega))
+    statement = t.equation(omega, t.Deriv(_angle_node(draft, name, angle)), draft.show(state.omega))
     draft.add(
         f"turning.{name}",
         "differentiation",
@@ -144,6 +57,13 @@ def _turning(draft: Draft, name: str, state: BodyState) -> None:
         omega=omega,
         coordinates=[t.Sym(n) for n in draft.study.system.independent if depends_on(state.omega, f"{n}_dot")],
     )
+
+
+def _angle_node(draft: Draft, name: str, angle: Scalar) -> t.Node:
+    """The angle as the author gave it, where a coordinate stands in it that is not free."""
+    given = draft.study.problem.body(name).angle
+    tied = set(draft.study.system.dependent)
+    return given if given is not None and t.names(given) & tied else draft.show(angle)
 
 
 def _turning_phrase(draft: Draft, state: BodyState) -> str:

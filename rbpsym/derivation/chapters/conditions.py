@@ -1,0 +1,344 @@
+"""What the constraints ask, in the coordinates as given; what they then tie to other coordinates.
+
+Geometry first (a point on its line, a round body at the distance of its radius), then what is
+asked of the speeds: no slip, a taut string. A condition that holds whatever the coordinates are is
+only shown in full detail. Kleppner & Kolenkow 7.6; Meriam & Kraige, Dynamics, 5/4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.derivation.chapters.places import coordinates_of, distance_rows, line_rows, meeting_rows
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.given import Given, as_given, speed_along
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.contacts import meeting, rim_of
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.strings import segments
+from rbpsym.notation import tree as t
+from rbpsym.statement.curves import curve_body, toucher
+from rbpsym.statement.model import Element, Turn
+from rbpsym.statement.paths import runs, tensions
+
+
+def write(draft: Draft) -> None:
+    """The conditions of all constraints, then the coordinates and speeds that they determine."""
+    given = as_given(draft.study.system)
+    _define_tied(draft)
+    for element in draft.study.problem.constraints:
+        _geometric(draft, element, given)
+        SPEEDS.get(element.kind, _nothing)(draft, element, given)
+    _found_spins(draft, given)
+    _tied(draft)
+
+
+def _define_tied(draft: Draft) -> None:
+    """Coordinates and speeds that are not free stand for what they are in the others."""
+    system = draft.study.system
+    for name, value in system.dependent.items():
+        rate = time_derivative(value, system.scope)
+        more = {name: value, f"{name}_dot": rate, f"{name}_ddot": time_derivative(rate, system.scope)}
+        draft.context.scalars.update(more)
+    for name in system.coordinates:
+        if name not in system.independent:
+            rate = system.scope.rates[name]
+            draft.context.scalars[f"{name}_dot"] = rate
+            draft.context.scalars[f"{name}_ddot"] = time_derivative(rate, system.scope)
+
+
+def _nothing(draft: Draft, element: Element, given: Given) -> None:
+    """Nothing is asked of the speeds."""
+
+
+# --- places
+
+
+def _geometric(draft: Draft, element: Element, given: Given) -> None:
+    rows = [*meeting_rows(draft, element), *line_rows(draft, element), *distance_rows(draft, element)]
+    rows += _driven_rows(draft, element)
+    if not rows:
+        return
+    ties = any(not _is_identity(row) for row in rows)
+    body = element.values.get("body")
+    draft.add(
+        f"condition.{element.name}",
+        "constraint",
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        f"kinematics.condition.{_kind(element)}",
+        level=STANDARD if ties else FULL,
+        variant="tie" if ties else "identity",
+        force=t.Vec(element.name),
+        points=_labels(element),
+        count=len(_labels(element)),
+        body=BodyRef(body) if isinstance(body, str) else PhraseRef("kinematics.nothing"),
+    )
+
+
+def _is_identity(row: t.Node) -> bool:
+    """Does it hold whatever the coordinates are, before anything is put in?"""
+    return is_zero(scalar(row.items[0]) - scalar(row.items[-1]))
+
+
+def _kind(element: Element) -> str:
+    """How the place is spoken of: where a round body touches, its centre has a distance from the curve."""
+    return "distance" if element.values.get("rim") is not None else element.kind
+
+
+def _labels(element: Element) -> list[str]:
+    joint = JOINTS[element.kind]
+    refs = [ref for join in joint.joins(element) for ref in join if ref]
+    refs += [touch.point for touch in joint.touches(element)]
+    if not refs and element.values.get("point") is not None:
+        refs = [element["point"]]
+    if not refs and element.kind == "string":
+        refs = [turn.center for turn in (element["path"][0], element["path"][-1])]
+    return [ref.label for ref in refs]
+
+
+def _driven_rows(draft: Draft, element: Element) -> list[t.Node]:
+    """A given function of time: the place of a point along a direction, or the angle of a body."""
+    if element.kind == "prescribed-angle":
+        angle = draft.study.problem.body(element["body"]).angle
+        return [] if angle is None else [t.equation(angle, element["angle"])]
+    if element.kind != "prescribed":
+        return []
+    at = coordinates_of(draft, element["point"])
+    if at is None:
+        return []
+    parts = (part if way == t.ONE else t.mul(way, part) for way, part in zip(element["along"], at, strict=True))
+    parts = [part for part, way in zip(parts, element["along"], strict=True) if way != t.ZERO]
+    return [t.equation(t.add(*parts), element["distance"])]
+
+
+# --- speeds
+
+
+@dataclass(frozen=True)
+class _Part:
+    """The speed of a place of a body: that of a point of it, and what its rotation adds (or takes)."""
+
+    still: t.Node
+    turning: t.Node
+    extra: t.Node | None = None
+
+
+def _speed(draft: Draft, given: Given, body: str | None, place: Vector, direction: Vector, about: Vector) -> _Part:
+    """Speed of the material point at `place`, split at the point `about` of the same body."""
+    if body is None:
+        return _Part(t.ZERO, t.ZERO)
+    arm = direction.dot((place - about).turned())
+    moved = short(speed_along(given, body, about, direction))
+    letter = None
+    if body in given.unplaced and moved:
+        letter = draft.define(_free_letter(draft, body), _settled(draft, moved))
+    still = letter or draft.show(moved)
+    return _Part(still, _turned(draft, given, body, arm), letter)
+
+
+def _turned(draft: Draft, given: Given, body: str, arm: Scalar) -> t.Node:
+    """arm × ω; with the letter ω where no one gave the angle of the body."""
+    spin = given.spin(body)
+    if spin is not None:
+        return draft.show(short(arm * spin))
+    omega = draft.define(draft.of_body("omega", body), draft.study.system.bodies[body].omega)
+    shown = draft.show(short(arm))
+    if shown == t.ZERO:
+        return t.ZERO
+    return t.neg(t.mul(shown.arg, omega)) if isinstance(shown, t.Neg) else t.mul(shown, omega)
+
+
+def _free_letter(draft: Draft, body: str) -> str:
+    return draft.free("v" if draft.is_single else f"v_{body}")
+
+
+def _settled(draft: Draft, value: Scalar) -> Scalar:
+    """The value with what is tied put in."""
+    return draft.context.value(draft.show(value))
+
+
+def _no_slip(draft: Draft, element: Element, given: Given) -> None:
+    """At the contact both have one velocity: V·t = (what it touches) - (rim) ω."""
+    met = meeting(element, given.geometry)
+    on, by = toucher(element), curve_body(element)
+    way = met.forward
+    about = met.place + met.normal * rim_of(element)
+    first = _speed(draft, given, on, met.place, way, about) if on else _Part(t.ZERO, t.ZERO)
+    second = _speed(draft, given, by, met.place, way, _own_place(given, by))
+    other = t.add(second.still, second.turning)
+    left, right = first.still, t.add(other, t.neg(first.turning))
+    if left == t.ZERO:
+        left, right = first.turning, other
+    same = left == right
+    if left == t.ZERO and right == t.ZERO:
+        return
+    draft.add(
+        f"no_slip.{element.name}",
+        "no_slip",
+        t.equation(t.add(t.neg(right), left), t.ZERO) if same else t.equation(left, right),
+        f"kinematics.condition.{element.kind}_speed",
+        level=FULL if same else STANDARD,
+        premises=[f"condition.{element.name}"],
+        body=BodyRef(on) if on else BodyRef(by),
+        by=BodyRef(by) if by else PhraseRef("kinematics.nothing"),
+        on=_where(element, by, met.normal),
+        points=_labels(element),
+        speed=_named(first.extra),
+        variant="moving" if by else "fixed",
+        data={"element": element},
+    )
+
+
+def _own_place(given: Given, body: str | None) -> Vector:
+    return given.geometry.center(body) if body else Vector({})
+
+
+def _named(letter: t.Node | None) -> PhraseRef:
+    """What the letter of a speed means that had to be named."""
+    return PhraseRef("kinematics.speed_of_centre", {"speed": letter}) if letter else PhraseRef("kinematics.nothing")
+
+
+def _where(element: Element, by: str | None, normal: Vector) -> PhraseRef:
+    """On a line or a circle, inside or outside, of another body or fixed."""
+    if element.values.get("line") is not None:
+        return (
+            PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}")
+        )
+    side = element["side"] if element["side"] in ("inside", "outside") else "body"
+    return PhraseRef(f"kinematics.on.{side}", {"by": BodyRef(by) if by else PhraseRef("kinematics.circle")})
+
+
+def _slope(normal: Vector) -> str:
+    """What a fixed line is, from the normal of the force with which it pushes."""
+    if not normal.x:
+        return "floor"
+    return "line" if normal.y else "wall"
+
+
+def _taut(draft: Draft, element: Element, given: Given) -> None:
+    """Both ends of each run of a string move along it at one speed."""
+    for name, run in zip(tensions(element), runs(element["path"]), strict=True):
+        if element["length"] is None:
+            _run(draft, element, name, run, given)
+
+
+def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given: Given) -> None:
+    terms = [part for part in _along_run(draft, run, given) if part != t.ZERO]
+    if not terms:
+        return
+    trivial = is_zero(sum((scalar(term) for term in terms), NOTHING))
+    statement = _balanced(terms) if not trivial else t.equation(t.add(*terms), t.ZERO)
+    draft.add(
+        f"taut.{name}",
+        "taut",
+        statement,
+        "kinematics.condition.string_speed",
+        level=FULL if trivial else STANDARD,
+        variant="identity" if trivial else "round" if len(run) > 2 else "straight",
+        force=t.Sym(name),
+        ends=[_end(turn) for turn in (run[0], run[-1])],
+        data={"tension": name},
+    )
+
+
+def _end(turn: Turn) -> BodyRef | str:
+    return BodyRef(turn.body) if turn.body else turn.center.label
+
+
+def _balanced(terms: list[t.Node]) -> t.Node:
+    """a + b = 0 as a = -b; more terms as their sum."""
+    if len(terms) != 2:
+        return t.equation(t.add(*terms), t.ZERO)
+    first, second = terms
+    return t.equation(t.neg(first), second) if isinstance(first, t.Neg) else t.equation(first, t.neg(second))
+
+
+def _along_run(draft: Draft, run: tuple[Turn, ...], given: Given) -> list[t.Node]:
+    """u·v of the places where the string pulls: at its ends, and at what it slides round."""
+    parts = segments(run, given.geometry)
+    first, last = parts[0], parts[-1]
+    found = _pull(draft, given, run[0], first.start, first.along)
+    for before, after in zip(parts, parts[1:], strict=False):
+        middle = given.geometry.where(after.first.center)
+        found += _pull(draft, given, after.first, middle, after.along - before.along)
+    return found + _pull(draft, given, run[-1], last.end, -last.along)
+
+
+def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) -> list[t.Node]:
+    if turn.body is None:
+        return []
+    part = _speed(draft, given, turn.body, place, way, given.geometry.where(turn.center))
+    return [t.Group(node) if isinstance(node, t.Add) else node for node in (part.still, part.turning)]
+
+
+SPEEDS = {"rolling": _no_slip, "sticking": _no_slip, "string": _taut}
+
+
+# --- what follows
+
+
+def _found_spins(draft: Draft, given: Given) -> None:
+    """The angular velocity of bodies whose angle was left to rolling or to a string."""
+    for name in draft.study.problem.body_names:
+        state = draft.study.system.bodies[name]
+        premises = [s.id for s in draft.steps if s.rule in ("no_slip", "taut")]
+        if name in given.unturned and state.omega and premises:
+            omega = draft.define(draft.of_body("omega", name), state.omega)
+            draft.add(
+                f"turning.{name}",
+                "tied",
+                t.equation(omega, draft.show(state.omega)),
+                "kinematics.turning.found",
+                premises=premises,
+                body=BodyRef(name),
+                data={"pairs": [(state.pose.angle, state.omega)]},
+            )
+
+
+def _tied(draft: Draft) -> None:
+    """Coordinates, or only speeds, in terms of the free ones."""
+    system = draft.study.system
+    shown = {name for step in draft.steps if step.rule == "constraint" for name in _solved_already(step.statement)}
+    premises = [s.id for s in draft.steps if s.rule in ("constraint", "no_slip", "taut")]
+    for name, value in system.dependent.items():
+        statement = t.equation(t.Sym(name), draft.show(value))
+        if name not in shown:
+            draft.add(
+                f"dependent.{name}",
+                "tied",
+                statement,
+                "kinematics.dependent",
+                premises=premises,
+                coordinate=t.Sym(name),
+                variant="rate" if _from_rate(draft, name) else "place",
+            )
+    for name in system.coordinates:
+        if name not in system.independent:
+            draft.add(
+                f"tied_speed.{name}",
+                "tied",
+                t.equation(t.Sym(f"{name}_dot"), draft.show(system.scope.rates[name], factor=True)),
+                "kinematics.tied_speed",
+                premises=premises,
+                coordinate=t.Sym(name),
+            )
+
+
+def _solved_already(statement: t.Node) -> list[str]:
+    """Names that stand alone on the left of a condition, and not on the right of it."""
+    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    pairs = [(row.items[0], row.items[-1]) for row in rows]
+    return [left.name for left, right in pairs if isinstance(left, t.Sym) and left.name not in t.names(right)]
+
+
+def _from_rate(draft: Draft, name: str) -> bool:
+    """Was it found by integrating a condition on the speeds?"""
+    kinds = {"rolling", "sticking", "string"}
+    named = {c.constraint for c in draft.study.system.conditions if depends_on(c.value, name) and c.what in kinds}
+    return bool(named)

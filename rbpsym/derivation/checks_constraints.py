@@ -1,0 +1,62 @@
+"""Checks of what the constraints ask: the conditions hold in the poses that were found for them."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
+from rbpsym.algebra.vector import Vector
+from rbpsym.derivation.checks import same, weakest
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Step
+from rbpsym.equality.verdict import Verdict
+from rbpsym.mechanics.assemble import vector_rate
+from rbpsym.mechanics.conditions import all_conditions
+from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.rates import rate_conditions
+from rbpsym.mechanics.system import System, at_point
+from rbpsym.statement.curves import curve_body, toucher
+
+LOCAL = ("x_fixed_in_the_body", "y_fixed_in_the_body")
+
+
+def conditions_kept(context: Context, step: Step) -> Verdict:
+    """All conditions of the constraints hold in the poses as found, and so do their time derivatives."""
+    system = context.study.system
+    geometry = geometry_of(system)
+    found = [*all_conditions(system.problem, geometry), *rate_conditions(system.problem, geometry)]
+    values = [c.value for c in found] + [time_derivative(c.value, system.scope) for c in system.implicit]
+    return weakest([same(context, value, NOTHING) for value in values])
+
+
+def no_slip(context: Context, step: Step) -> Verdict:
+    """The two material points at the contact have the same velocity along it (`data`: "element").
+
+    Each is followed as a point that is fixed in its body, whose position is differentiated.
+    """
+    system, element = context.study.system, step.data["element"]
+    met = meeting(element, geometry_of(system))
+    apart = _velocity(system, toucher(element), met.place) - _velocity(system, curve_body(element), met.place)
+    return same(context, met.forward.dot(apart), NOTHING)
+
+
+def _velocity(system: System, body: str | None, place: Vector) -> Vector:
+    """d/dt of a point fixed in the body, at the moment when it is at `place`."""
+    if body is None:
+        return Vector({})
+    pose = system.bodies[body].pose
+    moving = vector_rate(at_point(pose, (symbol(LOCAL[0]), symbol(LOCAL[1]))), system.scope)
+    arm = place - pose.origin
+    along, across = (at_point(pose, unit) - pose.origin for unit in ((UNITY, NOTHING), (NOTHING, UNITY)))
+    here = {LOCAL[0]: arm.dot(along), LOCAL[1]: arm.dot(across)}
+    return Vector({angle: substitute(length, here) for angle, length in moving.parts.items()})
+
+
+def tension_without_power(context: Context, step: Step) -> Verdict:
+    """The pulls of the tension, taken together, do no work at any moment (`data`: "tension")."""
+    from rbpsym.derivation.mass import power
+
+    system, name = context.study.system, step.data["tension"]
+    pulls = [force for force in system.forces if name in force.unknowns]
+    return same(context, power(system, pulls), NOTHING)
