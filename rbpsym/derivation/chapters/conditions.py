@@ -210,7 +210,8 @@ def _where(element: Element, by: str | None, normal: Vector) -> PhraseRef:
         return (
             PhraseRef("kinematics.on.body", {"by": BodyRef(by)}) if by else PhraseRef(f"kinematics.on.{_slope(normal)}")
         )
-    side = element["side"] if element["side"] in ("inside", "outside") else "body"
+    stated = element.values.get("side")  # a guide has none
+    side = stated if stated in ("inside", "outside") else "body"
     return PhraseRef(f"kinematics.on.{side}", {"by": BodyRef(by) if by else PhraseRef("kinematics.circle")})
 
 

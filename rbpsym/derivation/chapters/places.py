@@ -93,8 +93,9 @@ def _from_circle(draft: Draft, element: Element) -> list[t.Node]:
 
 def _side(draft: Draft, element: Element) -> int:
     """1 outside of the circle, -1 inside."""
-    if element["side"] != "auto":
-        return 1 if element["side"] == "outside" else -1
+    stated = element.values.get("side", "outside")
+    if stated != "auto":
+        return 1 if stated == "outside" else -1
     geometry = geometry_of(draft.study.system)
     met, middle = meeting(element, geometry), geometry.where(element["circle"])
     return geometry.sign(met.normal.dot(met.place - middle)) or 1
