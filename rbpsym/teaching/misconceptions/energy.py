@@ -1,0 +1,267 @@
+"""Misconceptions about work and energy: what is left out, what is kept, which work belongs to which energy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra.vector import ORIGIN
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.notation import tree as t
+from rbpsym.quantities import NUMBER
+from rbpsym.statement.model import Element
+from rbpsym.teaching.misconceptions.change import (
+    arm_of,
+    is_nonzero,
+    spinning,
+    with_body,
+    with_elements,
+    with_kinematics,
+    with_parts,
+    with_values,
+)
+from rbpsym.teaching.misconceptions.model import ENERGY, WORKS, Misconception, Site
+from rbpsym.teaching.targets import axes
+
+
+def _no_rotational_energy(study: Study) -> Iterator[Site]:
+    """½ M V² is all: the works of the whole give the speed of the centre of mass."""
+    if study.potential is None or not study.kinetic[1]:
+        return
+    energy = study.kinetic[0] + study.potential
+
+    def wrong() -> Study:
+        return with_parts(
+            study,
+            system=study.system,
+            dynamics=study.dynamics,
+            kinetic=(study.kinetic[0], NOTHING),
+            first_integral=energy,
+        )
+
+    yield Site({}, wrong)
+
+
+def _losses(element: Element) -> bool:
+    return element.kind in ("damper", "rotary-damper") or element.values.get("coefficient") is not None
+
+
+def _energy_kept(study: Study) -> Iterator[Site]:
+    """Energy kept though a bearing, a damper or friction takes some."""
+    problem = study.problem
+    if any(map(_losses, (*problem.interactions, *problem.constraints))):
+        yield Site({}, lambda: with_elements(study, _lossless))
+
+
+def _lossless(element: Element) -> Element | None:
+    if element.kind in ("damper", "rotary-damper"):
+        return None
+    return with_values(element, coefficient=None) if element.values.get("coefficient") is not None else element
+
+
+def _start_forgotten(study: Study) -> Iterator[Site]:
+    """The kinetic energy that it has at the start is left out."""
+    moving = [c for c in study.problem.coordinates if is_nonzero(c.speed)]
+    if not moving:
+        return
+
+    def wrong() -> Study:
+        still = tuple(replace(c, speed=t.ZERO) if c in moving else c for c in study.problem.coordinates)
+        return Study(replace(study.problem, coordinates=still))
+
+    yield Site({}, wrong)
+
+
+def _speed_of_end(study: Study) -> Iterator[Site]:
+    """The speed of the far end taken for that of the centre of mass."""
+    for name in axes(study):
+        state, arm = study.system.bodies[name], arm_of(study, name)
+        velocity = state.velocity + arm.turned() * state.omega
+        yield Site(
+            {"body": BodyRef(name)},
+            lambda name=name, velocity=velocity: _with_velocity(study, name, velocity),
+        )
+
+
+def _with_velocity(study: Study, name: str, velocity) -> Study:
+    """Another velocity in momenta and energies, and in the speed that follows from the energy."""
+    wrong = with_kinematics(study, with_body(study, name, velocity=velocity))
+    del wrong.__dict__["squares"]
+    if study.potential is not None and study.first_integral is not None:
+        wrong.__dict__["first_integral"] = sum(wrong.kinetic, NOTHING) + study.potential
+    return wrong
+
+
+def _orbital_dropped(study: Study) -> Iterator[Site]:
+    """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
+    for name, state in spinning(study):
+        if state.velocity:
+            yield Site(
+                {"body": BodyRef(name)},
+                lambda name=name: with_kinematics(study, with_body(study, name, velocity=ORIGIN)),
+            )
+
+
+def _small_angle(study: Study) -> Iterator[Site]:
+    """The formula of small oscillations used for large ones."""
+    from rbpsym.algebra.scalar import symbol
+
+    system = study.system
+    if len(system.independent) != 1 or system.problem.coordinates[0].quantity.dimension != NUMBER:
+        return
+    [name] = system.independent
+    for place in study.equilibria:
+        if not place.stable or len(place.frequencies_squared) != 1 or name not in place.at:
+            continue
+        pull = -place.frequencies_squared[0] * (symbol(name) - place.at[name])
+        if is_zero(pull - (study.dynamics.accelerations or {}).get(f"{name}_ddot", pull)):
+            continue
+
+        def wrong(pull=pull) -> Study:
+            dynamics = replace(study.dynamics, accelerations={f"{name}_ddot": pull})
+            return with_parts(study, system=system, dynamics=dynamics, first_integral=None)
+
+        yield Site({"coordinate": t.Sym(name)}, wrong)
+        return
+
+
+# --- the two works of a force
+
+
+def _with_works(study: Study, change) -> Study:
+    works = tuple(map(change, study.works))
+    return with_parts(study, system=study.system, dynamics=study.dynamics, squares=study.squares, works=works)
+
+
+NO_WORK = Work({}, NOTHING)
+
+
+def _contact_forces_workless(study: Study) -> Iterator[Site]:
+    """“A force of contact does no work”: each of its two works is taken for zero."""
+    for name in dict.fromkeys(f.name for f in study.system.forces if f.unknowns):
+        yield Site(
+            {"force": t.Vec(name)},
+            lambda name=name: _with_works(
+                study, lambda w: replace(w, translational=NO_WORK, rotational=NO_WORK) if w.force == name else w
+            ),
+        )
+
+
+def _at_application_point(study: Study) -> Iterator[Site]:
+    """∫F·dr along the path of the point of application taken for the translational work."""
+    if any(w.rotational.parts for w in study.works):
+        yield Site({}, lambda: _with_works(study, _whole_as_translational))
+
+
+def _whole_as_translational(item: ForceWork) -> ForceWork:
+    halves = (item.translational.value, item.rotational.value)
+    if None in halves:
+        return item
+    return replace(item, translational=Work(item.translational.parts, halves[0] + halves[1]))
+
+
+def _whole_as_rotational(item: ForceWork) -> ForceWork:
+    halves = (item.translational.value, item.rotational.value)
+    if None in halves:
+        return item
+    return replace(item, rotational=Work(item.rotational.parts, halves[0] + halves[1]))
+
+
+def _whole_in_rotation(study: Study) -> Iterator[Site]:
+    """All the work of a force counted as rotational work: “it turns, so all of it is rotation”."""
+    if any(w.translational.parts and w.rotational.parts for w in study.works):
+        yield Site({}, lambda: _with_works(study, _whole_as_rotational))
+
+
+def _torque_about_axis(study: Study) -> Iterator[Site]:
+    """The torque about the fixed axis, instead of the centre of mass, in the rotational work."""
+    for name in axes(study):
+        arm = arm_of(study, name)
+
+        def wrong(name: str = name, arm=arm) -> Study:
+            forces = tuple(
+                replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
+            )
+            system = replace(study.system, forces=forces)
+            return with_parts(study, system=system, dynamics=study.dynamics, squares=study.squares)
+
+        yield Site({"body": BodyRef(name)}, wrong)
+
+
+def _always_cancel(study: Study) -> Iterator[Site]:
+    """W_θ = -W_T for a force whose works do not cancel, as if it were one of contact."""
+    workless = study.dynamics.workless
+    for item in study.works:
+        halves = (item.translational.value, item.rotational.value)
+        if workless.get(item.force) or None in halves or not all(halves):
+            continue
+        yield Site(
+            {"force": t.Vec(item.force)},
+            lambda item=item: _with_works(study, lambda w: _cancelling(w) if w == item else w),
+        )
+
+
+def _cancelling(item: ForceWork) -> ForceWork:
+    return replace(item, rotational=Work(item.rotational.parts, -item.translational.value))
+
+
+def _never_cancel(study: Study) -> Iterator[Site]:
+    """Both works of a force of contact with the same sign: they would add up instead of cancelling."""
+    for item in study.works:
+        if study.dynamics.workless.get(item.force) and item.rotational.parts and item.rotational.value is not None:
+            yield Site(
+                {"force": t.Vec(item.force)},
+                lambda item=item: _with_works(
+                    study,
+                    lambda w: replace(w, rotational=Work(w.rotational.parts, -w.rotational.value)) if w == item else w,
+                ),
+            )
+
+
+MISCONCEPTIONS = (
+    Misconception(
+        "rotational-energy-left-out",
+        ("rimoldini-singh-2005", "singh-rosengrant-2003", "sherwood-1983"),
+        _no_rotational_energy,
+        ENERGY | {"kinetic"},
+    ),
+    Misconception("energy-kept", ("sherwood-bernard-1984", "lindsey-2009"), _energy_kept, ENERGY | {"acceleration"}),
+    Misconception(
+        "start-speed-forgotten", ("lawson-mcdermott-1987", "singh-rosengrant-2003"), _start_forgotten, ENERGY
+    ),
+    Misconception(
+        "speed-of-end-for-center",
+        ("mashood-singh-2012", "rimoldini-singh-2005"),
+        _speed_of_end,
+        frozenset({"speed", "kinetic", "momentum"}),
+    ),
+    Misconception(
+        "orbital-part-dropped", ("close-heron-2011", "paper"), _orbital_dropped, frozenset({"momentum", "kinetic"})
+    ),
+    Misconception(
+        "small-angle-for-large",
+        ("nelson-olsson-1986",),
+        _small_angle,
+        frozenset({"acceleration", "speed"}),
+    ),
+    Misconception(
+        "contact-forces-do-no-work",
+        ("sherwood-1983", "carnero-1993", "paper"),
+        _contact_forces_workless,
+        WORKS,
+    ),
+    Misconception(
+        "work-at-application-point",
+        ("sherwood-1983", "penchina-1978", "mallinckrodt-leff-1992"),
+        _at_application_point,
+        WORKS,
+    ),
+    Misconception("all-work-is-rotational", ("lindsey-2009", "mungan-2005"), _whole_in_rotation, WORKS),
+    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS),
+    Misconception("works-always-cancel", ("paper", "carnero-1993"), _always_cancel, WORKS),
+    Misconception("works-add-up", ("paper", "carnero-1993"), _never_cancel, WORKS),
+)

@@ -1,0 +1,269 @@
+"""Misconceptions about forces, lever arms and Newton's law: signs, arms, sines, F = ma at the wrong point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.dynamics import newton_euler_rows
+from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Force, System
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Element
+from rbpsym.teaching.misconceptions.change import (
+    arm_of,
+    is_nonzero,
+    of_kind,
+    sign_of,
+    weights,
+    with_elements,
+    with_forces,
+    with_parts,
+    with_values,
+)
+from rbpsym.teaching.misconceptions.model import FORCES, MOTION, Misconception, Site
+
+
+def _force_sign(study: Study) -> Iterator[Site]:
+    """A known force (or its torque) with the wrong sign."""
+    for element in study.problem.interactions:
+        name = element.name
+        yield Site(
+            {"force": t.Vec(name)},
+            lambda name=name: with_forces(
+                study, lambda f: replace(f, vector=-f.vector, couple=-f.couple) if f.name == name else f
+            ),
+        )
+
+
+def _one_torque_sign(study: Study) -> Iterator[Site]:
+    """The torque about the centre of mass of one contact force with the wrong sign."""
+    for force in _contacts(study):
+        arm = force.point - study.system.bodies[force.on].center
+        torque = arm.cross(force.vector)
+        if not is_zero(torque):
+            yield Site(
+                {"force": t.Sym(force.name), "body": BodyRef(force.on)},
+                lambda force=force, torque=torque: _with_couple(study, force, -2 * torque),
+            )
+
+
+def _contacts(study: Study) -> list[Force]:
+    """Forces of constraints with one unknown that act away from the centre of mass."""
+    return [f for f in study.system.forces if len(f.unknowns) == 1 and f.vector and f.point != _center(study, f)]
+
+
+def _center(study: Study, force: Force) -> Vector:
+    return study.system.bodies[force.on].center
+
+
+def _with_couple(study: Study, force: Force, more: Scalar) -> Study:
+    return with_forces(study, lambda f: replace(f, couple=f.couple + more) if f is force else f)
+
+
+def _whole_lever(study: Study) -> Iterator[Site]:
+    """The weight of a body that turns about its end is put at its other end: the whole length for the half."""
+    for name in study.system.bodies:
+        arm = arm_of(study, name)
+        if arm is not None and weights(study, name):
+            yield Site(
+                {"body": BodyRef(name)},
+                lambda name=name, arm=arm: with_forces(
+                    study, lambda f: replace(f, point=f.point + arm) if (f.law, f.on) == ("gravity", name) else f
+                ),
+            )
+
+
+def _weight_at_middle(study: Study) -> Iterator[Site]:
+    """The weight acts at the middle of the shape where the centre of mass is elsewhere."""
+    for name, state in study.system.bodies.items():
+        if (state.inertia.x or state.inertia.y) and state.pose.origin and weights(study, name):
+            yield Site(
+                {"body": BodyRef(name)},
+                lambda name=name, at=state.pose.origin: with_forces(
+                    study, lambda f: replace(f, point=at) if (f.law, f.on) == ("gravity", name) else f
+                ),
+            )
+
+
+def _swapped_weight(study: Study) -> Iterator[Site]:
+    """Sine for cosine in the component of the weight: across the lever arm, or along a slope."""
+    for name in study.system.bodies:
+        along = arm_of(study, name) or _slope(study, name)
+        if along is None or not weights(study, name):
+            continue
+
+        def swap(force: Force, name: str = name, along: Vector = along) -> Force:
+            return replace(force, vector=_mirrored(study, force.vector, along)) if force.on == name else force
+
+        yield Site(
+            {"body": BodyRef(name)},
+            lambda swap=swap: with_forces(study, lambda f: swap(f) if f.law == "gravity" else f),
+        )
+
+
+def _slope(study: Study, body: str) -> Vector | None:
+    """The direction of the fixed line that the body touches, if that is neither level nor upright."""
+    geometry = geometry_of(study.system)
+    for element in study.problem.constraints:
+        if element.values.get("line") is None or element["of"] is not None:
+            continue
+        met = meeting(element, geometry)
+        if met.on == body and not is_zero(met.normal.x) and not is_zero(met.normal.y):
+            return met.forward
+    return None
+
+
+def _mirrored(study: Study, vector: Vector, along: Vector) -> Vector:
+    """The vector with its components along and across a direction exchanged, their signs kept."""
+    square = short(along.dot(along))
+    across = along.turned()
+    first, second = along.dot(vector), across.dot(vector)
+    way = (sign_of(study, first) or 1) * (sign_of(study, second) or 1)
+    return (along * second + across * first) * (Scalar(square.den, square.num) * way)
+
+
+def _swapped_lever(study: Study) -> Iterator[Site]:
+    """Sine for cosine in the lever arm of a contact force."""
+    for force in _contacts(study):
+        arm = force.point - _center(study, force)
+        right, wrong = arm.cross(force.vector), arm.dot(force.vector)
+        if is_zero(wrong) or is_zero(right):
+            continue
+        unit = {name: Scalar((wrong * 0 + 1).num) for name in force.unknowns}
+        way = (sign_of(study, substitute(right, unit)) or 1) * (sign_of(study, substitute(wrong, unit)) or 1)
+        yield Site(
+            {"force": t.Sym(force.name), "body": BodyRef(force.on)},
+            lambda force=force, more=wrong * way - right: _with_couple(study, force, more),
+        )
+
+
+def _as_at_rest(study: Study) -> Iterator[Site]:
+    """Forces from the balance of a body at rest: N = weight, though it accelerates."""
+    if study.system.unknowns and study.dynamics.accelerations:
+        yield Site({}, lambda: _resting(study))
+
+
+def _resting(study: Study) -> Study:
+    """ΣF = 0 for every body, the torques left aside."""
+    rows = [value for _, axis, value in newton_euler_rows(_still(study.system)) if axis != "rotation"]
+    found = solve_linear(rows, study.system.unknowns, keep_free=True)
+    known = {n: v for n, v in found.values.items() if not set(_unknowns(v)) & set(study.system.unknowns)}
+    return with_parts(
+        study,
+        system=study.system,
+        dynamics=replace(study.dynamics, reactions=known),
+        squares=study.squares,
+    )
+
+
+def _unknowns(value: Scalar) -> list[str]:
+    from rbpsym.algebra import atoms
+
+    return [name for index in value.atoms() if (name := atoms.symbol_name(index))]
+
+
+def _still(system: System) -> System:
+    bodies = {
+        name: replace(state, acceleration=ORIGIN, alpha=NOTHING, velocity=ORIGIN)
+        for name, state in system.bodies.items()
+    }
+    return replace(system, bodies=bodies)
+
+
+def _at_the_contact(study: Study) -> Iterator[Site]:
+    """F = ma with the acceleration of the point where a contact force acts, instead of the centre of mass."""
+    for force in _contacts(study):
+        state = study.system.bodies[force.on]
+        arm = force.point - state.center
+        here = state.acceleration + arm.turned() * state.alpha - arm * (state.omega * state.omega)
+
+        def wrong(force: Force = force, here: Vector = here) -> Study:
+            bodies = {**study.system.bodies, force.on: replace(study.system.bodies[force.on], acceleration=here)}
+            rows = [value for _, _, value in newton_euler_rows(replace(study.system, bodies=bodies))]
+            images = study.dynamics.accelerations or {}
+            solved = solve_linear([r for r in rows if r], study.system.unknowns).values
+            found = {name: short(substitute(value, images)) for name, value in solved.items()}
+            dynamics = replace(study.dynamics, reactions=found)
+            return with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
+
+        yield Site({"force": t.Sym(force.name), "body": BodyRef(force.on)}, wrong)
+
+
+def _no_centripetal(study: Study) -> Iterator[Site]:
+    """The acceleration towards the axis is left out of the forces."""
+    speeds = study.system.speeds
+    if not any(set(_unknowns(value)) & set(speeds) for value in study.dynamics.reactions.values()):
+        return
+
+    def wrong() -> Study:
+        still = dict.fromkeys(speeds, NOTHING)
+        found = {name: substitute(value, still) for name, value in study.dynamics.reactions.items()}
+        dynamics = replace(study.dynamics, reactions=found)
+        return with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
+
+    yield Site({}, wrong)
+
+
+def _whole_length(study: Study) -> Iterator[Site]:
+    """The force of a spring from its length instead of its elongation."""
+    for element in study.problem.interactions:
+        if element.kind == "spring" and is_nonzero(element["natural_length"]):
+            yield Site(
+                {"force": t.Vec(element.name)},
+                lambda element=element: with_elements(study, lambda e: _slack_at_zero(e) if e is element else e),
+            )
+
+
+def _slack_at_zero(element: Element) -> Element:
+    return with_values(element, natural_length=t.ZERO)
+
+
+def _wrong_sense(study: Study) -> Iterator[Site]:
+    """ω and α of a body with the wrong sense: dθ/dt taken for them where the body turns against θ."""
+    for name, state in study.system.bodies.items():
+        if not state.omega or is_zero(state.omega) or len(study.system.independent) != 1:
+            continue
+        bodies = {**study.system.bodies, name: replace(state, omega=-state.omega, alpha=-state.alpha)}
+        system = replace(study.system, bodies=bodies)
+        yield Site({"body": BodyRef(name)}, lambda system=system: with_parts(study, system=system))
+
+
+def _pulley_at_rest(study: Study) -> Iterator[Site]:
+    """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
+    from rbpsym.teaching.misconceptions.change import with_inertia
+
+    for element in of_kind(study, "string"):
+        for turn in element["path"]:
+            name = turn.body
+            if turn.sense and name is not None and study.system.bodies[name].moment:
+                yield Site({"body": BodyRef(name)}, lambda name=name: with_inertia(study, name, moment=NOTHING))
+
+
+MISCONCEPTIONS = (
+    Misconception("force-sign", ("flores-2004", "arons-1997"), _force_sign, MOTION),
+    Misconception("torque-sign", ("ortiz-heron-shaffer-2005", "rimoldini-singh-2005"), _one_torque_sign, MOTION),
+    Misconception("whole-length-for-lever-arm", ("ortiz-heron-shaffer-2005",), _whole_lever, MOTION),
+    Misconception("weight-at-middle-of-shape", ("ortiz-heron-shaffer-2005",), _weight_at_middle, MOTION),
+    Misconception("sine-for-cosine", ("flores-2004", "arons-1997"), _swapped_weight, MOTION),
+    Misconception("sine-for-cosine-in-lever-arm", ("flores-2004", "ortiz-heron-shaffer-2005"), _swapped_lever, MOTION),
+    Misconception("forces-as-at-rest", ("hestenes-1992", "close-gomez-heron-2013"), _as_at_rest, FORCES),
+    Misconception("f-is-ma-at-contact-point", ("close-gomez-heron-2013", "sherwood-1983"), _at_the_contact, FORCES),
+    Misconception("centripetal-forgotten", ("shaffer-mcdermott-2005", "mashood-singh-2012"), _no_centripetal, FORCES),
+    Misconception("length-for-elongation", ("arons-1997",), _whole_length, MOTION),
+    Misconception(
+        "wrong-sense-of-rotation",
+        ("mashood-singh-2012", "paper"),
+        _wrong_sense,
+        MOTION | {"momentum"},
+    ),
+    Misconception("same-tension-on-both-sides", ("mcdermott-1994",), _pulley_at_rest, MOTION),
+)

@@ -1,0 +1,121 @@
+"""Misconceptions about how mass resists turning: I_cm, the axis, the parallel-axis theorem, the shape."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.teaching.misconceptions.change import of_kind, spinning, with_inertia, with_parts
+from rbpsym.teaching.misconceptions.model import INERTIA, SPIN, Misconception, Site
+from rbpsym.teaching.targets import axes
+
+ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
+
+
+def _spin_dropped(study: Study) -> Iterator[Site]:
+    """I_cm of one body left out: it is taken for a point mass at its centre."""
+    for name, _ in spinning(study):
+        yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+
+
+def _all_at_centers(study: Study) -> Iterator[Site]:
+    """Every body a point mass (the simple pendulum instead of the compound one)."""
+    if len(list(spinning(study))) < 2:
+        return
+
+    def wrong() -> Study:
+        found = study
+        for name, _ in spinning(study):
+            found = with_inertia(found, name, moment=NOTHING)
+        return found
+
+    yield Site({}, wrong)
+
+
+def _axis_forgotten(study: Study) -> Iterator[Site]:
+    """I_cm where the axis is elsewhere: I_O - M d² stands for I_cm, so that the whole is I_cm."""
+    for name, (label, square) in axes(study).items():
+        state = study.system.bodies[name]
+        if state.moment:
+            wrong = partial(with_inertia, study, name, moment=state.moment - state.mass * square)
+            yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+
+
+def _axis_twice(study: Study) -> Iterator[Site]:
+    """M d² added to what holds it already."""
+    for name, (label, square) in axes(study).items():
+        state = study.system.bodies[name]
+        wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * square)
+        yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+
+
+def _about_end(study: Study) -> Iterator[Site]:
+    """The moment about the end of a rod used as that about its centre (or a third for a twelfth)."""
+    for name, state in spinning(study):
+        shape = study.problem.body(name).shape
+        if name in axes(study) or "length" not in shape.sizes:
+            continue
+        half = scalar(shape.sizes["length"]) / 2
+        wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * half * half)
+        yield Site({"body": BodyRef(name)}, wrong)
+
+
+def _center_for_end(study: Study) -> Iterator[Site]:
+    """The moment of a rod about its centre taken for that about its end: a twelfth where the axis asks for a third."""
+    for name, (label, square) in axes(study).items():
+        state, shape = study.system.bodies[name], study.problem.body(name).shape
+        if shape.kind == "rod" and is_zero(state.mass * square * 4 - state.mass * scalar(shape.sizes["length"]) ** 2):
+            continue  # that is “axis forgotten”
+        if shape.kind == "rod":
+            end = (scalar(shape.sizes["length"]) / 2) ** 2
+            wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * (end - square))
+            yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+
+
+def _another_shape(study: Study) -> Iterator[Site]:
+    """The factor of another round shape: ½, 1, 2/5, 2/3 of M R²."""
+    for name, state in spinning(study):
+        shape = study.problem.body(name).shape
+        if shape.kind not in ROUND or "radius" not in shape.sizes:
+            continue
+        radius = scalar(shape.sizes["radius"])
+        for kind, share in ROUND.items():
+            if kind != shape.kind:
+                wrong = partial(with_inertia, study, name, moment=state.mass * radius * radius * share)
+                yield Site({"body": BodyRef(name), "variant": kind}, wrong)
+
+
+def _mass_dropped(study: Study) -> Iterator[Site]:
+    """A body that hangs on another is left out: its weight and its inertia (but for a spin of its own)."""
+    for element in of_kind(study, "pin", "weld"):
+        name = element["points"][1].body
+        if name is None or len(study.system.bodies) < 2:
+            continue
+
+        def wrong(name: str = name, spin: dict = {"moment": NOTHING} if element.kind == "weld" else {}) -> Study:
+            own = replace(study.system.bodies[name].inertia, mass=NOTHING, **spin)
+            bodies = {**study.system.bodies, name: replace(study.system.bodies[name], inertia=own)}
+            forces = tuple(f for f in study.system.forces if not (f.law == "gravity" and f.on == name))
+            return with_parts(study, system=replace(study.system, bodies=bodies, forces=forces))
+
+        yield Site({"body": BodyRef(name)}, wrong)
+
+
+MISCONCEPTIONS = (
+    Misconception("spin-dropped", ("rimoldini-singh-2005", "close-heron-2011", "paper"), _spin_dropped, SPIN),
+    Misconception("all-mass-at-centers", ("rimoldini-singh-2005", "nelson-olsson-1986"), _all_at_centers, SPIN),
+    Misconception("parallel-axis-forgotten", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_forgotten, SPIN),
+    Misconception("parallel-axis-twice", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_twice, SPIN),
+    Misconception("moment-about-wrong-point", ("rimoldini-singh-2005",), _about_end, INERTIA),
+    Misconception("end-of-rod-taken-for-axis", ("rimoldini-singh-2005",), _center_for_end, SPIN),
+    Misconception("moment-of-another-shape", ("rimoldini-singh-2005", "arons-1997"), _another_shape, INERTIA),
+    Misconception("mass-dropped", ("ortiz-heron-shaffer-2005",), _mass_dropped, SPIN),
+)

@@ -1,0 +1,180 @@
+"""Misconceptions about how bodies are joined: bearing and weld, rolling and sliding, the third law."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import NOTHING
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Element
+from rbpsym.teaching.misconceptions.change import (
+    of_kind,
+    sign_of,
+    with_elements,
+    with_forces,
+    with_inertia,
+    with_kinematics,
+)
+from rbpsym.teaching.misconceptions.model import FORCES, MOTION, SPIN, Misconception, Site
+
+
+def _free_as_welded(study: Study) -> Iterator[Site]:
+    """A body on a bearing turns with the one that carries it."""
+    for element in of_kind(study, "pin"):
+        first, second = (ref.body for ref in element["points"])
+        body = None if second is None else study.problem.body(second)
+        if first is None or body is None or body.angle is None or not study.system.bodies[second].moment:
+            continue
+        yield Site(
+            {"body": BodyRef(second), "carrier": BodyRef(first)},
+            lambda element=element, second=second: _welded(study, element, second),
+        )
+
+
+def _welded(study: Study, element: Element, body: str) -> Study:
+    """The statement with a weld for the bearing; what told the body's own angle goes."""
+    own = t.names(study.problem.body(body).angle)
+    used = {n for b in study.problem.bodies if b.name != body for n in _names(b)}
+    gone = {c.name for c in study.problem.coordinates if c.name in own - used}
+    weld = Element(
+        element.name, "weld", {**element.values, "angle": None, "couple": f"tau_{element.name}"}, element.place
+    )
+    problem = replace(
+        study.problem,
+        bodies=tuple(replace(b, angle=None) if b.name == body else b for b in study.problem.bodies),
+        coordinates=tuple(c for c in study.problem.coordinates if c.name not in gone),
+        constraints=tuple(weld if e is element else e for e in study.problem.constraints),
+    )
+    return Study(problem)
+
+
+def _names(body) -> set[str]:
+    nodes = [body.angle, *(body.placed[1] if body.placed else ())]
+    return {name for node in nodes if node is not None for name in t.names(node)}
+
+
+def _welded_as_free(study: Study) -> Iterator[Site]:
+    """A body that is fixed to another is taken not to turn with it: its I_cm is missing."""
+    for element in of_kind(study, "weld"):
+        name = element["points"][1].body
+        if name is not None and study.system.bodies[name].moment:
+            yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+
+
+def _spin_of_carrier(study: Study) -> Iterator[Site]:
+    """The angular velocity of the carrier is used for the body on it (in momentum and energy)."""
+    for element in of_kind(study, "pin"):
+        first, second = (ref.body for ref in element["points"])
+        if first is None or second is None or not study.system.bodies[second].moment:
+            continue
+
+        def wrong(first: str = first, second: str = second) -> Study:
+            carrier = study.system.bodies[first]
+            state = replace(study.system.bodies[second], omega=carrier.omega, alpha=carrier.alpha)
+            return with_kinematics(study, replace(study.system, bodies={**study.system.bodies, second: state}))
+
+        yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, wrong)
+
+
+def _third_law_forgotten(study: Study) -> Iterator[Site]:
+    """The force between two bodies is counted on one of them only."""
+    for element in study.problem.constraints:
+        pair = [f for f in study.system.forces if f.name == element.name and f.by in study.system.bodies]
+        if len(pair) == 2:
+            carrier = pair[1].on
+            yield Site(
+                {"force": t.Vec(element.name), "body": BodyRef(carrier)},
+                partial(_without, study, element.name, carrier),
+            )
+
+
+def _without(study: Study, name: str, body: str) -> Study:
+    return with_forces(study, lambda force: None if (force.name, force.on) == (name, body) else force)
+
+
+def _rolling_as_sliding(study: Study) -> Iterator[Site]:
+    """No friction where a body rolls: it slides down like a block."""
+    for element in of_kind(study, "rolling"):
+        friction = element["friction"]
+        yield Site(
+            {"body": BodyRef(element["body"]), "friction": t.Sym(friction)},
+            lambda element=element: with_elements(study, lambda e: _touching(e, None, "auto") if e is element else e),
+        )
+
+
+def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Element:
+    kept = {key: value for key, value in element.values.items() if key != "limit"}
+    return Element(element.name, "touch", {**kept, "coefficient": coefficient, "slip": slip}, element.place)
+
+
+def _friction_is_mu_n(study: Study) -> Iterator[Site]:
+    """f = μN though nothing slips."""
+    for element in of_kind(study, "rolling"):
+        if element["limit"] is None:
+            continue
+        friction = element["friction"]
+
+        def wrong(element: Element = element, friction: str = friction) -> Study:
+            held = study.dynamics.reactions[friction]
+            known = scalar(element["limit"]) * study.dynamics.reactions[element.name] * (sign_of(study, held) or 1)
+            return with_forces(study, lambda f: _put(f, friction, known))
+
+        yield Site({"friction": t.Sym(friction), "normal": t.Sym(element.name), "mu": element["limit"]}, wrong)
+
+
+def _put(force, name: str, value):
+    """The force with its unknown replaced by a known value."""
+    if name not in force.unknowns:
+        return force
+    images = {name: value}
+    return replace(force, vector=force.vector.substitute(images), unknowns=(), law="friction")
+
+
+def _friction_wrong_way(study: Study) -> Iterator[Site]:
+    """Static friction drawn to the other side in the balance of forces, its torque left right."""
+    for element in of_kind(study, "rolling"):
+        friction = element["friction"]
+
+        def turned(force, name: str = friction):
+            if force.name != name:
+                return force
+            arm = force.point - study.system.bodies[force.on].center
+            return replace(force, vector=-force.vector, couple=force.couple + 2 * arm.cross(force.vector))
+
+        yield Site({"friction": t.Sym(friction)}, lambda turned=turned: with_forces(study, turned))
+
+
+def _held_is_weight(study: Study) -> Iterator[Site]:
+    """The tension (or the force of the joint) equals the weight of what hangs on it: that body's M a is forgotten."""
+    for element in of_kind(study, "string", "pin"):
+        for name in _hanging(study, element):
+            yield Site(
+                {"force": t.Sym(element.name), "body": BodyRef(name)},
+                partial(with_inertia, study, name, mass=NOTHING),
+            )
+
+
+def _hanging(study: Study, element: Element) -> list[str]:
+    """Bodies that nothing but this element and gravity holds."""
+    own = {f.on for f in study.system.forces if study.system.element(f.name) is element}
+    others = {f.on for f in study.system.forces if f.law != "gravity" and study.system.element(f.name) is not element}
+    return sorted(own - others) if len(study.system.bodies) > 1 else []
+
+
+MISCONCEPTIONS = (
+    Misconception("free-taken-as-welded", ("paper", "kleppner-kolenkow"), _free_as_welded, SPIN),
+    Misconception("welded-taken-as-free", ("paper", "rimoldini-singh-2005"), _welded_as_free, SPIN),
+    Misconception(
+        "spin-of-carrier", ("paper", "mashood-singh-2012"), _spin_of_carrier, frozenset({"momentum", "kinetic"})
+    ),
+    Misconception("third-law-forgotten", ("hestenes-1992", "mcdermott-1994"), _third_law_forgotten, MOTION),
+    Misconception("rolling-taken-as-sliding", ("lopez-2003", "rimoldini-singh-2005"), _rolling_as_sliding, MOTION),
+    Misconception("friction-is-mu-n", ("rimoldini-singh-2005", "besson-2007"), _friction_is_mu_n, MOTION),
+    Misconception("friction-wrong-way", ("rimoldini-singh-2005", "lopez-2003"), _friction_wrong_way, MOTION),
+    Misconception("tension-is-weight", ("mcdermott-1994", "close-gomez-heron-2013"), _held_is_weight, MOTION | FORCES),
+)

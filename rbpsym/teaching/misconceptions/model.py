@@ -1,0 +1,40 @@
+"""A misconception, and the places in a problem where a student may fall for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from rbpsym.mechanics.study import Study
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """Where a misconception applies in a problem: `slots` fill its feedback; `wrong()` is the study with it."""
+
+    slots: Mapping[str, Any]
+    wrong: Callable[[], Study]
+
+
+@dataclass(frozen=True, slots=True)
+class Misconception:
+    """A misconception of the literature as an operator.
+
+    name: its key, also of its phrases (`misconception.<name>`); sources: keys of
+    `literature.SOURCES`; sites(study): where it applies, decided by the structure of the problem;
+    about: kinds of targets (`targets.KINDS`, "axis-moment") that it can change.
+    """
+
+    name: str
+    sources: tuple[str, ...]
+    sites: Callable[[Study], Iterator[Site]]
+    about: frozenset[str] = field(default_factory=frozenset)
+
+
+MOTION = frozenset({"acceleration", "reaction", "speed", "frequency", "work", "friction", "loss"})
+SPIN = MOTION | {"momentum", "kinetic", "axis-moment"}
+INERTIA = SPIN | {"moment"}
+WORKS = frozenset({"work"})
+FORCES = frozenset({"reaction", "work", "friction", "loss"})
+ENERGY = frozenset({"speed", "reaction", "loss"})

@@ -1,0 +1,352 @@
+"""What a worksheet can ask about a problem: quantities with their values, as functions of a `Study`.
+
+A target says how its value is found in *any* study, so that a study in which the physics was
+changed as a student changes it (`misconceptions`) gives the wrong value by the same way.
+A new kind of quantity is a new entry of `KINDS`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.step import BodyRef, Derivation
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.motion import along_motion
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import BodyState, System
+from rbpsym.notation import tree as t
+from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """The number that is asked for, where it is not the value itself: v from v², T from ϑ²."""
+
+    left: t.Node
+    node: Callable[[t.Node], t.Node]
+    number: Callable[[float], float]
+    dimension: Dimension
+    unit_name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A quantity to be asked for.
+
+    id is unique in the problem, kind a key of `KINDS`; `left` its symbol; `of(study)` its value, None where a
+    study gives none; `dimension` with `unit_name` (torque and energy have one dimension); `step` the id of
+    the step that shows it; `slots` fill the phrases `ask.<kind>`. `reading`: how a number is read off it.
+    """
+
+    id: str
+    kind: str
+    left: t.Node
+    of: Callable[[Study], Scalar | None]
+    dimension: Dimension
+    step: str = ""
+    slots: Mapping[str, Any] = field(default_factory=dict)
+    unit_name: str = ""
+    reading: Reading | None = None
+
+    def value(self, study: Study) -> Scalar | None:
+        """The value in a study; None where it has none or the mechanics refuses."""
+        try:
+            found = self.of(study)
+        except (RbpsymError, ZeroDivisionError, KeyError, ValueError, StopIteration):
+            return None
+        return None if found is None else short(found)
+
+    def along(self, study: Study) -> Scalar | None:
+        """The value as a function of the position alone, with the speeds of the motion from the start."""
+        found = self.value(study)
+        try:
+            return None if found is None else along_motion(found, study.squares)
+        except (RbpsymError, ZeroDivisionError):
+            return None
+
+
+def targets(derivation: Derivation) -> tuple[Target, ...]:
+    """All that can be asked, in the order of the notes; what vanishes identically is left out."""
+    found = (target for make in KINDS.values() for target in make(derivation))
+    return tuple(_with_step(target, derivation) for target in found if _is_worth_asking(target, derivation.study))
+
+
+def _is_worth_asking(target: Target, study: Study) -> bool:
+    value = target.value(study)
+    return value is not None and not is_zero(value)
+
+
+def _with_step(target: Target, derivation: Derivation) -> Target:
+    """The first of the steps named (by "|") that the derivation has."""
+    known = {step.id for step in derivation.steps}
+    return replace(target, step=next((id for id in target.step.split("|") if id in known), ""))
+
+
+# --- kinds
+
+
+def _accelerations(derivation: Derivation) -> Iterator[Target]:
+    for coordinate in derivation.study.problem.coordinates:
+        name = coordinate.name
+        if name in derivation.study.system.independent:
+            yield Target(
+                f"acceleration.{name}",
+                "acceleration",
+                t.Sym(f"{name}_ddot"),
+                lambda study, key=f"{name}_ddot": (study.dynamics.accelerations or {}).get(key),
+                coordinate.quantity.dimension / TIME**2,
+                f"motion.{name}|motion.from_work|motion.from_energy",
+                {"coordinate": t.Sym(name)},
+            )
+
+
+def _speeds(derivation: Derivation) -> Iterator[Target]:
+    known = derivation.study.squares
+    for coordinate in derivation.study.problem.coordinates:
+        name = coordinate.name
+        if name not in known or not any(depends_on(known[name], c) for c in derivation.study.system.coordinates):
+            continue
+        speed = t.Sym(f"{name}_dot")
+        rate = coordinate.quantity.dimension / TIME
+        yield Target(
+            f"speed.{name}",
+            "speed",
+            t.Pow(speed, t.TWO),
+            lambda study, key=name: study.squares.get(key),
+            rate**2,
+            f"square.{name}",
+            {"coordinate": t.Sym(name), "speed": speed},
+            reading=Reading(t.Abs(speed), t.Sqrt, math.sqrt, rate),
+        )
+
+
+def _reactions(derivation: Derivation) -> Iterator[Target]:
+    for name in derivation.study.dynamics.reactions:
+        couple = any(e.values.get("couple") == name for e in derivation.study.problem.constraints)
+        yield Target(
+            f"reaction.{name}",
+            "reaction",
+            t.Sym(name),
+            lambda study, key=name: _reaction(study, key),
+            DIMENSIONS["torque" if couple else "force"],
+            f"along.{name}|reaction.{name}",
+            {"force": t.Sym(name)},
+            "torque" if couple else "",
+        )
+
+
+def _reaction(study: Study, name: str) -> Scalar | None:
+    """As a function of the position where that is known, else of the state; by name in the right system only."""
+    value = study.dynamics.reactions.get(name)
+    if value is None:
+        return None
+    along = along_motion(value, study.squares) if study.squares else None
+    return value if along is None else along
+
+
+def axes(study: Study) -> Mapping[str, tuple[str, Scalar]]:
+    """Bodies that turn rigidly about a fixed point that is not their centre of mass: (its name, distance²)."""
+    found: dict[str, tuple[str, Scalar]] = {}
+    moving = [*study.system.coordinates, "t"]
+    for name, state in study.system.bodies.items():
+        for label, origin in study.origins.items():
+            arm = state.center - origin
+            square = tidy(arm.dot(arm))
+            if not state.omega or is_zero(square) or any(depends_on(square, q) for q in moving):
+                continue
+            if is_zero(energy.orbital_momentum(state, origin) - state.mass * square * state.omega):
+                found.setdefault(name, (label, square))
+    return found
+
+
+def _moments(derivation: Derivation) -> Iterator[Target]:
+    study, single = derivation.study, len(derivation.study.system.bodies) == 1
+    for name, state in study.system.bodies.items():
+        if state.moment and study.problem.body(name).shape.given_moment is None:
+            yield Target(
+                f"moment.{name}",
+                "moment",
+                t.Sym("I_cm" if single else f"I_{name}"),
+                lambda study, key=name: study.system.bodies[key].moment,
+                DIMENSIONS["moment of inertia"],
+                f"moment.{name}",
+                {"body": BodyRef(name)},
+            )
+    for name, (label, square) in axes(study).items():
+        yield Target(
+            f"axis-moment.{name}",
+            "axis-moment",
+            t.Sym(f"I_{label}" if single else f"I_{name}_{label}"),
+            lambda study, key=name, square=square: _about_axis(study.system.bodies[key], square),
+            DIMENSIONS["moment of inertia"],
+            f"moment.{name}.{label}",
+            {"body": BodyRef(name), "point": t.Sym(label)},
+        )
+
+
+def _about_axis(state: BodyState, square: Scalar) -> Scalar:
+    return state.moment + state.mass * square
+
+
+def _momenta(derivation: Derivation) -> Iterator[Target]:
+    study = derivation.study
+    bodies = list(study.system.bodies)
+    for body in bodies:
+        yield _momentum((body,), "L_z" if len(bodies) == 1 else f"L_{body}", f"momentum.{body}.O", body)
+    if len(bodies) > 1:
+        yield _momentum(tuple(bodies), "L_z", "momentum.total.O", "")
+
+
+def _momentum(bodies: tuple[str, ...], letter: str, step: str, body: str) -> Target:
+    return Target(
+        f"momentum.{body or 'total'}",
+        "momentum",
+        t.Sym(letter),
+        lambda study: momentum(study, bodies),
+        DIMENSIONS["angular momentum"],
+        step,
+        {"variant": "one", "body": BodyRef(body)} if body else {"variant": "all"},
+    )
+
+
+def momentum(study: Study, bodies: tuple[str, ...]) -> Scalar:
+    """The angular momentum of bodies about O, counter-clockwise positive."""
+    origin = study.origins["O"]
+    states = [study.system.bodies[name] for name in bodies]
+    return sum((energy.orbital_momentum(s, origin) + energy.spin_momentum(s) for s in states), NOTHING)
+
+
+def _kinetic(derivation: Derivation) -> Iterator[Target]:
+    yield Target(
+        "kinetic", "kinetic", t.Sym("K"), lambda study: sum(study.kinetic, NOTHING), DIMENSIONS["energy"], "kinetic"
+    )
+
+
+HALVES = (("T", "translational"), ("theta", "rotational"))
+
+
+def _works(derivation: Derivation) -> Iterator[Target]:
+    several = len(derivation.study.system.bodies) > 1
+    for item in derivation.study.works:
+        for letter, half in HALVES:
+            yield Target(
+                f"work.{letter}.{item.force}.{item.on}",
+                "work",
+                t.Sym(work_symbol(derivation, letter, item.force, item.on)),
+                lambda study, half=half, force=item.force, on=item.on: _work(study, half, force, on),
+                DIMENSIONS["energy"],
+                f"done.{letter}.{item.force}.{item.on}|work.{item.force}.{item.on}",
+                {"force": force_symbol(derivation, item.force, item.on), "body": BodyRef(item.on), "half": letter}
+                | {"variant": half, "several": several},
+            )
+
+
+def _work(study: Study, half: str, force: str, on: str) -> Scalar | None:
+    item = next(item for item in study.works if (item.force, item.on) == (force, on))
+    return getattr(item, half).value
+
+
+def force_symbol(derivation: Derivation, force: str, on: str) -> t.Node:
+    """The force as the derivation's ledger writes it (W_rod, -N)."""
+    found = next((s for s in derivation.steps if s.id == f"force.{force}.{on}"), None)
+    return found.slots["force"] if found is not None and "force" in found.slots else t.Vec(force)
+
+
+def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str:
+    """The name of a work as the derivation writes it."""
+    for step in (s for s in derivation.steps if s.id == f"work.{force}.{on}"):
+        rows = step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
+        for row in rows:
+            if row.items[0].name.startswith(f"cal_W_{letter}_"):
+                return row.items[0].name
+    return f"cal_W_{letter}_{force}"
+
+
+def _frequencies(derivation: Derivation) -> Iterator[Target]:
+    for place, item in enumerate(derivation.study.equilibria, 1):
+        if item.stable and len(item.frequencies_squared) == 1:
+            yield Target(
+                f"frequency.{place}",
+                "frequency",
+                t.Pow(t.Sym("vartheta"), t.TWO),
+                lambda study, at=place - 1: _frequency(study, at),
+                TIME**-2,
+                f"frequency.{place}",
+                {"speed": t.Sym("vartheta")},
+                reading=Reading(
+                    t.Sym("T"),
+                    lambda node: t.Div(t.Mul((t.TWO, t.Sym("pi"))), t.Sqrt(node)),
+                    lambda square: 2 * math.pi / math.sqrt(square),
+                    TIME,
+                ),
+            )
+
+
+def _frequency(study: Study, at: int) -> Scalar | None:
+    places = study.equilibria
+    return places[at].frequencies_squared[0] if at < len(places) and places[at].frequencies_squared else None
+
+
+def _frictions(derivation: Derivation) -> Iterator[Target]:
+    for need in derivation.study.friction_needs:
+        if need.needed is not None:
+            yield Target(
+                f"friction.{need.constraint}",
+                "friction",
+                t.Sym("mu_min"),
+                lambda study, key=need.constraint: _needed(study, key),
+                NUMBER,
+                f"friction.{need.constraint}",
+                {"contact": t.Sym(need.constraint)},
+            )
+
+
+def _needed(study: Study, constraint: str) -> Scalar | None:
+    return next((n.needed for n in study.friction_needs if n.constraint == constraint), None)
+
+
+def _losses(derivation: Derivation) -> Iterator[Target]:
+    for loss in derivation.study.losses:
+        if loss.at:
+            yield Target(
+                f"loss.{loss.force}",
+                "loss",
+                t.Sym(loss.coordinate),
+                lambda study, key=loss.force, q=loss.coordinate: _lost(study, key, q),
+                dimension_of_coordinate(derivation.study.system, loss.coordinate),
+                f"loss.{loss.force}",
+                {"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)},
+                "angle",
+            )
+
+
+def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
+    return next((x.at.get(coordinate) for x in study.losses if x.force == force), None)
+
+
+def dimension_of_coordinate(system: System, name: str) -> Dimension:
+    """The dimension of a coordinate."""
+    return next(c.quantity.dimension for c in system.problem.coordinates if c.name == name)
+
+
+KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {
+    "moment": _moments,
+    "momentum": _momenta,
+    "acceleration": _accelerations,
+    "reaction": _reactions,
+    "work": _works,
+    "kinetic": _kinetic,
+    "speed": _speeds,
+    "frequency": _frequencies,
+    "friction": _frictions,
+    "loss": _losses,
+}
