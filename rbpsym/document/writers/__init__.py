@@ -12,6 +12,7 @@ Writer = Callable[[Document], "str | bytes"]
 # format -> (module, function); imported when asked for
 WRITERS: Mapping[str, tuple[str, str]] = {
     "tex": ("rbpsym.document.writers.latex", "write_latex"),
+    "beamer": ("rbpsym.document.writers.slides", "write_slides"),
     "typ": ("rbpsym.document.writers.typst", "write_typst"),
     "html": ("rbpsym.document.writers.html", "write_html"),
     "pdf": ("rbpsym.document.writers.pdf", "write_pdf"),

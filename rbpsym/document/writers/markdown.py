@@ -1,8 +1,9 @@
-"""Markdown with `$` and `$$` for GitHub; figures as alt texts, since it can't hold drawings."""
+"""Markdown with `$` and `$$` for GitHub; figures are SVG files beside it, or their alt texts alone."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from rbpsym.document import breaking
 from rbpsym.document.escaping import markdown_text
@@ -12,6 +13,7 @@ from rbpsym.document.model import (
     Document,
     Emph,
     FigureBlock,
+    Inlines,
     ItemList,
     Math,
     Paragraph,
@@ -23,17 +25,44 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
-from rbpsym.document.writers.page import Page, Print, body, page_for
+from rbpsym.document.writers.markdown_math import in_cell, in_markdown, wrapped
+from rbpsym.document.writers.page import Page, Print, body
 from rbpsym.notation.latex import to_latex
 
 
-def write_markdown(document: Document) -> str:
-    """The document as Markdown."""
+@dataclass(frozen=True, slots=True)
+class MarkdownPage(Page):
+    """A page of Markdown: `pictures` are the addresses of the drawn figures by number."""
+
+    pictures: Mapping[str, str] | None = None
+
+
+def write_markdown(document: Document, pictures: Mapping[str, str] | None = None) -> str:
+    """The document as Markdown; a figure without an address in `pictures` is told by its alt text."""
     document = numbered(document)
-    page = page_for(document, MARKDOWN, COLUMN)
-    head = [f"# {page.inlines(document.title)}", page.inlines(document.subtitle)]
-    head += [f"*{page.inlines(document.source)}*"] if document.source else []
-    return "\n\n".join([*filter(None, head), body(document, page)]) + "\n"
+    page = markdown_page(document, pictures)
+    return "\n\n".join([*head(document, page), body(document, page)]) + "\n"
+
+
+def markdown_files(document: Document, stem: str) -> dict[str, str | bytes]:
+    """The Markdown file and an SVG file for each figure, by the names that they should have."""
+    from rbpsym.document.pictures import pictures
+
+    drawn = {f"{stem}-figure-{number}.svg": found for number, found in pictures(numbered(document), "svg").items()}
+    places = {picture.number: name for name, picture in drawn.items()}
+    return {f"{stem}.md": write_markdown(document, places)} | {name: found.content for name, found in drawn.items()}
+
+
+def markdown_page(document: Document, pictures: Mapping[str, str] | None = None) -> MarkdownPage:
+    """The page that a numbered document is printed on."""
+    return MarkdownPage(MARKDOWN, document.notation, document.language, COLUMN, pictures)
+
+
+def head(document: Document, page: Page) -> list[str]:
+    """Title, subtitle and source."""
+    found = [f"# {page.inlines(document.title)}", page.inlines(document.subtitle)]
+    found += [f"*{page.inlines(document.source)}*"] if document.source else []
+    return [line for line in found if line]
 
 
 def section(part: Section, page: Page) -> str:
@@ -49,16 +78,23 @@ def display(block: Display, page: Page) -> str:
     tag = rf" \tag{{{block.number}}}" if block.number else ""
     content = formula_text(lines)
     content = rf"\boxed{{{content}}}" if block.boxed else content
-    reason = f"\n\n*({page.inlines(block.reason)})*" if block.reason else ""
-    return f"$$\n{content}{tag}\n$$" + reason
+    reason = f"\n\n{wrapped('*', f'({page.inlines(block.reason)})')}" if block.reason else ""
+    return f"$$\n{in_markdown(content)}{tag}\n$$" + reason
 
 
 def table(block: Table, page: Page) -> str:
     """A pipe table with its caption above."""
     rules = " | ".join({"l": ":--", "p": ":--", "c": ":-:", "r": "--:"}[letter] for letter in block.columns)
-    rows = [" | ".join(map(page.inlines, row)) for row in (block.header, *block.rows)]
+    rows = [" | ".join(cell(inlines, page) for inlines in row) for row in (block.header, *block.rows)]
     lines = "\n".join(f"| {row} |" for row in (rows[0], rules, *rows[1:]))
     return f"{captioned(block, 'table', page)}\n\n{lines}" if block.caption else lines
+
+
+def cell(inlines: Inlines, page: Page) -> str:
+    """A cell; a formula alone in it stands in display style."""
+    if len(inlines) != 1 or not isinstance(inlines[0], Math):
+        return in_cell(page.inlines(inlines))
+    return in_cell(rf"$\displaystyle {in_markdown(to_latex(inlines[0].node, page.notation))}$")
 
 
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
@@ -67,8 +103,11 @@ def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
 
 
 def figure(block: FigureBlock, page: Page) -> str:
-    """The caption and what would be seen."""
-    return f"> {captioned(block, 'figure', page)}\n>\n> {markdown_text(block.alt)}"
+    """The picture and its caption; without a picture, what would be seen."""
+    address = (getattr(page, "pictures", None) or {}).get(block.number)
+    if address is None:
+        return f"> {captioned(block, 'figure', page)}\n>\n> {markdown_text(block.alt)}"
+    return f"![{markdown_text(' '.join(block.alt.split()))}]({address})\n\n{captioned(block, 'figure', page)}"
 
 
 def item_list(block: ItemList, page: Page) -> str:
@@ -87,10 +126,10 @@ def callout(block: Callout, page: Page) -> str:
 
 MARKDOWN: Mapping[type, Print] = {
     Text: lambda inline, page: markdown_text(inline.text),
-    Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
+    Math: lambda inline, page: f"${in_markdown(to_latex(inline.node, page.notation))}$",
     Ref: lambda inline, page: inline.mark,
-    Emph: lambda inline, page: f"*{page.inlines(inline.inlines)}*",
-    Strong: lambda inline, page: f"**{page.inlines(inline.inlines)}**",
+    Emph: lambda inline, page: wrapped("*", page.inlines(inline.inlines)),
+    Strong: lambda inline, page: wrapped("**", page.inlines(inline.inlines)),
     Paragraph: lambda block, page: page.inlines(block.inlines),
     Display: display,
     Table: table,

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from rbpsym.document.extras import extra
 from rbpsym.document.model import Document, ItemList
@@ -173,7 +174,10 @@ def fill(file: Any, content: str) -> None:
 
 
 def saved(file: Any) -> bytes:
-    """The bytes of the file, the same for the same document."""
-    buffer = BytesIO()
-    file.save(buffer)
-    return buffer.getvalue()
+    """The bytes of the file, the same for the same document: no time of writing is kept."""
+    written, kept = BytesIO(), BytesIO()
+    file.save(written)
+    with ZipFile(written) as source, ZipFile(kept, "w", ZIP_DEFLATED) as target:
+        for name in source.namelist():
+            target.writestr(ZipInfo(name, (1980, 1, 1, 0, 0, 0)), source.read(name), ZIP_DEFLATED)
+    return kept.getvalue()

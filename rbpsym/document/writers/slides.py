@@ -1,0 +1,197 @@
+"""Slides: LaTeX beamer, its frames filled by estimated heights; a frame that is still too full is scaled down."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from rbpsym.document import breaking
+from rbpsym.document.escaping import latex_text
+from rbpsym.document.figures.placing import placed
+from rbpsym.document.figures.tikz import tikz_styles
+from rbpsym.document.model import (
+    Block,
+    Callout,
+    Display,
+    Document,
+    FigureBlock,
+    ItemList,
+    Math,
+    Paragraph,
+    Section,
+    Table,
+)
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.latex import BABEL, LATEX, anchor, blocks
+from rbpsym.document.writers.page import Page, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.notation.latex import PREAMBLE
+
+COLUMN = 36.0  # em of formulas; text has 40
+TEXT = 40.0
+FULL = 24.0  # em of a frame below its title
+CENTIMETRE = 2.85  # em
+
+
+def write_slides(document: Document) -> str:
+    """The document as a LaTeX source for beamer."""
+    document = numbered(document)
+    page = page_for(document, LATEX, COLUMN)
+    tops = [part for part in document.sections if part.level == 1]
+    return shell(
+        "slides.tex",
+        title=page.inlines(document.title),
+        plain_title=latex_text(plain_text(document.title, document.notation)),
+        subtitle=page.inlines(document.subtitle),
+        source=page.inlines(document.source),
+        language=BABEL.get(document.language, document.language),
+        contents=latex_text(page.word("block.contents")),
+        columns=2 if len(tops) > 9 else 1,
+        styles=f"{PREAMBLE}\n{tikz_styles()}",
+        body="\n\n".join(section(part, page) for part in document.sections),
+    )
+
+
+def section(part: Section, page: Page) -> str:
+    """The frames of a section; one without text of its own is a frame with its title."""
+    title = page.inlines(part.title)
+    command = {1: r"\section", 2: r"\subsection"}.get(part.level)
+    heading = f"{command}{{{title}}}{anchor(part.label)}\n" if command else ""
+    if not part.blocks:
+        return f"{heading}\\partframe{{{title}}}"
+    found = list(frames(part.blocks, page))
+    return heading + "\n\n".join(frame(title, place, group, page) for place, group in enumerate(found))
+
+
+def frame(title: str, place: int, group: tuple[Block, ...], page: Page) -> str:
+    """A frame; the second of a section and those after it say so."""
+    count = rf"\,{{\small({place + 1})}}" if place else ""
+    return f"\\begin{{frame}}{{{title}{count}}}\n\\begin{{fitted}}\n{blocks(group, page)}\n\\end{{fitted}}\n\\end{{frame}}"
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Blocks that stay on one frame, and their height in em."""
+
+    blocks: tuple[Block, ...]
+    height: float
+
+
+def frames(found: tuple[Block, ...], page: Page) -> Iterator[tuple[Block, ...]]:
+    """The blocks in as few groups as fit frames, about equally full."""
+    whole = list(pieces(found, page))
+    heights = [piece.height for piece in whole]
+    fewest = len(packed(heights, FULL, FULL))
+    limits = (FULL * share for share in (0.5, 0.6, 0.7, 0.8, 0.9, 1.0))
+    even = next(groups for limit in limits if len(groups := packed(heights, limit, limit)) == fewest)
+    yield from (tuple(block for k in group for block in whole[k].blocks) for group in even)
+
+
+def pieces(found: tuple[Block, ...], page: Page) -> Iterator[Piece]:
+    """What must not be torn apart: words and the formula they lead to; a table is cut between rows."""
+    lead: tuple[Block, ...] = ()
+    for block, after in zip(found, (*found[1:], None), strict=True):
+        if isinstance(block, Paragraph) and isinstance(after, (Display, Table, ItemList)):
+            lead = (*lead, block)
+            continue
+        first, *others = cut(block, page, FULL - sum(height(b, page) for b in lead))
+        yield Piece((*lead, first), sum(height(b, page) for b in (*lead, first)))
+        yield from (Piece((part,), height(part, page)) for part in others)
+        lead = ()
+
+
+def cut(block: Block, page: Page, room: float) -> list[Block]:
+    """A block as several that each fit a frame, where that is possible."""
+    if isinstance(block, Table):
+        return cut_table(block, page, room)
+    if isinstance(block, ItemList):
+        return cut_list(block, page, room)
+    return list(cut_callout(block, page)) if isinstance(block, Callout) else [block]
+
+
+def cut_table(block: Table, page: Page, room: float) -> list[Block]:
+    """A table as several; only the first has caption and label."""
+    groups = packed([row_height(row, page) for row in block.rows], room - 4.0, FULL - 2.0)
+    first, *others = (tuple(block.rows[k] for k in group) for group in groups)
+    rest = replace(block, caption=(), label="", number="")
+    return [replace(block, rows=first), *(replace(rest, rows=rows) for rows in others)]
+
+
+def cut_list(block: ItemList, page: Page, room: float) -> list[Block]:
+    """A list as several; an ordered one is kept whole, since its numbers would begin anew."""
+    if block.ordered:
+        return [block]
+    groups = packed([text_height(item, page) for item in block.items], room, FULL)
+    return [replace(block, items=tuple(block.items[k] for k in group)) for group in groups]
+
+
+def cut_callout(block: Callout, page: Page) -> Iterator[Block]:
+    """A remark as several with the same title."""
+    groups = packed([height(inner, page) for inner in block.blocks], FULL - 3.0, FULL - 3.0)
+    yield from (replace(block, blocks=tuple(block.blocks[k] for k in group)) for group in groups)
+
+
+def packed(heights: list[float], room: float, next_room: float) -> list[list[int]]:
+    """Places in groups, the first within `room`, the others within `next_room`."""
+    groups: list[list[int]] = [[]]
+    for place, own in enumerate(heights):
+        limit = room if len(groups) == 1 else next_room
+        if groups[-1] and sum(heights[k] for k in groups[-1]) + own > limit:
+            groups.append([])
+        groups[-1].append(place)
+    return groups
+
+
+def height(block: Block, page: Page) -> float:
+    """The height of a block in em."""
+    return HEIGHTS[type(block)](block, page)
+
+
+def text_height(inlines: tuple, page: Page, wide: float = TEXT) -> float:
+    """Lines of text with formulas in it, and the gap below them."""
+    tall = max((breaking.node_height(i.node, page.notation) for i in inlines if isinstance(i, Math)), default=1.0)
+    return math.ceil(breaking.text_width(inlines, page.notation) / wide) * max(1.25, 0.8 * tall) + 0.5
+
+
+def display_height(block: Display, page: Page) -> float:
+    """Its lines, the box, the reason below."""
+    lines = breaking.display_lines(block, page.notation, page.column)
+    own = sum(max(breaking.height(line.left), breaking.height(line.right)) * 1.06 + 0.4 for line in lines)
+    below = block.reason is not None and not breaking.reason_fits(block, page.notation, page.column)
+    return own + 1.3 + (1.4 if block.boxed else 0.0) + (1.8 if below else 0.0)
+
+
+def table_height(block: Table, page: Page) -> float:
+    """Header, rows and caption."""
+    return 2.2 + (1.6 if block.caption else 0.0) + sum(row_height(row, page) for row in block.rows)
+
+
+def row_height(row: tuple, page: Page) -> float:
+    """A row: its tallest formula, or words in two lines where they are many."""
+    nodes = [inline.node for cell in row for inline in cell if isinstance(inline, Math)]
+    tall = max((breaking.node_height(node, page.notation) for node in nodes), default=1.0)
+    wordy = max(breaking.text_width(cell, page.notation) for cell in row) > TEXT / 2
+    return max(2.6 if tall > 1.6 else 1.3, tall * 1.1 + 0.4, 2.5 if wordy and len(row) > 1 else 0)
+
+
+def figure_height(block: FigureBlock, page: Page) -> float:
+    """Its scenes in rows, and the caption."""
+    rows, wide = [0.0], 0.0
+    for scene in block.scenes:
+        left, bottom, right, top = placed(scene, page.notation).bounds
+        wide += right - left
+        if wide > TEXT / CENTIMETRE:
+            rows, wide = [*rows, 0.0], right - left
+        rows[-1] = max(rows[-1], top - bottom)
+    return sum(rows) * CENTIMETRE + 1.0 + text_height(block.caption, page)
+
+
+HEIGHTS: Mapping[type, Callable[..., float]] = {
+    Paragraph: lambda block, page: text_height(block.inlines, page),
+    Display: display_height,
+    Table: table_height,
+    FigureBlock: figure_height,
+    ItemList: lambda block, page: sum(text_height(item, page, TEXT - 3) for item in block.items) + 0.5,
+    Callout: lambda block, page: 2.6 + sum(height(inner, page) for inner in block.blocks),
+}
