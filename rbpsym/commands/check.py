@@ -119,41 +119,50 @@ def everything(names, problems, certificates: Certificates, simulation: bool, pr
         one = paper(Path(name), problems, certificates)
         found.results.extend(one.results)
         found.remarks.extend(one.remarks)
-    for name in [name for name in names if name not in texts] or ([] if texts else shipped()):
-        progress.step(str(name))
-        found.results.extend(of_file(str(name), certificates, simulation))
+    given = [name for name in names if name not in texts]
+    paths = [path for name in given for path in files_of(name)] if given or texts else shipped()
+    for path in paths:
+        progress.step(path.stem)
+        found.results.extend(of_file(path, certificates, simulation))
     return found
 
 
-def shipped() -> list[str]:
+def shipped() -> list[Path]:
     """The problems and claims files that ship."""
-    from rbpsym.statement.library import library_folder, problem_files
+    from rbpsym.statement.library import problem_files
 
-    return [
-        *(name for name in problem_files() if not name.endswith(".course")),
-        *map(str, sorted((library_folder() / "claims").glob("*.toml"))),
-    ]
+    return [*problem_files().values(), *claims_files()]
 
 
-def of_file(name: str, certificates: Certificates, simulation: bool) -> Iterator[Result]:
+def claims_files() -> list[Path]:
+    """The claims files that ship."""
+    from rbpsym.statement.library import library_folder
+
+    return sorted((library_folder() / "claims").glob("*.toml"))
+
+
+def of_file(path: Path, certificates: Certificates, simulation: bool) -> Iterator[Result]:
     """The results of a claims file, or of a problem's derivation."""
     from rbpsym.verify.claims_loader import load_claims
     from rbpsym.verify.claims_run import check_claims
 
-    path = found_file(name)
     if is_claims(path):
         yield from check_claims(load_claims(path), certificates)
     else:
         yield derivation(path, certificates, simulation)
 
 
-def found_file(name: str) -> Path:
-    """The file of a problem or claims file, by its path or its name in the library."""
-    from rbpsym.statement.library import find_problem, library_folder
+def files_of(name: str) -> list[Path]:
+    """The file of this path, or the problem and the claims of this name in the library. Raises ReadError."""
+    from rbpsym.statement.library import find_problem, problem_files
 
-    beside = library_folder() / "claims" / f"{name}.toml"
     path = Path(name)
-    return path if path.is_file() else beside if beside.is_file() else find_problem(name)
+    if path.is_file():
+        return [path]
+    claims = [one for one in claims_files() if one.stem == name]
+    if not claims:
+        return [find_problem(name)]
+    return [*([problem_files()[name]] if name in problem_files() else []), *claims]
 
 
 def is_claims(path: Path) -> bool:
@@ -172,7 +181,7 @@ def paper(path: Path, problems, certificates: Certificates) -> Found:
 
     if not problems:
         raise click.UsageError(f"which problems is {path.name} about? Add --problems with a claims file or a problem.")
-    paths = [found_file(name) for name in problems]
+    paths = [one for name in problems for one in files_of(name)[-1:]]
     files = [load_claims(one) if is_claims(one) else names_of_problem(one) for one in paths]
     return Found(*check_paper(path, files, certificates))
 

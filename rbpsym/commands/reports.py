@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.verify.claims_model import Outcome, Result
 
 if TYPE_CHECKING:
+    from rich.text import Text
+
     from rbpsym.commands.check import Found
 
 STYLES = {
@@ -19,6 +22,7 @@ STYLES = {
     Outcome.NOT_COMPUTED: "dim",
     Outcome.UNREAD: "bold red",
 }
+LINE = 120  # characters, where no terminal says how wide it is
 SHORT = {Outcome.NOT_COMPUTED: "not computed", Outcome.UNREAD: "NOT READ"}
 
 
@@ -66,6 +70,20 @@ def summary(found: Found) -> str:
     return f"{len(found.results)} checked: {', '.join(told)}; {whole}."
 
 
+def source(result: Result) -> str:
+    """The text or claims file of a result, as one names it."""
+    return result.file or PurePath(result.declared[0]).stem
+
+
+def cells(result: Result) -> tuple[str | Text, ...]:
+    """Its row in the table."""
+    from rich.text import Text
+
+    style = STYLES[result.outcome] if result.outcome is not Outcome.REFUTED or not result.expected else "cyan"
+    verdict = Text(("" if result.expected else "✗ ") + word(result), style=style)
+    return name_of(result), result.label, str(result.line or ""), verdict, Text("\n".join(lines(result)))
+
+
 def as_table(found: Found, failures: bool = False) -> str:
     """A table for a terminal."""
     from rich.console import Console
@@ -77,18 +95,16 @@ def as_table(found: Found, failures: bool = False) -> str:
         table.add_column(
             column, overflow="fold", no_wrap=column == "Line", justify="right" if column == "Line" else "left"
         )
-    for result in found.results:
-        if not (failures and result.expected):
-            style = STYLES[result.outcome] if result.outcome is not Outcome.REFUTED or not result.expected else "cyan"
-            mark = "" if result.expected else "✗ "
-            table.add_row(
-                name_of(result),
-                result.label,
-                str(result.line or ""),
-                Text(mark + word(result), style=style),
-                Text("\n".join(lines(result))),
-            )
+    shown, last = [result for result in found.results if not (failures and result.expected)], ""
+    several = len({source(result) for result in found.results if result.kind == "claim"}) > 1
+    for result in shown:
+        if several and result.kind == "claim" and source(result) != last:
+            last = source(result)
+            table.add_row(Text(last, style="bold"))
+        table.add_row(*cells(result))
     console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=max(console.width, LINE))
     with console.capture() as capture:
         if table.row_count:
             console.print(table)
@@ -106,6 +122,7 @@ def record(result: Result) -> dict[str, Any]:
         "number": result.number,
         "label": result.label,
         "file": result.file,
+        "claims": result.declared[0],
         "line": result.line,
         "latex": result.latex.strip(),
         "says": result.says,
@@ -152,7 +169,7 @@ def as_junit(found: Found) -> str:
     )
     for result in found.results:
         case = xml.SubElement(
-            suite, "testcase", classname=result.file or "claims", name=result.id, time=f"{result.seconds:.4f}"
+            suite, "testcase", classname=source(result) or "claims", name=result.id, time=f"{result.seconds:.4f}"
         )
         told = printable("\n".join(lines(result)))
         if not result.expected:
