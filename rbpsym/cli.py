@@ -26,6 +26,7 @@ COMMANDS: dict[str, str] = {
     "derive": "rbpsym.commands.derive",
     "solve": "rbpsym.commands.solve",
     "check": "rbpsym.commands.check",
+    "explore": "rbpsym.commands.explore",
     "new": "rbpsym.commands.new",
 }
 
@@ -96,6 +97,7 @@ Begin here:
   rbpsym list              what ships with rbpsym
   rbpsym derive NAME       the derivation of one of them, in the terminal
   rbpsym notes NAME        lecture notes: PDF, HTML and LaTeX
+  rbpsym explore NAME      a page in which it moves
   rbpsym new my-problem    a problem file of your own
 
 \b

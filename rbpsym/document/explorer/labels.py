@@ -1,0 +1,47 @@
+"""What is written in the explorer: formulas as MathML beside their plain text, names of forces and bodies."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rbpsym.algebra.present import present
+from rbpsym.document.accents import accented
+from rbpsym.document.words import Words
+from rbpsym.mechanics.system import Force, System
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.text import to_text
+
+
+def label(node: t.Node, notation: Notation) -> dict[str, str]:
+    """A formula as MathML, and as text for a screen reader's name of a control."""
+    return {"math": accented(to_mathml(node, notation)), "text": to_text(node, notation)}
+
+
+def force_labels(system: System, notation: Notation, said: Words) -> dict[str, dict[str, Any]]:
+    """By “force@body”: the name of the force, and of the body if there are several."""
+    several = len(system.bodies) > 1
+    found = {}
+    for force in system.forces:
+        body = said.body(force.on) if several else ""
+        key = f"{force.name}@{force.on}"
+        found.setdefault(key, {**label(force_node(system, force), notation), "on": body})
+        if force.couple:
+            found[key] |= {"couple": label(couple_node(force), notation)["math"]}
+    return found
+
+
+def couple_node(force: Force) -> t.Node:
+    """A couple by its letter if it has one, else by the name of its force."""
+    shown = present(force.couple)
+    plain = shown.arg if isinstance(shown, t.Neg) else shown
+    return shown if isinstance(plain, t.Sym) else t.Sym(force.name)
+
+
+def force_node(system: System, force: Force) -> t.Node:
+    """The letter of a force; the opposite of one that is named already has a minus sign."""
+    letter = t.Vec(force.name) if force.vector else t.Sym(force.name)
+    first = next(f for f in system.forces if f.name == force.name)
+    is_reaction = first is not force and first.on == force.by and first.by == force.on
+    return t.neg(letter) if is_reaction else letter

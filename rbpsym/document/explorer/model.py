@@ -1,0 +1,106 @@
+"""A problem as the explorer has it: data for JSON, and the functions of its phases as JavaScript."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from rbpsym.document.explorer.labels import force_labels, label
+from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
+from rbpsym.document.explorer.stage import Phase, phase
+from rbpsym.document.notes_figures import problem_notation
+from rbpsym.document.phrases import plain
+from rbpsym.document.words import Words
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.quantities import NUMBER, TIME
+from rbpsym.statement.model import Problem
+
+
+@dataclass(frozen=True)
+class Model:
+    """A problem in the explorer; `is_first_phase_only` if its later phases have no closed form."""
+
+    data: dict[str, Any]
+    phases: tuple[Phase, ...]
+    alt: str = ""
+    is_first_phase_only: bool = False
+
+    @property
+    def script(self) -> str:
+        """The model as a JavaScript expression."""
+        code = (",".join(f"{json.dumps(k)}:{v}" for k, v in part.code.items()) for part in self.phases)
+        return f"{{data:{as_json(self.data)},code:[{','.join(f'{{{part}}}' for part in code)}]}}"
+
+
+def as_json(value: Any) -> str:
+    """JSON that may stand in a script element."""
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def model(problem: Problem, language: str) -> Model:
+    """The model of a problem, with all its phases where these have a closed form."""
+    said, notation = Words(language, problem), problem_notation(problem)
+    parts, partial = _stages(problem)
+    study = parts[0].study
+    numbers = sliders(study)
+    names = tuple(slider.name for slider in numbers)
+    phases = tuple(_phase(problem, parts, k, names) for k in range(len(parts)))
+    data = {
+        "name": problem.name,
+        "title": said.title(problem.title) or problem.name,
+        "numbers": [_number(slider, notation, said) for slider in numbers],
+        "coordinates": {c.name: _coordinate(c, notation, said) for c in problem.coordinates},
+        "unknowns": {name: label(t.Sym(name), notation) for part in parts for name in part.study.system.unknowns},
+        "forces": {k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()},
+        "bodies": {name: said.body(name) for name in problem.body_names},
+        "origins": {name: label(t.Sym(name), notation) for name in study.origins},
+        "phases": [{**found.data, "name": part.name} for part, found in zip(parts, phases, strict=True)],
+    }
+    return Model(data, phases, plain("explorer.picture", language, parts=_bodies(study, said)), partial)
+
+
+def _bodies(study: Study, said: Words) -> list[str]:
+    return [said.body(name) for name in study.problem.body_names]
+
+
+def _stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
+    try:
+        return stages(problem), False
+    except NotApplicable:
+        return (Stage(problem.name, Study(problem)),), True
+
+
+def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...]) -> Phase:
+    """A phase with what ends it: the moment or the force with which the next one begins."""
+    if k + 1 == len(parts):
+        return phase(parts[k].study, names)
+    event = problem.phases[k]
+    if event.event == "lost":
+        return phase(parts[k].study, names, ends_with=event.subject)
+    return phase(parts[k].study, names, ends_at=parts[k + 1].began.before.time)
+
+
+def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:
+    found = asdict(slider) | {"symbol": None, "meaning": said.meaning(slider.name, slider.meaning)}
+    return {k: v for k, v in found.items() if v is not None} | label(slider.symbol, notation)
+
+
+def _coordinate(coordinate, notation: Notation, said: Words) -> dict[str, Any]:
+    """Letters and units of a coordinate, its speed and its acceleration."""
+    name, dimension = coordinate.name, coordinate.quantity.dimension
+    angle = dimension == NUMBER
+    return {
+        "here": label(t.Sym(name), notation),
+        "speed": label(t.Sym(f"{name}_dot"), notation),
+        "gain": label(t.Sym(f"{name}_ddot"), notation),
+        "meaning": said.meaning(name, coordinate.quantity.meaning),
+        "unit": "°" if angle else unit_of(dimension),
+        "size": DEGREE if angle else 1.0,
+        "speedUnit": unit_of(dimension / TIME),
+        "gainUnit": unit_of(dimension / TIME / TIME),
+    }

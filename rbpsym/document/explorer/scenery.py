@@ -1,0 +1,200 @@
+"""What of a system is seen, as places in the list of numbers that the browser computes.
+
+Everything is the statement's own geometry: poses of bodies, points of constraints and
+interactions, lines, circles and strings, in space. `put` gives the place of a value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.mechanics import strings
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Element, Shape
+from rbpsym.statement.paths import runs
+
+Part = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Scenery:
+    """A study seen: `put` stores a scalar and says where."""
+
+    study: Study
+    put: Callable[[Scalar], int]
+    geometry: Geometry
+
+    def node(self, node: Node) -> int:
+        """A formula of the statement, dependent coordinates put in."""
+        return self.put(scalar(node))
+
+    def at(self, vector: Vector) -> list[int]:
+        """x and y."""
+        return [self.put(vector.x), self.put(vector.y)]
+
+    def parts(self) -> dict[str, list[Part]]:
+        """All that is drawn besides the forces, by kind."""
+        found = {name: list(of(self)) for name, of in KINDS.items()}
+        return {name: parts for name, parts in found.items() if parts}
+
+    def elements(self, *kinds: str) -> Iterator[Element]:
+        """Constraints and interactions of these kinds."""
+        problem = self.study.problem
+        return (e for e in (*problem.constraints, *problem.interactions) if e.kind in kinds)
+
+
+def scenery(study: Study, put: Callable[[Scalar], int]) -> dict[str, list[Part]]:
+    """All that is drawn besides the forces."""
+    return Scenery(study, put, geometry_of(study.system)).parts()
+
+
+def bodies(seen: Scenery) -> Iterator[Part]:
+    """Shape, pose, motion and inertia of each body."""
+    for body in seen.study.problem.bodies:
+        state = seen.study.system.bodies[body.name]
+        yield {
+            "name": body.name,
+            **shape(seen, body.shape),
+            "at": seen.at(state.pose.origin),
+            "angle": seen.put(state.pose.angle),
+            "cm": seen.at(state.center),
+            "v": seen.at(state.velocity),
+            "omega": seen.put(state.omega),
+            "mass": seen.put(state.mass),
+            "moment": seen.put(state.moment),
+        }
+
+
+def shape(seen: Scenery, found: Shape) -> Part:
+    """Kind, sizes and parts of a shape."""
+    sizes = {key: seen.node(size) for key, size in found.sizes.items() if key != "moment"}
+    return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, p) for p in found.parts]}
+
+
+def part(seen: Scenery, placed) -> Part:
+    """A part of a composite."""
+    at = [seen.node(node) for node in placed.at]
+    return {**shape(seen, placed.shape), "at": at, "angle": seen.node(placed.angle), "removed": placed.removed}
+
+
+def points(seen: Scenery) -> Iterator[Part]:
+    """Pivots, pins, welds, slots and the fixed ends of springs and strings."""
+    where = seen.geometry.where
+    for element in seen.elements("pivot"):
+        yield {"kind": "pivot", "at": seen.at(where(element["point"])), "of": element["point"].body}
+    for element in seen.elements("pin", "weld"):
+        first, second = element["points"]
+        ground = first.body is None or second.body is None
+        kind = "pivot" if ground and element.kind == "pin" else element.kind
+        body = second if second.body else first
+        yield {"kind": kind, "at": seen.at(where(body)), "of": body.body, "ground": ground}
+    for element in seen.elements("guide", "slider", "prescribed"):
+        yield {"kind": element.kind, "at": seen.at(where(element["point"])), "of": element["point"].body}
+    for ref in fixed_ends(seen):
+        yield {"kind": "fixed", "at": seen.at(where(ref)), "of": None}
+
+
+def fixed_ends(seen: Scenery) -> Iterator[Any]:
+    """Points of the ground to which springs, dampers and strings are tied."""
+    for element in seen.elements("spring", "damper"):
+        yield from (ref for ref in element["between"] if ref.body is None)
+    for element in seen.elements("string"):
+        yield from (turn.center for turn in element["path"] if turn.body is None and not turn.sense)
+
+
+def lines(seen: Scenery) -> Iterator[Part]:
+    """Lines that are touched: a x + b y = c, in the frame of the body `of` or in space."""
+    done = set()
+    for element in seen.study.problem.constraints:
+        line, of = element.values.get("line"), element.values.get("of")
+        if line is None or (line.label, of) in done:
+            continue
+        done.add((line.label, of))
+        values = {key: seen.node(getattr(line, key)) for key in "abc"}
+        yield {**values, "of": of, "slot": element.kind == "guide", "through": touched(seen, element)}
+
+
+def touched(seen: Scenery, element: Element) -> list[int]:
+    """A point of what touches: where it is, the line is drawn."""
+    ref = element.values.get("point")
+    return seen.at(seen.geometry.where(ref) if ref else seen.geometry.center(element["body"]))
+
+
+def circles(seen: Scenery) -> Iterator[Part]:
+    """Fixed circles that are touched, and those that strings slide round."""
+    for element in seen.study.problem.constraints:
+        centre = element.values.get("circle")
+        if centre is not None and centre.body is None:
+            radius = seen.node(element["radius"])
+            yield {"at": seen.at(seen.geometry.where(centre)), "r": radius, "through": touched(seen, element)}
+    for element in seen.elements("string"):
+        for turn in element["path"]:
+            if turn.body is None and turn.sense:
+                yield {"at": seen.at(seen.geometry.where(turn.center)), "r": seen.node(turn.radius)}
+
+
+def links(seen: Scenery) -> Iterator[Part]:
+    """Springs and dampers."""
+    for element in seen.elements("spring", "damper"):
+        ends = [seen.at(seen.geometry.where(ref)) for ref in element["between"]]
+        yield {"kind": element.kind, "ends": ends}
+
+
+def cords(seen: Scenery) -> Iterator[Part]:
+    """The straight pieces of each string, and the circles round which it runs between them."""
+    for element in seen.elements("string"):
+        for run in runs(element["path"]):
+            for piece in strings.segments(run, seen.geometry):
+                yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
+
+
+def turn(seen: Scenery, found) -> Part | None:
+    """The circle that a string meets, and the sense in which it runs round it."""
+    if not found.sense:
+        return None
+    centre = seen.geometry.where(found.center)
+    return {"at": seen.at(centre), "r": seen.node(found.radius), "sense": found.sense}
+
+
+def coils(seen: Scenery) -> Iterator[Part]:
+    """Torsion springs and rotary dampers, at the hinge of the second body."""
+    for element in seen.elements("torsion-spring", "rotary-damper"):
+        names = [name for name in reversed(element["between"]) if name in seen.study.system.bodies]
+        yield {"kind": element.kind, "at": seen.at(hinge(seen, names[0]))}
+
+
+def hinge(seen: Scenery, body: str) -> Vector:
+    """Where a body is hinged, else its centre of mass."""
+    for element in seen.elements("pivot", "pin", "weld"):
+        refs = element["points"] if element.kind != "pivot" else (element["point"],)
+        for ref in refs:
+            if ref.body == body:
+                return seen.geometry.where(ref)
+    return seen.geometry.center(body)
+
+
+def gravity(seen: Scenery) -> Iterator[Part]:
+    """The direction of gravity."""
+    for element in seen.elements("gravity"):
+        yield {"along": seen.at(pair(element["direction"]))}
+
+
+KINDS: Mapping[str, Callable[[Scenery], Iterator[Part]]] = {
+    "bodies": bodies,
+    "points": points,
+    "lines": lines,
+    "circles": circles,
+    "links": links,
+    "cords": cords,
+    "coils": coils,
+    "gravity": gravity,
+}

@@ -1,0 +1,176 @@
+// The motion of a model from its start: states at many moments, the works done until then, what ends it.
+
+const FRAME = 0.01, LONGEST = 10, FAR = 6, HARDLY = 1e-7, NUDGE = 2e-3;
+
+/** A system with its numbers, ready to be asked. */
+class Motion {
+  constructor(model, numbers) {
+    this.data = model.data;
+    this.code = model.code;
+    this.numbers = numbers;
+    this.frames = [];
+    this.end = null;
+    this.works = [...new Set(this.data.phases.flatMap((phase) => phase.forces.map(keyOf)))];
+    this.run();
+  }
+
+  /** All numbers of a phase at a state. */
+  look(phase, x, t) { return this.code[phase].look(x, this.numbers, t); }
+
+  run() {
+    let t = 0, works = this.works.map(() => [0, 0]);
+    for (let phase = 0; phase < this.code.length && !this.isOver(); phase++) {
+      [t, works] = this.runPhase(phase, t, works);
+    }
+    this.end = this.end || { kind: "time", time: t };
+  }
+
+  isOver() { return this.end !== null; }
+
+  start(phase) {
+    const places = this.data.phases[phase].start, values = this.code[phase].start([], this.numbers, 0);
+    const { rows, held } = this.data.phases[phase].gaps, state = places.map((place) => values[place]);
+    if (phase === 0) this.nudge(state);
+    if (!rows.length) return state;
+    const free = this.allCoordinates(phase).filter((k) => !held.includes(k));
+    return kept((x) => this.conditions(phase, x, 0), state, free.length ? free : this.allCoordinates(phase));
+  }
+
+  /** What rests in equilibrium gets a small displacement, as every book tacitly gives it. */
+  nudge(state) {
+    const { nudge, size } = this.data.phases[0], full = [...state, ...this.data.phases[0].forces.flatMap(() => [0, 0])];
+    if (!nudge || this.code[0].rates(full, this.numbers, 0).slice(0, size).some((rate) => !(Math.abs(rate) < HARDLY))) return;
+    state[nudge.place] += NUDGE * nudge.way;
+    this.nudged = nudge.name;
+  }
+
+  allCoordinates(phase) { return Array.from({ length: this.data.phases[phase].free }, (_, k) => k); }
+
+  conditions(phase, x, t) {
+    const out = this.code[phase].gaps(x, this.numbers, t);
+    return this.data.phases[phase].gaps.rows.map(([gap, slopes]) => [out[gap], slopes.map((k) => out[k])]);
+  }
+
+  /** Frames of a phase that begins at `began`; [the time of its end, the works until then]. */
+  runPhase(phase, began, worksBefore) {
+    const data = this.data.phases[phase], places = data.forces.map((force) => this.works.indexOf(keyOf(force)));
+    const ends = data.endsAt === null ? Infinity : this.code[phase].start([], this.numbers, 0)[data.endsAt];
+    const watch = new Watch(data, (x, t) => this.look(phase, x, t));
+    const pack = (y) => this.frame(phase, y, worksBefore, places);
+    let y = [...this.start(phase), ...data.forces.flatMap(() => [0, 0])], t = 0;
+    const push = () => { const frame = pack(y); frame.time = began + t; frame.local = t; this.frames.push(frame); };
+    push();
+    if (!y.every(Number.isFinite) || !this.look(phase, y, 0).every(Number.isFinite)) {
+      this.end = { kind: "numbers", time: began };
+      return [began, worksBefore];
+    }
+    let event = watch.first(y);
+    while (!event && t < ends && began + t < LONGEST - 1e-9) {
+      const span = Math.min(FRAME, ends - t, LONGEST - began - t), next = this.after(phase, y, t, span);
+      if (!next) { event = { kind: "singular" }; break; }
+      event = watch.passed(next, t + span);
+      if (event) {
+        const share = this.moment(phase, y, t, span, watch, event);
+        y = this.after(phase, y, t, share) || y;
+        t += share;
+      } else { y = next; t += span; }
+      push();
+      if (!event && phase + 1 === this.code.length && this.isFar(phase)) event = { kind: "far" };
+    }
+    const last = this.frames[this.frames.length - 1];
+    if (event && data.endsWith === event.name) event = null;
+    if (event) this.end = { ...event, time: last.time };
+    if (began + t >= LONGEST - 1e-9) this.end = this.end || { kind: "time", time: last.time };
+    return [last.time, last.works];
+  }
+
+  /** The state and works a little later, the conditions kept. */
+  after(phase, y, t, span) {
+    const size = this.data.phases[phase].size;
+    const next = span > 0 ? advance((z, at) => this.code[phase].rates(z, this.numbers, at), y, t, span) : y;
+    if (!next || !this.data.phases[phase].gaps.rows.length) return next;
+    const state = kept((x) => this.conditions(phase, x, t + span), next.slice(0, size), this.allCoordinates(phase));
+    return [...state, ...next.slice(size)];
+  }
+
+  /** How long after t the event comes, by halving. */
+  moment(phase, y, t, span, watch, event) {
+    let low = 0, high = span;
+    for (let k = 0; k < 48; k++) {
+      const middle = (low + high) / 2, state = this.after(phase, y, t, middle);
+      if (state && watch.value(event, state, t + middle) > 0) low = middle; else high = middle;
+    }
+    return low;
+  }
+
+  frame(phase, y, before, places) {
+    const size = this.data.phases[phase].size, works = before.map((pair) => pair.slice());
+    places.forEach((place, k) => {
+      works[place][0] += y[size + 2 * k];
+      works[place][1] += y[size + 2 * k + 1];
+    });
+    return { phase, y, works, before };
+  }
+
+  /** Has a body gone, in the last phase, much farther than the system is large? */
+  isFar(phase) {
+    const centres = (frame) => {
+      const out = this.look(frame.phase, frame.y, frame.local);
+      return this.data.phases[frame.phase].bodies.map((body) => [out[body.cm[0]], out[body.cm[1]]]);
+    };
+    if (!this.reach) {
+      const first = this.frames.find((frame) => frame.phase === phase);
+      this.first = centres(first);
+      this.reach = FAR * extentOf(this, first);
+    }
+    const now = centres(this.frames[this.frames.length - 1]);
+    return now.some(([x, y], k) => Math.hypot(x - this.first[k][0], y - this.first[k][1]) > this.reach);
+  }
+
+  get duration() { return this.frames[this.frames.length - 1].time; }
+
+  /** Everything at a time: the frame before it, carried on to that very moment. */
+  at(time) {
+    let low = 0, high = this.frames.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.frames[middle].time <= time) low = middle; else high = middle - 1;
+    }
+    const frame = this.frames[low], phase = frame.phase, more = Math.min(time, this.duration) - frame.time;
+    const data = this.data.phases[phase];
+    const y = more > 0 && low < this.frames.length - 1 ? this.after(phase, frame.y, frame.local, more) || frame.y : frame.y;
+    const places = data.forces.map((force) => this.works.indexOf(keyOf(force)));
+    const shown = this.frame(phase, y, frame.before, places), local = frame.local + Math.max(0, more);
+    return { ...shown, time: Math.min(time, this.duration), local, data, out: this.look(phase, y, local) };
+  }
+}
+
+/** Forces of one name on one body are one row of the ledger. */
+function keyOf(force) { return force.name + "@" + force.on; }
+
+/** What may end a phase: numbers that must stay positive. */
+class Watch {
+  constructor(data, look) {
+    this.events = data.events;
+    this.look = look;
+    this.armed = this.events.map(() => false);
+  }
+
+  value(event, y, t) { return this.look(y, t)[event.value]; }
+
+  /** An event that is there from the start. */
+  first(y) {
+    const out = this.look(y, 0);
+    this.events.forEach((event, k) => { this.armed[k] = out[event.value] > HARDLY; });
+    const found = this.events.find((event) => out[event.value] < -HARDLY);
+    return found ? { ...found, atOnce: true } : null;
+  }
+
+  /** The first event that has come since the last time. */
+  passed(y, t) {
+    const out = this.look(y, t);
+    const found = this.events.find((event, k) => out[event.value] < (this.armed[k] ? 0 : -HARDLY));
+    this.events.forEach((event, k) => { this.armed[k] = this.armed[k] || out[event.value] > HARDLY; });
+    return found || null;
+  }
+}

@@ -1,0 +1,97 @@
+// Outlines of bodies in their own frames, and how large things are.
+
+const TURN = 2 * Math.PI;
+
+/** Points of an arc of a circle. */
+function arc(radius, from, to, count = 48) {
+  return Array.from({ length: count + 1 }, (_, k) => {
+    const angle = from + (k * (to - from)) / count;
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  });
+}
+
+/** kind → sizes → [{points, closed, look}]; look: body, hole, band, dot. */
+const OUTLINES = {
+  particle: () => [{ points: [[0, 0]], look: "dot" }],
+  rod: (s) => [{ points: [[-s.length / 2, 0], [s.length / 2, 0]], look: "band" }],
+  ring: (s) => [{ points: arc(s.radius, 0, TURN), look: "band", spoke: s.radius }],
+  disk: (s) => [{ points: arc(s.radius, 0, TURN), look: "body", closed: true, spoke: s.radius }],
+  annulus: (s) => [
+    { points: arc(s.outer, 0, TURN), look: "body", closed: true, spoke: s.outer },
+    { points: arc(s.inner, 0, TURN), look: "hole", closed: true },
+  ],
+  rectangle: (s) => [{ points: box(s.width / 2, s.height / 2), look: "body", closed: true }],
+  triangle: (s) => [{ points: [[-s.base / 2, 0], [s.base / 2, 0], [s.offset || 0, s.height]], look: "body", closed: true }],
+  "half-disk": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "body", closed: true }],
+  "half-ring": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "band" }],
+  given: () => [{ points: [[0, 0]], look: "blob" }],
+};
+OUTLINES.shell = OUTLINES.ring;
+OUTLINES.ball = OUTLINES.disk;
+
+function box(x, y) { return [[-x, -y], [x, -y], [x, y], [-x, y]]; }
+
+/** A point of a frame in space. */
+function carried([x, y], [u, v], angle) {
+  const cos = Math.cos(angle), sin = Math.sin(angle);
+  return [u + x * cos - y * sin, v + x * sin + y * cos];
+}
+
+/** The outlines of a body in space, holes last. */
+function outlineOf(body, out) {
+  const angle = out[body.angle], at = pick(body.at, out);
+  const parts = body.parts.length ? body.parts : [body];
+  const found = parts.flatMap((part) => partOutline(part, body, out).map((piece) => ({
+    ...piece,
+    points: piece.points.map((point) => carried(point, at, angle)),
+    origin: carried(part === body ? [0, 0] : pick(part.at, out), at, angle),
+  })));
+  return found.sort((a, b) => (a.look === "hole") - (b.look === "hole"));
+}
+
+function partOutline(part, body, out) {
+  const sizes = Object.fromEntries(Object.entries(part.sizes).map(([key, place]) => [key, out[place]]));
+  const pieces = (OUTLINES[part.kind] || OUTLINES.given)(sizes);
+  if (part === body) return pieces;
+  const at = pick(part.at, out), angle = out[part.angle];
+  return pieces.map((piece) => ({
+    ...piece,
+    look: part.removed ? "hole" : piece.look,
+    points: piece.points.map((point) => carried(point, at, angle)),
+  }));
+}
+
+/** x and y of a pair of places. */
+function pick(pair, out) { return [out[pair[0]], out[pair[1]]]; }
+
+/** Left, bottom, right, top of points. */
+function boxOf(points) {
+  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+}
+
+function joinBoxes(a, b) {
+  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
+}
+
+/** All points that must be seen in a frame. */
+function seenPoints(motion, frame) {
+  const data = motion.data.phases[frame.phase], out = motion.look(frame.phase, frame.y, frame.local);
+  const found = data.bodies.flatMap((body) => outlineOf(body, out).flatMap((piece) => piece.points));
+  found.push(...(data.points || []).map((point) => pick(point.at, out)));
+  for (const link of [...(data.links || []), ...(data.cords || [])]) found.push(...link.ends.map((end) => pick(end, out)));
+  for (const turn of (data.cords || []).map((cord) => cord.turn).filter(Boolean)) found.push(...round(turn, out));
+  for (const line of (data.lines || []).filter((one) => !one.of)) found.push(pick(line.through, out));
+  return found;
+}
+
+function round(circle, out) {
+  const [x, y] = pick(circle.at, out), r = out[circle.r];
+  return [[x - r, y], [x + r, y], [x, y - r], [x, y + r]];
+}
+
+/** The size of the system in a frame. */
+function extentOf(motion, frame) {
+  const [left, bottom, right, top] = boxOf(seenPoints(motion, frame));
+  return Math.hypot(right - left, top - bottom) || 1;
+}

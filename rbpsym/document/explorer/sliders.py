@@ -1,0 +1,137 @@
+"""The numbers that a reader may change: where they begin, how far they go, their units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.document.explorer.stage import start_name
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension, Quantity
+from rbpsym.statement.model import Coordinate, Element, Problem
+
+DEGREE = math.pi / 180
+UNITS = {
+    "mass": "kg", "length": "m", "time": "s", "speed": "m/s", "acceleration": "m/s²", "angular speed": "rad/s",
+    "angular acceleration": "rad/s²", "force": "N", "torque": "N m", "energy": "J", "stiffness": "N/m",
+    "damping": "N s/m", "rotary damping": "N m s", "moment of inertia": "kg m²", "momentum": "kg m/s",
+    "angular momentum": "kg m²/s", "area": "m²", "linear density": "kg/m", "surface density": "kg/m²",
+    "density": "kg/m³", "power": "W",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Slider:
+    """An adjustable number in SI units (angles in radians); shown it is value / `unit_size` `unit`."""
+
+    name: str
+    symbol: t.Node
+    meaning: str
+    value: float
+    least: float
+    most: float
+    unit: str = ""
+    unit_size: float = 1.0
+
+
+def unit_of(dimension: Dimension) -> str:
+    """The SI unit of a dimension."""
+    named = next((UNITS[name] for name, d in DIMENSIONS.items() if d == dimension and name in UNITS), None)
+    if named is not None or dimension == NUMBER:
+        return named or ""
+    powers = (("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time))
+    return " ".join(unit if n == 1 else f"{unit}^{n}" for unit, n in powers if n)
+
+
+def sliders(study: Study) -> tuple[Slider, ...]:
+    """Parameters, constants of the start, and starts that the author left open; the example's numbers to begin with."""
+    problem = study.problem
+    numbers = sample(problem, problem.example)
+    starts = {c.start.name: c for c in problem.coordinates if getattr(c.start, "name", None) in problem.implicit}
+    turned = angles(problem)
+    found = [
+        _start(q.name, starts[q.name], numbers) if q.name in starts else _parameter(q, numbers, turned)
+        for q in problem.parameters
+    ]
+    return tuple(found) + tuple(_open_starts(study, numbers))
+
+
+def _parameter(quantity: Quantity, numbers: Mapping[str, float], turned: frozenset[str]) -> Slider:
+    value, symbol = numbers[quantity.name], t.Sym(quantity.name)
+    if quantity.dimension == NUMBER and quantity.name in turned:
+        least, most = (-1.4, 1.4) if quantity.sign == "real" else (0.02, max(1.4, 1.1 * value))
+        return Slider(quantity.name, symbol, quantity.meaning, value, least, most, "°", DEGREE)
+    least, most = _around(value, quantity.sign)
+    return Slider(quantity.name, symbol, quantity.meaning, value, least, most, unit_of(quantity.dimension))
+
+
+def _around(value: float, sign: str) -> tuple[float, float]:
+    """From a fifth to three times a positive number; both signs where both are allowed."""
+    if sign in ("positive", "nonnegative") and value > 0:
+        return (0.0 if sign == "nonnegative" else value / 5), 3 * value
+    size = 3 * abs(value) or 1.0
+    return (0.0 if sign == "nonnegative" else -size), size
+
+
+def _start(name: str, coordinate: Coordinate, numbers: Mapping[str, float]) -> Slider:
+    """A start inside the range of its coordinate."""
+    quantity, value = coordinate.quantity, numbers[name]
+    least, most = _room(coordinate, value, numbers)
+    unit, size = ("°", DEGREE) if quantity.dimension == NUMBER else (unit_of(quantity.dimension), 1.0)
+    return Slider(name, t.Sym(name), quantity.meaning, value, least, most, unit, size)
+
+
+def _room(coordinate: Coordinate, value: float, numbers: Mapping[str, float]) -> tuple[float, float]:
+    """The range of a coordinate without its ends; a guess where it has none."""
+    wide = math.pi if coordinate.quantity.dimension == NUMBER else 3 * abs(value) or 1.0
+    low, high = (_bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
+    low = min(value, -wide) if low is None else low
+    high = max(value, wide, low + 2 * wide if coordinate.lower else wide) if high is None else high
+    edge = 0.01 * (high - low)
+    return min(value, low + edge), max(value, high - edge)
+
+
+def _bound(node: t.Node | None, numbers: Mapping[str, float]) -> float | None:
+    try:
+        return None if node is None else number(scalar(node), numbers)
+    except (KeyError, ValueError, ZeroDivisionError, RbpsymError):
+        return None
+
+
+def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]:
+    """Coordinates of which the author does not say where they start."""
+    for coordinate in study.problem.coordinates:
+        if coordinate.name in study.system.independent and coordinate.start is None:
+            own = {**numbers, start_name(coordinate.name): numbers[coordinate.name]}
+            found = _start(start_name(coordinate.name), coordinate, own)
+            at = t.At(t.Sym(coordinate.name), t.equation(t.Sym("t"), t.ZERO))
+            yield Slider(found.name, at, found.meaning, found.value, found.least, found.most, found.unit, found.unit_size)
+
+
+def angles(problem: Problem) -> frozenset[str]:
+    """Names that stand under a sine, cosine or tangent anywhere in the statement."""
+    nodes = [node for body in problem.bodies for node in _body_nodes(body)]
+    nodes += [node for e in (*problem.interactions, *problem.constraints) for node in _element_nodes(e)]
+    turned = [part.arg for node in nodes for part in t.walk(node) if isinstance(part, t.Fn) and part.name in TURNS]
+    found = {leaf.name for arg in turned for leaf in t.walk(arg) if isinstance(leaf, t.Sym)}
+    return frozenset(found | {name for name, text in problem.example.items() if str(text).endswith(("deg", "°"))})
+
+
+TURNS = frozenset({"sin", "cos", "tan"})
+
+
+def _body_nodes(body) -> list[t.Node]:
+    placed = list(body.placed[1]) if body.placed else []
+    return [*placed, *([body.angle] if body.angle is not None else [])]
+
+
+def _element_nodes(element: Element) -> Iterator[t.Node]:
+    for value in element.values.values():
+        line = (value.a, value.b, value.c) if hasattr(value, "a") and hasattr(value, "c") else ()
+        parts = value if isinstance(value, tuple) else (value, *line)
+        yield from (part for part in parts if isinstance(part, t.Node))

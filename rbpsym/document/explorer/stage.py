@@ -1,0 +1,213 @@
+"""One phase of a motion as JavaScript: its start, its rates of change, all numbers that are shown, its end.
+
+The state is (coordinates, independent speeds). Events watch a number that is positive while the
+phase lasts: the normal force of a contact, the tension of a string, the slip of a contact with
+kinetic friction, the friction that is left, the range of a coordinate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from rbpsym.algebra.calculus import depends_on, derivative
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.document.explorer.javascript import Program, function
+from rbpsym.document.explorer.scenery import scenery
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import geometry_of, slip_senses
+from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Force
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Coordinate
+
+
+@dataclass(frozen=True)
+class Phase:
+    """Code (function texts by name) and data of a phase."""
+
+    code: dict[str, str]
+    data: dict[str, Any]
+
+
+def phase(study: Study, names: tuple[str, ...], ends_at: Scalar | None = None, ends_with: str | None = None) -> Phase:
+    """A phase; `names` are those of the adjustable numbers in their order.
+
+    It ends at the time `ends_at` (counted from its start) or when the force `ends_with` vanishes.
+    """
+    look, data = _look(study, names)
+    data["endsWith"] = ends_with
+    starts = _program(study, names, moving=False)
+    state = [starts.output_again(value) for value in _start(study)]
+    data["endsAt"] = None if ends_at is None else starts.output(ends_at)
+    data["start"] = state
+    gaps, data["gaps"] = _gaps(study, names)
+    data["nudge"] = _nudge(study)
+    code = {"start": starts.text, "rates": _rates(study, names), "look": look.text, "gaps": gaps}
+    return Phase({name: function(ARGUMENTS, text) for name, text in code.items()}, data)
+
+
+ARGUMENTS = "x,p,t"
+
+
+def start_name(coordinate: str) -> str:
+    """The adjustable number at which a coordinate without a declared start begins."""
+    return f"{coordinate}(0)"
+
+
+def _program(study: Study, names: tuple[str, ...], *, moving: bool = True) -> Program:
+    """A program that knows parameters, the state and all that the dynamics says."""
+    system, dynamics = study.system, study.dynamics
+    inputs = {name: f"p[{k}]" for k, name in enumerate(names)} | {"t": "t"}
+    if not moving:
+        return Program(inputs, {})
+    state = (*system.coordinates, *system.speeds)
+    inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
+    rates = {f"{name}_dot": rate for name, rate in system.scope.rates.items() if name in system.coordinates}
+    tied = {name: rate for name, rate in rates.items() if name not in inputs}
+    defined = {**dict(system.dependent), **tied, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})}
+    program = Program(inputs, {**defined, **_dependent_rates(study)})
+    if dynamics.accelerations is None:
+        program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
+    return program
+
+
+def _dependent_rates(study: Study) -> dict[str, Scalar]:
+    from rbpsym.algebra.evaluate import time_derivative
+
+    system = study.system
+    return {f"{name}_dot": time_derivative(value, system.scope) for name, value in system.dependent.items()}
+
+
+def _start(study: Study) -> Iterator[Scalar]:
+    """The start state: declared, an adjustable number, or a guess where a constraint will say."""
+    system, guess = study.system, sample(study.problem)
+    for name in system.coordinates:
+        own = symbol(start_name(name)) if name in system.independent else _rough(guess[name])
+        yield system.scope.start.get(name, own)
+    for speed in system.speeds:
+        yield system.scope.start.get(speed, NOTHING)
+
+
+def _nudge(study: Study) -> dict[str, Any] | None:
+    """The coordinate that is displaced if the system rests in equilibrium at the start, and the way into its range."""
+    system = study.system
+    if system.has_clock or not system.independent:
+        return None
+    coordinates = {c.name: c for c in study.problem.coordinates}
+    name = min(system.independent, key=lambda n: coordinates[n].quantity.dimension.length != 0)
+    upper, start = coordinates[name].upper, coordinates[name].start
+    way = -1 if None not in (upper, start) and is_zero(scalar(upper) - scalar(start)) else 1
+    return {"place": system.coordinates.index(name), "name": name, "way": way}
+
+
+def _rough(value: float) -> Scalar:
+    from fractions import Fraction
+
+    from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import lift
+
+    return lift(Fraction(value).limit_denominator(10**6))
+
+
+def _rates(study: Study, names: tuple[str, ...]) -> str:
+    """d/dt of the state and of the two works of each force on each body."""
+    program, system = _program(study, names), study.system
+    values = [system.scope.rates[name] for name in system.coordinates]
+    values += [symbol(name) for name in system.accelerations]
+    for force in system.forces:
+        state = system.bodies[force.on]
+        arm = (force.point - state.center).cross(force.vector) if force.vector else NOTHING
+        values += [force.vector.dot(state.velocity), (arm + force.couple) * state.omega]
+    texts = [program.value(value) for value in values]
+    return "\n".join([*program.lines, f"return [{','.join(texts)}];"])
+
+
+def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
+    """Conditions that stay as equations, with their slopes along each coordinate; which coordinates are held."""
+    program, system = _program(study, names), study.system
+    rows = []
+    for condition in system.implicit:
+        slopes = [program.output_again(derivative(condition.value, name)) for name in system.coordinates]
+        rows.append([program.output_again(condition.value), slopes])
+    held = [k for k, name in enumerate(system.coordinates) if name in system.scope.start or name in system.independent]
+    return program.text, {"rows": rows, "held": held}
+
+
+def _look(study: Study, names: tuple[str, ...]) -> tuple[Program, dict[str, Any]]:
+    """The program of all numbers that are shown, and where each stands."""
+    program, system = _program(study, names), study.system
+    put = program.output
+    seen = [c.name for c in study.problem.coordinates]
+    data = {
+        "size": len(system.coordinates) + len(system.speeds),
+        "free": len(system.coordinates),
+        "coordinates": {name: put(symbol(name)) for name in seen},
+        "speeds": {name: put(_speed(study, name)) for name in seen},
+        "accelerations": {name[: -len("_ddot")]: put(symbol(name)) for name in system.accelerations},
+        "unknowns": {name: put(symbol(name)) for name in system.unknowns},
+        "couples": [name for name in system.unknowns if any(depends_on(f.couple, name) for f in system.forces)],
+        "forces": [_force(force, put) for force in system.forces],
+        "potential": _potential(study, put),
+        "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
+        "events": [{**event, "value": put(event["value"])} for event in _events(study)],
+    }
+    return program, {**data, **scenery(study, put)}
+
+
+def _speed(study: Study, name: str) -> Scalar:
+    rate = study.system.scope.rates.get(name)
+    return symbol(f"{name}_dot") if rate is None else rate
+
+
+def _force(force: Force, put) -> dict[str, Any]:
+    return {
+        "name": force.name,
+        "on": force.on,
+        "law": force.law,
+        "unknown": bool(force.unknowns),
+        "at": [put(force.point.x), put(force.point.y)],
+        "vector": [put(force.vector.x), put(force.vector.y)],
+        "couple": put(force.couple),
+    }
+
+
+def _potential(study: Study, put) -> int | None:
+    """The sum of the potential energies that there are; None if no interaction has one."""
+    found = [value for value in energy.potentials(study.system).values() if value is not None]
+    return put(sum(found, NOTHING)) if found else None
+
+
+def _events(study: Study) -> Iterator[dict[str, Any]]:
+    """What ends the phase, with the scalar that is positive until then."""
+    for element in study.problem.constraints:
+        for name in pushes(element):
+            kind = "slack" if element.kind == "string" else "lost"
+            yield {"kind": kind, "name": name, "value": symbol(name)}
+        if element.values.get("limit") is not None and element["friction"] in study.system.unknowns:
+            grip, limit = symbol(element["friction"]), scalar(element["limit"]) * symbol(element.name)
+            for left in (limit - grip, limit + grip):
+                yield {"kind": "slips", "name": element.name, "value": left}
+    yield from _slips(study)
+    for coordinate in study.problem.coordinates:
+        yield from _edges(coordinate)
+
+
+def _slips(study: Study) -> Iterator[dict[str, Any]]:
+    geometry, senses = geometry_of(study.system), slip_senses(study.system)
+    for name, sense in senses.items():
+        slip = slip_speed(geometry, meeting(study.system.element(name), geometry))
+        yield {"kind": "holds", "name": name, "value": slip * sense}
+
+
+def _edges(coordinate: Coordinate) -> Iterator[dict[str, Any]]:
+    here = t.Sym(coordinate.name)
+    for bound, left in ((coordinate.lower, 1), (coordinate.upper, -1)):
+        if bound is not None:
+            yield {"kind": "edge", "name": coordinate.name, "value": (scalar(here) - scalar(bound)) * left}

@@ -1,0 +1,94 @@
+"""The explorer's own script, run by Node without a page, and the derivation's numbers beside it."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from rbpsym.document.explorer.model import Model, model
+from rbpsym.document.explorer.page import FOLDER
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.model import Problem
+
+ASK = """
+const asked = TIMES.flatMap((share) => MODELS.map((model) => {
+  const motion = new Motion(model, model.data.numbers.map((one) => one.value));
+  const moment = motion.at(share * motion.duration), out = moment.out, data = moment.data;
+  const named = (places) => Object.fromEntries(Object.entries(places).map(([name, place]) => [name, out[place]]));
+  const momenta = Object.keys(data.origins).flatMap((o) => data.bodies.map((b) => [b.name, o, ...momentum(moment, b.name, o)]));
+  return {
+    end: motion.end, duration: motion.duration, frames: motion.frames.length, time: moment.time, local: moment.local,
+    phase: moment.phase, q: named(data.coordinates), v: named(data.speeds), a: named(data.accelerations),
+    R: named(data.unknowns), works: Object.fromEntries(motion.works.map((key, k) => [key, moment.works[k]])),
+    K: [translation(moment), rotation(moment)], U: potential(moment), momenta,
+    box: boxOfMotion(motion),
+  };
+}));
+console.log(JSON.stringify(asked, (key, value) => (typeof value === "number" && !Number.isFinite(value) ? null : value)));
+"""
+STAND_INS = (
+    'const document = { documentElement: { lang: "en" } };'
+    "const WORDS = new Proxy({}, { get: (_, name) => String(name) });"
+)
+
+
+def run(found: Model, shares: tuple[float, ...] = (0.0, 0.37, 0.8)) -> list[dict[str, Any]]:
+    """What the script says at shares of the recorded motion."""
+    scripts = [(FOLDER / f"{name}.js").read_text() for name in ("numbers", "motion", "shapes", "drawing", "readings")]
+    text = "\n".join([STAND_INS, f"const MODELS=[{found.script}];const TIMES={list(shares)};", *scripts, ASK])
+    done = subprocess.run(["node", "-"], input=text, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    return json.loads(done.stdout)
+
+
+def explored(problem: Problem) -> Model:
+    """The model of a problem."""
+    return model(problem, "en")
+
+
+def state_numbers(found: Model, moment: Mapping[str, Any]) -> dict[str, float]:
+    """The names of a problem with the numbers that the page shows."""
+    numbers = {one["name"]: one["value"] for one in found.data["numbers"]}
+    numbers |= {name: value for name, value in moment["q"].items()}
+    numbers |= {f"{name}_dot": value for name, value in moment["v"].items()}
+    return numbers | {"t": moment["local"]}
+
+
+def derived(study: Study, numbers: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    """(what, number) of everything that the page shows at a state, from the derivation."""
+    known = dict(numbers)
+    for name, value in (study.dynamics.accelerations or {}).items():
+        known[name] = number(value, known)
+        yield f"a {name.removesuffix('_ddot')}", known[name]
+    for name, value in study.dynamics.reactions.items():
+        yield f"R {name}", number(value, known)
+    for place, value in enumerate(study.kinetic):
+        yield f"K {place}", number(value, known)
+    for name, origin in study.origins.items():
+        for body, state in study.system.bodies.items():
+            yield f"L_orbital {body} {name}", number(energy.orbital_momentum(state, origin), known)
+            yield f"L_spin {body} {name}", number(energy.spin_momentum(state), known)
+
+
+def told(moment: Mapping[str, Any]) -> dict[str, float]:
+    """The same from the page."""
+    found = {f"a {name}": value for name, value in moment["a"].items()}
+    found |= {f"R {name}": value for name, value in moment["R"].items()}
+    found |= {f"K {place}": value for place, value in enumerate(moment["K"])}
+    for body, origin, orbital, spin in moment["momenta"]:
+        found |= {f"L_orbital {body} {origin}": orbital, f"L_spin {body} {origin}": spin}
+    return found
+
+
+def close(one: float, other: float, scale: float = 1.0) -> bool:
+    """Equal to 1e-6 of their size (or of a scale for what is zero)."""
+    return math.isclose(one, other, rel_tol=1e-6, abs_tol=1e-7 * max(1.0, scale))
+
+
+__all__ = ["close", "derived", "explored", "run", "state_numbers", "told", "torque_about_center"]
