@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from rbpsym.algebra.evaluate import BARE, Scope, time_derivative
 from rbpsym.algebra.scalar import Scalar
@@ -13,6 +14,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantities import FORCE, TIME, Dimension
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.teaching.grading.book import Book, book
+from rbpsym.teaching.grading.intervals import Sampling
 
 
 def _same(value: Scalar) -> Scalar:
@@ -33,6 +35,11 @@ class Ground:
     on_motion: Callable[[Scalar], Scalar] = _same
     along: Callable[[Scalar], Scalar] = _same
     has_motion: bool = False
+
+    @cached_property
+    def sampling(self) -> Sampling:
+        """Points at which formulas are compared."""
+        return Sampling(self.assumptions, self.scope)
 
 
 def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> Ground:

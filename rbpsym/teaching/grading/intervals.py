@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from typing import Any
 
+from rbpsym.algebra.calculus import function
+from rbpsym.algebra.evaluate import BARE, Scope
 from rbpsym.algebra.scalar import symbol
 from rbpsym.equality import enclosure as e
 from rbpsym.equality.assumptions import Assumptions
@@ -15,31 +18,76 @@ from rbpsym.equality.points import Point, points
 from rbpsym.equality.verdict import Verdict, Witness, refuted, undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
+from rbpsym.notation.tree import Node
 
 MOST_POINTS = 4
 LARGEST = 200  # of an argument of exp: beyond, the numbers get long
-Numbers = Mapping[str, Fraction]
 
 
-def differ_at_a_point(left: t.Node, right: t.Node, assumptions: Assumptions) -> Verdict:
-    """REFUTED with a point that satisfies the assumptions and at which the sides differ, else UNDECIDED."""
-    names = sorted((t.names(left) | t.names(right)) - {"pi"})
-    for point in points([symbol(name) for name in names], assumptions, MOST_POINTS) if names else [Point({})]:
+@dataclass(frozen=True)
+class Sampling:
+    """Points that satisfy the assumptions, by the names that they give values to, and values of trees there.
+
+    Both are kept, since one key is compared with many answers.
+    """
+
+    assumptions: Assumptions
+    scope: Scope
+    chosen: dict[frozenset[str], list[Point]] = field(default_factory=dict)
+    known: dict[tuple[Node, int], Number | None] = field(default_factory=dict)
+
+    def differ(self, left: Node, right: Node, most: int = MOST_POINTS) -> Verdict:
+        """REFUTED with a point at which the sides differ, else UNDECIDED."""
+        for point in self._points(left, right)[:most]:
+            sides = self._at(left, point), self._at(right, point)
+            if None not in sides and e.are_disjoint(*sides):
+                return refuted("the sides differ at a point", _witness(point, *sides))
+        return undecided("neither a proof nor a point at which the sides differ was found")
+
+    def _points(self, left: Node, right: Node) -> list[Point]:
+        names = frozenset((t.names(left) | t.names(right)) - {"pi"})
+        if names not in self.chosen:
+            meant = [self.scope.scalars.get(name, symbol(name)) for name in sorted(names)]
+            turned = [function("cos", symbol(name)) for name in _angles(left, right) if name not in self.scope.scalars]
+            found = points([*meant, *turned], self.assumptions, MOST_POINTS)
+            self.chosen[names] = list(found) if names else [Point({})]
+        return self.chosen[names]
+
+    def _at(self, node: Node, point: Point) -> Number | None:
+        key = (node, id(point))
+        if key not in self.known:
+            if len(self.known) > 4000:
+                self.known.clear()
+            self.known[key] = self._tried(node, point)
+        return self.known[key]
+
+    def _tried(self, node: Node, point: Point) -> Number | None:
         try:
-            sides = enclosed(left, point.numbers), enclosed(right, point.numbers)
+            return enclosed(node, point, self.scope)
         except (ArithmeticError, KeyError):
-            continue
-        if e.are_disjoint(*sides):
-            return refuted("the sides differ at a point", Witness(tuple(point.numbers.items()), (), *sides))
-    return undecided("neither a proof nor a point at which the sides differ was found")
+            return None
 
 
-def enclosed(node: t.Node, numbers: Numbers) -> Number:
+def _angles(*nodes: Node) -> list[str]:
+    """Names that stand alone in a sine or cosine: their points of the circle are chosen, not their values."""
+    calls = (part for node in nodes for part in t.walk(node) if isinstance(part, t.Fn) and part.name in TURNS)
+    return sorted({call.arg.name for call in calls if isinstance(call.arg, t.Sym) and call.arg.name != "pi"})
+
+
+def _witness(point: Point, left: Number, right: Number) -> Witness:
+    circle = tuple((name, *pair) for name, pair in point.angles.items())
+    return Witness(tuple(point.numbers.items()), circle, left, right)
+
+
+NOWHERE = Point({})
+
+
+def enclosed(node: Node, point: Point = NOWHERE, scope: Scope = BARE) -> Number:
     """The value, exact or enclosed. Raises Outside where it has none, KeyError for an unknown name."""
     rule = _RULES.get(type(node))
     if rule is None:
         raise Outside("no rule")
-    return _short(rule(node, numbers))
+    return _short(rule(node, point, scope))
 
 
 def _short(number: Number) -> Number:
@@ -51,19 +99,27 @@ def _short(number: Number) -> Number:
     return number
 
 
-def _quotient(node: t.Div, numbers: Numbers) -> Number:
-    return enclosed(node.num, numbers) * e.reciprocal(enclosed(node.den, numbers))
+def _total(node: t.Add, point: Point, scope: Scope) -> Number:
+    return reduce(lambda a, b: a + b, (enclosed(term, point, scope) for term in node.terms))
 
 
-def _power(node: t.Pow, numbers: Numbers) -> Number:
-    base, exponent = enclosed(node.base, numbers), number_of(node.exponent)
+def _product(node: t.Mul, point: Point, scope: Scope) -> Number:
+    return reduce(lambda a, b: _short(a * b), (enclosed(factor, point, scope) for factor in node.factors))
+
+
+def _quotient(node: t.Div, point: Point, scope: Scope) -> Number:
+    return enclosed(node.num, point, scope) * e.reciprocal(enclosed(node.den, point, scope))
+
+
+def _power(node: t.Pow, point: Point, scope: Scope) -> Number:
+    base, exponent = enclosed(node.base, point, scope), number_of(node.exponent)
     if exponent is None:
         raise Outside("no rule")
     if exponent.denominator == 1:
         raised = reduce(lambda power, _: _short(power * base), range(abs(exponent.numerator)), Fraction(1))
         return raised if exponent >= 0 else e.reciprocal(raised)
     if exponent.denominator == 2:
-        return enclosed(t.Pow(t.Sqrt(node.base), t.Num(exponent.numerator)), numbers)
+        return enclosed(t.Pow(t.Sqrt(node.base), t.Num(exponent.numerator)), point, scope)
     return e.exp(_bounded(exponent * e.ln(base)))
 
 
@@ -73,29 +129,42 @@ def _bounded(number: Number) -> Number:
     return number
 
 
-def _magnitude(node: t.Abs, numbers: Numbers) -> Number:
-    number = enclosed(node.arg, numbers)
+def _magnitude(node: t.Abs, point: Point, scope: Scope) -> Number:
+    number = enclosed(node.arg, point, scope)
     low, high = e.ends(number)
     if isinstance(number, Fraction):
         return abs(number)
     return Enclosure(Fraction(0) if low < 0 < high else min(abs(low), abs(high)), max(abs(low), abs(high)))
 
 
-def _function(node: t.Fn, numbers: Numbers) -> Number:
-    return FUNCTIONS[node.name](enclosed(node.arg, numbers))
+def _symbol(node: t.Sym, point: Point, scope: Scope) -> Number:
+    if node.name == "pi":
+        return e.pi()
+    meant = scope.scalars.get(node.name)
+    return point.symbol(node.name) if meant is None else point.value(meant)
+
+
+def _function(node: t.Fn, point: Point, scope: Scope) -> Number:
+    turned = isinstance(node.arg, t.Sym) and point.parts.get(node.arg.name) == 1
+    if turned and node.name in TURNS and node.arg.name not in scope.scalars:
+        return TURNS[node.name](*point.angles[node.arg.name])
+    return FUNCTIONS[node.name](enclosed(node.arg, point, scope))
 
 
 def _over(above: Number, below: Number) -> Number:
     return above * e.reciprocal(below)
 
 
+TURNS: Mapping[str, Callable[[Number, Number], Number]] = {
+    "sin": lambda c, s: s,
+    "cos": lambda c, s: c,
+    "tan": lambda c, s: _over(s, c),
+    "cot": lambda c, s: _over(c, s),
+    "sec": lambda c, s: e.reciprocal(c),
+    "csc": lambda c, s: e.reciprocal(s),
+}
 FUNCTIONS: Mapping[str, Callable[[Number], Number]] = {
-    "sin": lambda x: e.turn_of(x)[1],
-    "cos": lambda x: e.turn_of(x)[0],
-    "tan": lambda x: _over(*e.turn_of(x)[::-1]),
-    "cot": lambda x: _over(*e.turn_of(x)),
-    "sec": lambda x: e.reciprocal(e.turn_of(x)[0]),
-    "csc": lambda x: e.reciprocal(e.turn_of(x)[1]),
+    **{name: lambda x, turn=turn: turn(*e.turn_of(x)) for name, turn in TURNS.items()},
     "exp": lambda x: e.exp(_bounded(x)),
     "ln": e.ln,
     "asin": e.asin,
@@ -103,14 +172,14 @@ FUNCTIONS: Mapping[str, Callable[[Number], Number]] = {
     "atan": e.atan,
 }
 
-_RULES: Mapping[type, Callable[[Any, Numbers], Number]] = {
-    t.Num: lambda node, numbers: Fraction(node.value),
-    t.Sym: lambda node, numbers: e.pi() if node.name == "pi" else numbers[node.name],
-    t.Add: lambda node, numbers: reduce(lambda a, b: a + b, (enclosed(term, numbers) for term in node.terms)),
-    t.Mul: lambda node, numbers: reduce(lambda a, b: _short(a * b), (enclosed(x, numbers) for x in node.factors)),
-    t.Neg: lambda node, numbers: -enclosed(node.arg, numbers),
-    t.Group: lambda node, numbers: enclosed(node.arg, numbers),
-    t.Sqrt: lambda node, numbers: e.root(enclosed(node.arg, numbers)),
+_RULES: Mapping[type, Callable[[Any, Point, Scope], Number]] = {
+    t.Num: lambda node, point, scope: Fraction(node.value),
+    t.Sym: _symbol,
+    t.Add: lambda node, point, scope: _total(node, point, scope),
+    t.Mul: lambda node, point, scope: _product(node, point, scope),
+    t.Neg: lambda node, point, scope: -enclosed(node.arg, point, scope),
+    t.Group: lambda node, point, scope: enclosed(node.arg, point, scope),
+    t.Sqrt: lambda node, point, scope: e.root(enclosed(node.arg, point, scope)),
     t.Abs: _magnitude,
     t.Div: _quotient,
     t.Pow: _power,

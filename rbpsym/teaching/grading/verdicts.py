@@ -7,25 +7,29 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import equal
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
-from rbpsym.notation.tree import Node, names
+from rbpsym.notation.tree import Node
 from rbpsym.teaching.grading.fractional_powers import equal_with_roots
 from rbpsym.teaching.grading.ground import Ground
-from rbpsym.teaching.grading.intervals import differ_at_a_point
 from rbpsym.teaching.grading.size import is_small
 
 TOO_LARGE = undecided("the answer is too large to be multiplied out")
 
 
 def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
-    """PROVED, REFUTED with a witness, or UNDECIDED, wherever both have a value; never by chance or by the clock."""
+    """PROVED, REFUTED with a witness, or UNDECIDED, wherever both have a value; never by chance or by the clock.
+
+    One point is tried first, since most answers that differ do so there; then algebra; then more points.
+    """
+    first = ground.sampling.differ(answer, key, most=1)
+    if first.is_refuted:
+        return first
     if not (is_small(answer) and is_small(key)):
         found = TOO_LARGE
     else:
         found = _by_algebra(answer, key, ground.assumptions, ground.scope)
     if found.is_proved or found.is_refuted:
         return found
-    meant = any(name in ground.scope.scalars for name in names(answer) | names(key))
-    by_point = found if meant else differ_at_a_point(answer, key, ground.assumptions)
+    by_point = ground.sampling.differ(answer, key)
     return by_point if by_point.is_refuted else found
 
 

@@ -1,0 +1,276 @@
+"""Judging a formula: valid? equal to the key? else the student's own error carried on, a known slip, a near miss."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.errors import DimensionError, LimitError, ReadError, RbpsymError, Undecided
+from rbpsym.notation import tree as t
+from rbpsym.teaching.grading import judgement as j
+from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
+from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.grading.size import is_small
+from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero
+from rbpsym.teaching.model import Anticipated
+
+OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
+
+
+@dataclass(frozen=True)
+class Sought:
+    """What a formula is compared with: the key, the left side it belongs to, the names it may hold, known
+    wrong values, and the values that follow from the student's own earlier answers."""
+
+    value: t.Node
+    ground: Ground
+    left: t.Node | None = None
+    names: frozenset[str] = frozenset()
+    anticipated: tuple[Anticipated, ...] = ()
+    carried: tuple[t.Node, ...] = ()
+
+    @property
+    def allowed(self) -> frozenset[str]:
+        """Names that may stand in the answer."""
+        return self.names | t.names(self.value) | {"pi"}
+
+    @property
+    def target(self) -> str:
+        """The symbol that is asked for, if it is one that the key does not hold."""
+        name = self.left.name if isinstance(self.left, t.Sym) else ""
+        return "" if name in t.names(self.value) else name
+
+
+def judge_formula(text: str, sought: Sought) -> Judgement:
+    """The judgement on a typed formula. Errors of the student are judgements, never exceptions."""
+    if not text.strip():
+        return j.EMPTY
+    try:
+        read = read_formula(text, sought.ground.book)
+    except RbpsymError as error:
+        return j.invalid(error)
+    return judge_tree(read, sought)
+
+
+def judge_tree(read: t.Node, sought: Sought) -> Judgement:
+    """The judgement on an answer that was read."""
+    if any(divides_by_zero(part, sought.ground) for part in _sides(read) if is_small(part)):
+        return Judgement(Status.INVALID, remarks=(Remark("zero division"),))
+    answer = _right_side(read, sought)
+    if answer is None:
+        return _equation(read, sought)
+    found = _judged(answer, sought)
+    if found.status is Status.RIGHT and isinstance(read, t.Chain):
+        return _with_chain(found, read, sought)
+    return found
+
+
+def _sides(read: t.Node) -> tuple[t.Node, ...]:
+    return read.items if isinstance(read, t.Chain) else (read,)
+
+
+def _right_side(read: t.Node, sought: Sought) -> t.Node | None:
+    """The last side beside the one that is asked for; None if the equation does not name it."""
+    if not isinstance(read, t.Chain):
+        return read
+    kept = [side for side in read.items if not _is_left(side, sought)]
+    if len(kept) == len(read.items) and not _is_plain_chain(read, sought):
+        return None
+    return kept[-1] if kept else read.items[0]
+
+
+def _is_left(side: t.Node, sought: Sought) -> bool:
+    return sought.left is not None and (side == sought.left or _bare(side) == _bare(sought.left))
+
+
+def _is_plain_chain(read: t.Chain, sought: Sought) -> bool:
+    """Is no left side known, so that a symbol before the first sign = is taken for it?"""
+    return sought.left is None and isinstance(read.items[0], t.Sym)
+
+
+def _bare(node: t.Node) -> t.Node:
+    while isinstance(node, t.Group):
+        node = node.arg
+    return node
+
+
+def _with_chain(found: Judgement, read: t.Chain, sought: Sought) -> Judgement:
+    """A chain with a side that is not equal to the result is remarked upon."""
+    sides = [side for side in read.items[:-1] if not _is_left(side, sought)]
+    odd = any(are_equal(side, sought.value, sought.ground).is_refuted for side in sides)
+    return found.with_remark("chain") if odd else found
+
+
+def _judged(answer: t.Node, sought: Sought) -> Judgement:
+    if sought.target and sought.target in t.names(answer):
+        return j.wrong("circular", name=t.Sym(sought.target))
+    verdict = are_equal(answer, sought.value, sought.ground)
+    if verdict.is_proved:
+        return j.RIGHT
+    for look in LOOKS:
+        found = look(answer, sought)
+        if found is not None:
+            return replace(found, witness=verdict.witness)
+    if not verdict.is_refuted:
+        return j.undecided(verdict.reason)
+    return replace(j.wrong(), witness=verdict.witness)
+
+
+# --- what else an answer may be, each tried in turn
+
+
+def _carried(answer: t.Node, sought: Sought) -> Judgement | None:
+    for own in sought.carried:
+        if _is_worth_carrying(own, sought) and are_equal(answer, own, sought.ground).is_proved:
+            return Judgement(Status.CARRIED, j.ALL, (Remark("carried"),))
+    return None
+
+
+def _is_worth_carrying(own: t.Node, sought: Sought) -> bool:
+    """Guard: what follows from the own answer is not zero, has the right dimension, and holds what the key holds."""
+    value, key = _value(own, sought.ground), _value(sought.value, sought.ground)
+    if value is None or key is None or not value or (value.number() is not None and key.number() is None):
+        return False
+    return _dimension_remark(own, sought) is None
+
+
+def _unfinished(answer: t.Node, sought: Sought) -> Judgement | None:
+    """True on the motion, but with names that the result should not hold."""
+    extra = sorted(t.names(answer) - sought.allowed - set(sought.ground.scope.scalars))
+    if not extra or not sought.ground.has_motion or not is_small(answer):
+        return None
+    pair = [_value(side, sought.ground) for side in (answer, sought.value)]
+    if None in pair:
+        return None
+    for depth in (sought.ground.on_motion, sought.ground.along):
+        if _same(*(_tried(depth, value) for value in pair), sought.ground):
+            slots = {"names": tuple(t.Sym(name) for name in extra)}
+            return Judgement(Status.UNFINISHED, j.HALF, (Remark("unfinished", slots),))
+    return None
+
+
+def _tried(change: Callable[[Scalar], Scalar], value: Scalar) -> Scalar | None:
+    try:
+        return change(value)
+    except OUTSIDE:
+        return None
+
+
+def _same(first: Scalar | None, second: Scalar | None, ground: Ground) -> bool:
+    if first is None or second is None:
+        return False
+    return scalars_equal(first, second, ground.assumptions).is_proved
+
+
+def _slip(answer: t.Node, sought: Sought) -> Judgement | None:
+    for known in sought.anticipated:
+        if known.formula is not None and are_equal(answer, known.formula, sought.ground).is_proved:
+            return Judgement(Status.WRONG, remarks=(Remark("slip", {"slip": known.slip}),), slip=known.slip)
+    return None
+
+
+def _dimension(answer: t.Node, sought: Sought) -> Judgement | None:
+    remark = _dimension_remark(answer, sought)
+    return Judgement(Status.WRONG, remarks=(remark,)) if remark else None
+
+
+def _dimension_remark(answer: t.Node, sought: Sought) -> Remark | None:
+    known = sought.ground.dimensions
+    if not (t.names(answer) | t.names(sought.value)) - {"pi"} <= set(known):
+        return None
+    try:
+        wanted = dimension_of(sought.value, known)
+    except DimensionError:
+        return None
+    try:
+        found = dimension_of(answer, known)
+    except DimensionError as error:
+        return Remark("dimensions", {"why": error.what})
+    is_zero = not _value(answer, sought.ground)
+    return None if found == wanted or is_zero else Remark("dimension", {"found": a(found), "wanted": a(wanted)})
+
+
+def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
+    """A rational factor or a sign off."""
+    pair = [_value(side, sought.ground) for side in (answer, sought.value)]
+    if None in pair or not all(pair) or pair[1].number() is not None:
+        return None
+    if scalars_equal(-pair[0], pair[1], sought.ground.assumptions).is_proved:
+        return j.wrong("sign")
+    ratio = _ratio(*pair)
+    return j.wrong("factor", factor=t.Num(ratio)) if ratio is not None and ratio > 0 else None
+
+
+def _ratio(first: Scalar, second: Scalar) -> Fraction | int | None:
+    try:
+        return (first / second).number()
+    except OUTSIDE:
+        return None
+
+
+def _value(node: t.Node, ground: Ground) -> Scalar | None:
+    if not is_small(node):
+        return None
+    try:
+        return scalar(node, ground.scope)
+    except OUTSIDE:
+        return None
+
+
+LOOKS = (_carried, _slip, _unfinished, _dimension, _near_miss)
+
+
+# --- an equation that is not solved for what is asked
+
+
+def _equation(read: t.Chain, sought: Sought) -> Judgement:
+    """An equation that determines the quantity rightly, but is not solved for it, is unfinished."""
+    if not sought.target or sought.target not in t.names(read) or len(read.items) != 2:
+        return j.wrong("other side", left=sought.left) if sought.left is not None else j.wrong("equation")
+    left, right = read.items
+    solved = _with_meaning(sought.ground, sought.target, sought.value)
+    if solved is None:
+        return j.undecided("the equation is not solved for what is asked")
+    if are_equal(left, right, sought.ground).is_proved:
+        return j.wrong("identity")
+    verdict = are_equal(left, right, solved)
+    if verdict.is_proved and _is_linear(t.Add((left, t.Neg(right))), sought):
+        return Judgement(Status.UNFINISHED, j.HALF, (Remark("unsolved", {"left": sought.left}),))
+    if verdict.is_refuted:
+        return replace(j.wrong(), witness=verdict.witness)
+    return j.undecided("the equation is not solved for what is asked")
+
+
+def _with_meaning(ground: Ground, name: str, node: t.Node) -> Ground | None:
+    value = _value(node, ground)
+    return None if value is None else replace(ground, scope=ground.scope.with_scalars({name: value}))
+
+
+def _is_linear(gap: t.Node, sought: Sought) -> bool:
+    from rbpsym.algebra import atoms
+
+    value = _value(gap, sought.ground)
+    if value is None:
+        return False
+    index = atoms.intern("symbol", sought.target)
+    return set(value.num.by_power(index)) <= {0, 1} and index not in value.den.atoms()
+
+
+def carried_values(follows: Mapping[str, t.Node], formulas: Mapping[str, t.Node]) -> tuple[t.Node, ...]:
+    """What follows from earlier answers: each formula with the name replaced by the student's own answer."""
+    return tuple(replaced(formulas[name], name, own) for name, own in follows.items())
+
+
+def replaced(node: t.Node, name: str, by: t.Node) -> t.Node:
+    """The tree with a symbol replaced."""
+    from rbpsym.teaching.grading.standard import mapped
+
+    if isinstance(node, t.Sym):
+        return t.Group(by) if node.name == name else node
+    return mapped(node, lambda part: replaced(part, name, by))

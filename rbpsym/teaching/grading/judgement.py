@@ -1,0 +1,83 @@
+"""What is found about one answer: its status, the part of the points that it earns, and remarks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any
+
+from rbpsym.equality.verdict import Witness
+from rbpsym.teaching.model import Slip
+
+ALL, NONE, HALF = Fraction(1), Fraction(0), Fraction(1, 2)
+
+
+class Status(StrEnum):
+    """What an answer is. INVALID, UNDECIDED and OPEN go to the teacher."""
+
+    RIGHT = "right"
+    CARRIED = "carried forward"
+    PARTLY = "partly right"
+    UNFINISHED = "unfinished"
+    WRONG = "wrong"
+    INVALID = "invalid"
+    UNDECIDED = "undecided"
+    OPEN = "open"
+    EMPTY = "empty"
+
+
+FOR_THE_TEACHER = frozenset({Status.INVALID, Status.UNDECIDED, Status.OPEN})
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """A sentence of `remarks.SENTENCES`, its places filled with `slots` (texts, or trees of formulas)."""
+
+    key: str
+    slots: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """`credit` is the part of the points earned, 0 to 1; `slip` the misconception that was recognised.
+
+    parts: what was marked apart (“value”, “unit”, “figures”, or the blanks), each with its own credit.
+    """
+
+    status: Status
+    credit: Fraction = NONE
+    remarks: tuple[Remark, ...] = ()
+    slip: Slip | None = None
+    witness: Witness | None = None
+    parts: tuple[tuple[str, Fraction], ...] = ()
+    teacher: bool = False
+
+    @property
+    def is_for_teacher(self) -> bool:
+        """Whether a person should look at it."""
+        return self.teacher or self.status in FOR_THE_TEACHER
+
+    def with_remark(self, key: str, **slots: Any) -> Judgement:
+        """The same with one more remark."""
+        return replace(self, remarks=(*self.remarks, Remark(key, slots)))
+
+
+RIGHT = Judgement(Status.RIGHT, ALL)
+EMPTY = Judgement(Status.EMPTY, remarks=(Remark("empty"),))
+
+
+def wrong(key: str = "wrong", **slots: Any) -> Judgement:
+    """No points, with a remark."""
+    return Judgement(Status.WRONG, remarks=(Remark(key, slots),))
+
+
+def invalid(error: Exception) -> Judgement:
+    """An answer that can't be read, with the sentence that says why."""
+    return Judgement(Status.INVALID, remarks=(Remark("invalid", {"why": str(error)}),))
+
+
+def undecided(reason: str) -> Judgement:
+    """An answer that the teacher decides."""
+    return Judgement(Status.UNDECIDED, remarks=(Remark("undecided", {"reason": reason}),))

@@ -1,0 +1,142 @@
+"""A typed number with its unit and significant figures: 4.2 rad/s, 1,2·10^3 N, 12 m s^-2, π/6, 30°."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from rbpsym.equality import enclosure
+from rbpsym.errors import Place, RbpsymError, ReadError
+from rbpsym.notation.infix import read_infix
+from rbpsym.teaching.grading.intervals import enclosed
+from rbpsym.teaching.grading.standard import MADE
+from rbpsym.teaching.grading.typed import is_latex, unframed, with_decimal_points
+from rbpsym.teaching.grading.units import UnitOf, read_unit
+
+LONGEST, LARGEST_POWER = 200, 30
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """A number in `unit` (None if none is typed).
+
+    fewest, most: how many significant figures it may be meant to have (0 for an exact form such as
+    π/6); place: the unit of its last digit.
+    """
+
+    value: float
+    unit: UnitOf | None
+    fewest: int = 0
+    most: int = 0
+    place: float = 0.0
+
+    @property
+    def si(self) -> float:
+        """The value in SI units."""
+        return self.value * (self.unit.factor if self.unit else 1)
+
+
+_BLANK = "[ \u00a0\u2009\u202f]"
+_DECIMAL = rf"\d{{1,3}}(?:{_BLANK}\d{{3}})+(?:\.\d+)?|\d+(?:\.\d*)?|\.\d+"
+_TEN = r"\s*(?:[*x×·⋅.]|\\cdot|\\times)?\s*10\s*(?:\^|\*\*)\s*[({]?\s*([+\-−]?\d{1,4})\s*[)}]?"
+_RAISED = r"\s*[*x×·⋅]\s*10([⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,4})"
+_NUMBER = re.compile(rf"([+\-−]?)\s*({_DECIMAL})(?:[eE]([+\-−]?\d{{1,4}})(?![\w.])|{_TEN}|{_RAISED})?")
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
+
+
+def read_quantity(text: str, language: str = "en") -> Typed:
+    """The number of an answer; what stands before a sign = is passed. Raises ReadError with a caret."""
+    if len(text) > LONGEST:
+        raise ReadError(f"this is too long for a number: {len(text)} characters", instead="Enter the number alone.")
+    told = _bare(text, language)
+    if not told:
+        raise ReadError("there is no answer", instead="Enter a number with its unit, as in 4.2 m/s^2.")
+    found = _NUMBER.match(told)
+    rest = told[found.end() :] if found else ""
+    if found and not re.match(r"\s*(?:[*/^(+\-−√π!]|sqrt|pi|\d)", rest):
+        return _decimal(found, _unit(rest))
+    if (
+        found
+        and found[3] is None
+        and re.match(r"\s*[/*·]\s*[A-Za-zΩµμ°(]", rest)
+        and not re.match(r"\s*[*·]?\s*pi", rest)
+    ):
+        return _decimal(found, read_unit("1" + rest if rest.strip().startswith("/") else rest.strip()[1:]))
+    return _exact(told)
+
+
+def _bare(text: str, language: str) -> str:
+    """The number and unit alone, LaTeX taken off."""
+    told = unframed(re.split(r"[=≈≃]", unframed(text))[-1])
+    if is_latex(told) or "\\" in told or "^{" in told:
+        told = _without_latex(told)
+    return with_decimal_points(told.replace("º", "°"), language).strip()
+
+
+_LATEX = (
+    (re.compile(r"\\(?:mathrm|text|mbox|textrm|unit|si|operatorname)\s*\{([^{}]*)\}"), r" \1 "),
+    (re.compile(r"\\(?:d|t)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"(\1)/(\2)"),
+    (re.compile(r"\\sqrt\s*\{([^{}]*)\}"), r"sqrt(\1)"),
+    (re.compile(r"\^\s*\{?\s*\\circ\s*\}?"), "°"),
+    (re.compile(r"\\(?:cdot|times)(?![A-Za-z])"), "·"),
+    (re.compile(r"\\pi(?![A-Za-z])"), "π"),
+    (re.compile(r"\\Omega(?![A-Za-z])"), "Ω"),
+    (re.compile(r"\\(?:left|right|displaystyle|rm)(?![A-Za-z])"), ""),
+    (re.compile(r"\\[,;:! ]|~|\\q?quad(?![A-Za-z])"), " "),
+    (re.compile(r"\^\s*\{([^{}]*)\}"), r"^(\1)"),
+)
+
+
+def _without_latex(text: str) -> str:
+    for pattern, plain in _LATEX:
+        text = pattern.sub(plain, text)
+    return text
+
+
+def _unit(text: str) -> UnitOf | None:
+    return read_unit(text.strip()) if text.strip() else None
+
+
+def _decimal(found: re.Match[str], unit: UnitOf | None) -> Typed:
+    sign, digits = found[1], re.sub(_BLANK, "", found[2])
+    power = int((found[3] or found[4] or found[5] or "0").translate(_SUPERSCRIPTS))
+    if abs(power) > LARGEST_POWER:
+        raise ReadError(f"10^{power} is beyond what can be meant here", instead="Check the exponent.")
+    value = float(digits) * 10.0**power * (-1 if sign in ("-", "−") and sign else 1)
+    fewest, most = significant_figures(digits)
+    decimals = len(digits.partition(".")[2])
+    return Typed(value, unit, fewest, most, 10.0 ** (power - decimals))
+
+
+def significant_figures(digits: str) -> tuple[int, int]:
+    """(fewest, most) significant figures of a decimal number: 0.0420 has 3, 1500 has 2 to 4."""
+    whole, _, decimals = digits.partition(".")
+    significant = (whole + decimals).lstrip("0")
+    if not significant:
+        return 1, max(len(decimals), 1)
+    if "." in digits:
+        return len(significant), len(significant)
+    return len(significant.rstrip("0")), len(significant)
+
+
+def _exact(told: str) -> Typed:
+    """A number written as a formula: π/6 rad, sqrt(3)/2 m, 3/4."""
+    first: RbpsymError | None = None
+    for end in _cuts(told):
+        try:
+            node = read_infix(told[:end], (), functions=MADE)
+            unit = _unit(told[end:])
+            low, high = enclosure.ends(enclosed(node))
+            return Typed(float((low + high) / 2), unit)
+        except RbpsymError as error:
+            first = first or error
+        except (ArithmeticError, KeyError) as error:
+            raise ReadError("this has no value", place=Place(text=told[:200], column=1)) from error
+    raise ReadError("a number is expected here", instead="Write it as in 4.2 m/s^2, 1.2e3 N, or pi/6 rad.",
+                    place=Place(text=told[:200], column=1)) from first  # fmt: skip
+
+
+def _cuts(told: str) -> list[int]:
+    """Where a unit may begin: at the end, or at a letter after what is no letter."""
+    inner = [at.start() for at in re.finditer(r"(?<![A-Za-z])[A-Za-zΩµμ°]", told) if at.start()]
+    return [len(told), *inner[:12]]
