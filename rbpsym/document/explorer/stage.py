@@ -110,8 +110,7 @@ def _nudge(study: Study) -> dict[str, Any] | None:
 def _rough(value: float) -> Scalar:
     from fractions import Fraction
 
-    from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import lift
+    from rbpsym.algebra.scalar import lift
 
     return lift(Fraction(value).limit_denominator(10**6))
 
