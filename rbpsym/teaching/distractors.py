@@ -1,0 +1,185 @@
+"""Wrong answers that may stand beside a right one.
+
+A value that a misconception gives is accepted only if it is REFUTED (with a witness) against the right
+value and against every other that was accepted, and has the dimension of the right one. That it also
+differs at a student's printed numbers is seen to when these are drawn (`distinct`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.step import Derivation
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.equality.dimensions import dimension_of
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.quantities import TIME, Dimension
+from rbpsym.teaching.first_wrong import first_wrong
+from rbpsym.teaching.misconceptions.model import Misconception, Site
+from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.model import Measure, Slip
+from rbpsym.teaching.targets import Target
+
+MOST = 8  # wrong values that are kept for one quantity
+SPECIFIC = 4  # a misconception about so few kinds of quantities comes before general ones
+LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """A study with a misconception at one site of a problem."""
+
+    misconception: Misconception
+    site: Site
+    study: Study
+
+
+@dataclass(frozen=True, slots=True)
+class Distractor:
+    """A wrong value with the slip that makes it; `along` its value as a function of the position alone, if known."""
+
+    slip: Slip
+    value: Scalar
+    formula: t.Node
+    along: Scalar | None
+    study: Study
+
+
+@dataclass(frozen=True)
+class Pool:
+    """The wrong studies of a problem, each made once; what a target makes of them."""
+
+    derivation: Derivation
+    wrongs: tuple[Wrong, ...]
+    found: dict[str, tuple[Distractor, ...]] = field(default_factory=dict)
+    spoiled: dict[int, str] = field(default_factory=dict)
+
+    def of(self, target: Target) -> tuple[Distractor, ...]:
+        """Accepted wrong values of a target, the best first."""
+        if target.id not in self.found:
+            self.found[target.id] = tuple(_accepted(self, target))
+        return self.found[target.id]
+
+    def slip(self, place: int) -> Slip:
+        """The slip of a wrong study, with the first step that it spoils."""
+        wrong = self.wrongs[place]
+        if place not in self.spoiled:
+            self.spoiled[place] = first_wrong(self.derivation, wrong.study, wrong.misconception.about)
+        return Slip(wrong.misconception.name, wrong.site.slots, self.spoiled[place])
+
+
+def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:
+    """All wrong studies that apply to a problem (those of some misconceptions only, if they are named)."""
+    wanted = set(names) or set(MISCONCEPTIONS)
+    found = []
+    for name, misconception in MISCONCEPTIONS.items():
+        found += _applied(misconception, derivation.study) if name in wanted else []
+    return Pool(derivation, tuple(found))
+
+
+def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
+    try:
+        for site in misconception.sites(study):
+            yield from _made(misconception, site)
+    except (RbpsymError, KeyError, ZeroDivisionError, ValueError):
+        return  # a site that needs what this problem has not
+
+
+def _made(misconception: Misconception, site: Site) -> Iterator[Wrong]:
+    try:
+        yield Wrong(misconception, site, site.wrong())
+    except (RbpsymError, KeyError, ZeroDivisionError, ValueError):
+        return
+
+
+def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
+    """In order of likeness: those about this kind of quantity, then those that look like the right formula, first."""
+    study = pool.derivation.study
+    right = target.value(study)
+    if right is None:
+        return
+    known, kept = [right], []
+    for place, value, formula in _candidates(pool, target, right):
+        if len(kept) == MOST:
+            break
+        if all(scalars_equal(value, other, study.assumptions).is_refuted for other in known):
+            known.append(value)
+            wrong = pool.wrongs[place].study
+            kept.append(Distractor(pool.slip(place), value, formula, target.along(wrong), wrong))
+    yield from kept
+
+
+def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Scalar, t.Node]]:
+    study, found = pool.derivation.study, []
+    own, moving = size(shown(right, study)), speeds_in(right)
+    seen: dict[str, int] = {}
+    for place, wrong in enumerate(pool.wrongs):
+        if target.kind not in wrong.misconception.about:
+            continue
+        value = target.value(wrong.study)
+        if value is None or speeds_in(value) - moving:
+            continue
+        formula = shown(value, study)
+        if size(formula) > LONGEST * own + 6 or not fits(formula, study, target.dimension):
+            continue
+        again = seen[wrong.misconception.name] = seen.get(wrong.misconception.name, -1) + 1
+        general = len(wrong.misconception.about) > SPECIFIC
+        found.append(((again, general, abs(size(formula) - own) > own / 2, place), value, formula))
+    return [(rank[-1], value, formula) for rank, value, formula in sorted(found, key=lambda item: item[0])]
+
+
+def shown(value: Scalar, study: Study) -> t.Node:
+    """A value as it is printed: right and wrong ones in the same way."""
+    return present(value, study.style, factor=True)
+
+
+def size(node: t.Node) -> int:
+    """How many parts a formula has."""
+    return sum(1 for _ in t.walk(node))
+
+
+def speeds_in(value: Scalar) -> set[str]:
+    """Speeds, accelerations and unknown forces that a value holds."""
+    named = (atoms.symbol_name(index) for index in value.atoms())
+    return {name for name in named if name and name.endswith(("_dot", "_ddot"))}
+
+
+def dimensions_of(study: Study) -> Mapping[str, Dimension]:
+    """The dimension of every name of a problem: parameters, coordinates, starts, speeds, unknown forces."""
+    problem = study.problem
+    found = {q.name: q.dimension for q in problem.parameters}
+    for coordinate in problem.coordinates:
+        own = coordinate.quantity.dimension
+        found |= {coordinate.name: own, f"{coordinate.name}_dot": own / TIME, f"{coordinate.name}_ddot": own / TIME**2}
+        for node, dimension in ((coordinate.start, own), (coordinate.speed, own / TIME)):
+            if isinstance(node, t.Sym):
+                found.setdefault(node.name, dimension)
+    return found
+
+
+def fits(formula: t.Node, study: Study, dimension: Dimension) -> bool:
+    """Whether a formula is dimensionally sound and of this dimension (zero has every one)."""
+    if formula == t.ZERO:
+        return True
+    try:
+        return dimension_of(formula, dimensions_of(study)) == dimension
+    except RbpsymError:
+        return False
+
+
+def distinct(measures: Iterable[Measure]) -> bool:
+    """Whether numbers differ in print, pair by pair, by more than one unit of the last digit."""
+    found = list(measures)
+    return all(apart(a, b) for place, a in enumerate(found) for b in found[place + 1 :])
+
+
+def apart(a: Measure, b: Measure) -> bool:
+    """Whether two printed numbers differ by more than one per cent (so that rounding can't make them equal)."""
+    difference = abs(a.value - b.value)
+    return difference * 100 > max(abs(a.value), abs(b.value))
