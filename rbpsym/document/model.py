@@ -150,6 +150,18 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
+class Live:
+    """A problem that the document speaks of, for formats that run: its TOML text.
+
+    The labels of its parts begin with `prefix`; what follows in the label of a formula is the id of its step.
+    """
+
+    name: str
+    text: str
+    prefix: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
     """A whole text. `notation` is handed to the formula printers as it is."""
 
@@ -159,3 +171,4 @@ class Document:
     source: Inlines = ()
     language: str = "en"
     notation: Notation = DEFAULT
+    live: tuple[Live, ...] = ()

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
-from rbpsym.document.model import Document, Inlines, Section, Text, words
+from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation, notation_for
+from rbpsym.statement.model import Problem
 
 DETAILS: Mapping[str, int] = {"brief": 1, "standard": 2, "full": 3}
 
@@ -28,7 +29,13 @@ def notes(derivation: Derivation, language: str = "en", detail: str = "standard"
         source=words(problem.source),
         language=language,
         notation=notation_of(derivation),
+        live=live(problem, ""),
     )
+
+
+def live(problem: Problem, prefix: str) -> tuple[Live, ...]:
+    """The problem for formats that run, if its source is known."""
+    return (Live(problem.name, problem.text, prefix),) if problem.text else ()
 
 
 def notation_of(derivation: Derivation) -> Notation:
@@ -89,7 +96,7 @@ CHECKS = "table.checks"
 
 def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "standard") -> Document:
     """The notes of a course: theory, problems and comparisons in its order."""
-    course, sections = derived.course, []
+    course, sections, problems = derived.course, [], []
     said = Words(language)
     for place, part in enumerate(course.parts, 1):
         prefix = f"p{place}."
@@ -97,6 +104,7 @@ def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "st
             derivation = derived.derivations[part.name]
             sections.append(Section(words(said.title(derivation.study.problem.title)), (), prefix + "part", 1))
             sections += problem_sections(derivation, language, detail, prefix, 2, CHECKS)
+            problems += live(derivation.study.problem, prefix)
         else:
             sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)
     sections.append(course_checks_section(derived, said, CHECKS))
@@ -108,6 +116,7 @@ def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "st
         words(course.source),
         language,
         notation,
+        tuple(problems),
     )
 
 

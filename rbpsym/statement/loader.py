@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, ReadError
@@ -36,7 +37,7 @@ def load_text(text: str, file: str = "", name: str = "") -> Problem:
     data = _parse(text, file)
     _check_depth(data, file)
     source = Source(file, index_positions(text))
-    return assemble(Table(source, (), data), name or Path(file).stem or "problem")
+    return replace(assemble(Table(source, (), data), name or Path(file).stem or "problem"), text=text)
 
 
 def _content(path: Path) -> str:

@@ -200,7 +200,7 @@ class Problem:
     `points` are the author's fixed points with O, `origins` those about which momenta are
     wanted. `meanings` holds translations, by language and name; `example` values with units,
     by parameter; `claims` what a source says, as data. `implicit` names the constants that no
-    one declared: a coordinate starts at them.
+    one declared: a coordinate starts at them. `text` is the source that it was read from, if it was.
     """
 
     name: str
@@ -222,6 +222,7 @@ class Problem:
     implicit: tuple[str, ...] = ()
     phases: tuple[Phase, ...] = ()
     file: str = field(default="", compare=False)
+    text: str = field(default="", compare=False, repr=False)
 
     def body(self, name: str) -> Body:
         """The body called `name` (KeyError if there is none)."""

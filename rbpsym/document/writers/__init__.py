@@ -17,6 +17,7 @@ WRITERS: Mapping[str, tuple[str, str]] = {
     "html": ("rbpsym.document.writers.html", "write_html"),
     "pdf": ("rbpsym.document.writers.pdf", "write_pdf"),
     "md": ("rbpsym.document.writers.markdown", "write_markdown"),
+    "ipynb": ("rbpsym.document.writers.notebook", "write_notebook"),
     "docx": ("rbpsym.document.writers.word", "write_word"),
 }
 

@@ -1,0 +1,139 @@
+"""Jupyter: a live notebook. Words and formulas are Markdown; cells build the problem, derive it and check it."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock, Live, Section
+from rbpsym.document.numbering import numbered
+from rbpsym.document.pictures import pictures
+from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
+from rbpsym.document.writers.plain_text import plain_text
+
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A cell: words (Markdown) or code; `files` are pictures that it holds, by name."""
+
+    source: str
+    is_code: bool = False
+    files: tuple[tuple[str, bytes], ...] = ()
+
+
+def write_notebook(document: Document) -> str:
+    """The document as a notebook (nbformat 4.5)."""
+    document = numbered(document)
+    drawn = {number: found.content for number, found in pictures(document).items()}
+    page = markdown_page(document, {number: f"attachment:{name(number)}" for number in drawn})
+    cells = [as_json(cell, place) for place, cell in enumerate(cells_of(document, page, drawn), 1)]
+    title = plain_text(document.title, document.notation)
+    about = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "title": title}
+    content = {"cells": cells, "metadata": about, "nbformat": 4, "nbformat_minor": 5}
+    return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
+
+
+def name(number: str) -> str:
+    """What a picture is called inside the notebook."""
+    return f"figure-{number}.png"
+
+
+def as_json(cell: Cell, place: int) -> dict:
+    """The cell as the format has it."""
+    found: dict = {"id": f"cell-{place}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
+    if cell.is_code:
+        return {"cell_type": "code", "execution_count": None, "outputs": [], **found}
+    if cell.files:
+        held = {name: {"image/png": base64.b64encode(data).decode()} for name, data in cell.files}
+        found["attachments"] = held
+    return {"cell_type": "markdown", **found}
+
+
+def cells_of(document: Document, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[Cell]:
+    """The whole notebook; each problem is built before its first section."""
+    intro = [page.word("notebook.intro")] if document.live else []
+    yield Cell("\n\n".join([*head(document, page), *intro]))
+    waiting = list(document.live)
+    for section in document.sections:
+        live = owner(section, document.live)
+        begins = live in waiting
+        heading, *rest = section_cells(section, live, page, drawn)
+        yield heading
+        if begins:
+            waiting.remove(live)
+            yield from building(live, page)
+        yield from rest
+        if live and section.label == f"{live.prefix}section.checks":
+            yield from checking(page)
+
+
+def owner(section: Section, live: tuple[Live, ...]) -> Live | None:
+    """The problem that a section is about."""
+    return next((problem for problem in live if section.label.startswith(problem.prefix)), None)
+
+
+def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
+    """The cells that build a problem and derive it."""
+    yield Cell(f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)})\nproblem", True)
+    yield Cell(page.word("notebook.derive"))
+    yield Cell("derivation = derive(problem)\nderivation", True)
+
+
+def quoted(text: str) -> str:
+    """The text as a literal of Python, on several lines where it can be."""
+    plain = '"""' not in text and not text.rstrip().endswith(("\\", '"'))
+    return f'r"""\n{text.strip()}\n"""' if plain and "\r" not in text else repr(text)
+
+
+def checking(page: MarkdownPage) -> Iterator[Cell]:
+    """The cells that ask for the outcome."""
+    yield Cell(page.word("notebook.check"))
+    yield Cell(
+        "summary = derivation.summary()\n"
+        'assert summary["refuted"] == 0 and summary["methods_agree"]\n'
+        'f"{summary[\'proved\']} of {summary[\'steps\']} steps are proved"',
+        True,
+    )
+
+
+def section_cells(section: Section, live: Live | None, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[Cell]:
+    """A section cut behind each result, which is shown again by the derivation of the reader's own machine."""
+    number = f"{section.number} " if section.number else ""
+    held, files = [f"{'#' * (min(section.level, 3) + 1)} {number}{page.inlines(section.title)}"], ()
+    for block in section.blocks:
+        held.append(page.show(block))
+        files = (*files, *((name(n), drawn[n]) for n in figures(block) if n in drawn))
+        ids = results(block, live)
+        if ids:
+            yield Cell("\n\n".join(held), files=files)
+            yield Cell(shown(ids), True)
+            held, files = [], ()
+    if held:
+        yield Cell("\n\n".join(held), files=files)
+
+
+def figures(block: Block) -> Iterator[str]:
+    """The numbers of the figures in a block."""
+    if isinstance(block, FigureBlock):
+        yield block.number
+    for inner in block.blocks if isinstance(block, Callout) else ():
+        yield from figures(inner)
+
+
+def results(block: Block, live: Live | None) -> list[str]:
+    """The ids of the steps whose result a block shows in a box."""
+    if live is None or not (isinstance(block, Display) and block.boxed):
+        return []
+    labels = (label for label in (block.label, *block.also) if label.startswith(live.prefix))
+    return [label.removeprefix(live.prefix) for label in labels if label]
+
+
+def shown(ids: list[str]) -> str:
+    """The code that shows steps."""
+    if len(ids) == 1:
+        return f'derivation.step("{ids[0]}")'
+    return "display(\n" + "".join(f'    derivation.step("{id}"),\n' for id in ids) + ")"
