@@ -10,7 +10,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.dimensions import a, dimension_of
-from rbpsym.errors import DimensionError, LimitError, ReadError, RbpsymError, Undecided
+from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import Ground

@@ -53,6 +53,8 @@ def read_quantity(text: str, language: str = "en") -> Typed:
         raise ReadError("there is no answer", instead="Enter a number with its unit, as in 4.2 m/s^2.")
     found = _NUMBER.match(told)
     rest = told[found.end() :] if found else ""
+    if found and re.match(r"\s+1\s*/\s*[A-Za-z(]", rest):
+        return _decimal(found, _unit(rest))
     if found and not re.match(r"\s*(?:[*/^(+\-−√π!]|sqrt|pi|\d)", rest):
         return _decimal(found, _unit(rest))
     if (

@@ -198,7 +198,7 @@ def _raised(unit: UnitOf, tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
     power, rest = _exponent(tokens)
     if power is None:
         return unit, tokens
-    if not rest and power.startswith("?") or len(power) > 4 or abs(int(power)) > MOST_POWER:
+    if len(power) > 4 or abs(int(power)) > MOST_POWER:
         raise ReadError("this exponent of a unit can't be read", instead="Write it as in s^-2.", place=Place(text=text))
     return unit ** Fraction(int(power)), rest
 

@@ -23,10 +23,8 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
     first = ground.sampling.differ(answer, key, most=1)
     if first.is_refuted:
         return first
-    if not (is_small(answer) and is_small(key)):
-        found = TOO_LARGE
-    else:
-        found = _by_algebra(answer, key, ground.assumptions, ground.scope)
+    is_short = is_small(answer) and is_small(key)
+    found = _by_algebra(answer, key, ground.assumptions, ground.scope) if is_short else TOO_LARGE
     if found.is_proved or found.is_refuted:
         return found
     by_point = ground.sampling.differ(answer, key)
