@@ -62,8 +62,10 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
 
 
 def _is_upside_down(den: Poly, style: Style) -> bool:
-    """Whether the terms that do not vary are all negative: then both sides change their sign."""
+    """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
+    if len(still) == 2 == len(den.terms):
+        return starts_negative(den, style)
     return bool(still) and all(c < 0 for c in still)
 
 

@@ -80,6 +80,11 @@ class Draft:
         """A value as a display tree in the problem's style."""
         return present(value, self.study.style, factor=factor)
 
+    def show_brief(self, value: Scalar) -> t.Node:
+        """As it is, or with its sums factored where that is much shorter."""
+        plain, factored = self.show(value), self.show(value, factor=True)
+        return factored if length(factored) <= MUCH_SHORTER * length(plain) else plain
+
     def show_vector(self, vector: Vector, *, factor: bool = False) -> t.Node:
         """x i + y j, components that vanish left out."""
         from rbpsym.mechanics.inertia import tidy
@@ -115,6 +120,14 @@ class Draft:
         taken = {q.name for q in self.study.problem.parameters} | set(self.study.system.unknowns)
         taken |= {c.name for c in self.study.problem.coordinates}
         return f"{name}_b" if name in taken else name
+
+
+MUCH_SHORTER = 0.75
+
+
+def length(node: t.Node) -> int:
+    """How long a formula is, in nodes."""
+    return sum(1 for _ in t.walk(node))
 
 
 def acceleration_symbol(name: str) -> t.Sym:

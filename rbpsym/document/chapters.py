@@ -45,11 +45,19 @@ def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[
     """
     shown, first, found = set(shown), {}, {}
     for step in (step for name in ORDER for step in derivation.chapter(name) if step.id in shown):
-        if step.statement not in first:
-            first[step.statement] = step.id
+        asserted = _ends(step.statement)
+        if asserted not in first:
+            first[asserted] = step.id
         elif said.has(f"{step.phrase}_known"):
-            found[step.id] = first[step.statement]
+            found[step.id] = first[asserted]
     return found
+
+
+def _ends(statement: t.Node) -> t.Node:
+    """What a chain comes to: its first and its last item."""
+    if isinstance(statement, t.Chain) and set(statement.ops) == {"="}:
+        return t.equation(statement.items[0], statement.items[-1])
+    return statement
 
 
 def _title(name: str, derivation: Derivation) -> str:

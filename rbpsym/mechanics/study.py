@@ -16,6 +16,7 @@ from rbpsym.mechanics import energy, events, friction, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
+from rbpsym.notation.tree import Sym
 from rbpsym.quantities import ACCELERATION, Quantity
 from rbpsym.statement.model import Problem
 
@@ -75,7 +76,14 @@ class Study:
             for c in self.problem.coordinates
             if c.name in ranges and getattr(c.start, "name", None) in self.problem.implicit
         }
-        return Assumptions(signs, ranges)
+        return Assumptions(signs, {**self._roomy_circles, **ranges})
+
+    @property
+    def _roomy_circles(self) -> dict[str, tuple[Scalar | None, Scalar | None]]:
+        """What rolls or slides inside a circle is smaller than the circle."""
+        inside = [e for e in self.problem.constraints if e.values.get("side") == "inside" and e.values.get("rim")]
+        rims = [(e["rim"], scalar(e["radius"])) for e in inside]
+        return {rim.name: (NOTHING, radius) for rim, radius in rims if isinstance(rim, Sym)}
 
     @cached_property
     def style(self) -> Style:
@@ -131,7 +139,7 @@ class Study:
     def losses(self) -> tuple[events.Loss, ...]:
         """Contacts that end."""
         along = self.reactions_along_motion
-        return events.losses(self.system, along) if along else ()
+        return events.losses(self.system, along, self.squares) if along else ()
 
     @cached_property
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

@@ -19,7 +19,7 @@ from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.lines import normal
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.system import BodyState, Force, System
 
 MOST_SUBSETS = 4
 
@@ -48,6 +48,8 @@ class Balance:
 
 
 COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.6, "crossing": 1.7}
+ABOUT_NO_AXIS = 0.45  # torque about a fixed point about which the bodies do not turn
+ONLY_SHIFTED = -0.2  # mass times acceleration of bodies that do not turn
 
 
 def all_balances(study: Study) -> list[Balance]:
@@ -112,8 +114,30 @@ def _balance(study: Study, kind: str, bodies, label: str, where: Vector, left: S
     names = (*study.system.accelerations, *study.system.unknowns)
     unknowns = frozenset(n for n in names if not is_zero(derivative(left - right, n)))
     forces = len(unknowns & set(study.system.unknowns))
-    cost = COST[kind] + 0.25 * (len(bodies) - 1) + 0.2 * forces + 0.01 * (len(left.num) + len(right.num))
+    cost = (
+        COST[kind]
+        + _habit(study, kind, bodies, where)
+        + 0.25 * (len(bodies) - 1)
+        + 0.2 * forces
+        + 0.01 * (len(left.num) + len(right.num))
+    )
     return Balance(kind, bodies, label, where, left, right, unknowns, cost)
+
+
+def _habit(study: Study, kind: str, bodies: tuple[str, ...], where: Vector) -> float:
+    """What a teacher would rather take: the axis of what turns about it, forces for what is only shifted."""
+    states = [study.system.bodies[name] for name in bodies]
+    if kind == "force":
+        return ONLY_SHIFTED if not any(state.omega for state in states) else 0.0
+    if kind != "fixed" or all(_keeps_distance(study, state, where) for state in states):
+        return 0.0
+    return ABOUT_NO_AXIS
+
+
+def _keeps_distance(study: Study, state: BodyState, point: Vector) -> bool:
+    """Does the centre of mass stay at one distance from a fixed point?"""
+    arm = state.center - point
+    return is_zero(arm.dot(state.velocity))
 
 
 def _joint_points(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:

@@ -12,7 +12,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
-from rbpsym.methods.solving import isolated
+from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "energy"
@@ -46,13 +46,13 @@ def _kinetic(draft: Draft) -> None:
         half = t.Div(t.ONE, t.TWO)
         if state.velocity:
             terms.append(t.mul(half, draft.show(state.mass), t.Pow(velocity, t.TWO)))
-            shown.append(draft.show(energy.translational_energy(state)))
+            shown.append(draft.show_brief(energy.translational_energy(state)))
         if state.omega and state.moment:
             terms.append(t.mul(half, t.Sym(draft.of_body("I", name)), t.Pow(omega, t.TWO)))
-            shown.append(draft.show(energy.rotational_energy(state)))
+            shown.append(draft.show_brief(energy.rotational_energy(state)))
     total = sum(draft.study.kinetic, NOTHING)
     letter = draft.define(draft.free("K"), total)
-    together = draft.show(total)
+    together = draft.show_brief(total)
     items = [letter, t.add(*terms), t.add(*shown)] + ([together] if together != t.add(*shown) else [])
     draft.add(
         "kinetic",
@@ -144,7 +144,7 @@ def _conserved(draft: Draft) -> None:
 
 def _as_sum(draft: Draft) -> t.Node:
     """T + U with each part in its own form."""
-    total = [draft.show(sum(draft.study.kinetic, NOTHING))]
+    total = [draft.show_brief(sum(draft.study.kinetic, NOTHING))]
     known = [v for v in energy.potentials(draft.study.system).values() if v]
     total += (
         [draft.show(sum(known, NOTHING), factor=True)]
@@ -199,9 +199,9 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     inner = short(rate / symbol(f"{name}_dot"))
     if inner.num.atoms() and any(derivative(inner, f"{n}_dot") for n in system.independent if n != name):
         return None
-    speed, acceleration = t.Sym(f"{name}_dot"), t.Sym(f"{name}_ddot")
+    speed = t.Sym(f"{name}_dot")
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
-    inside = t.add(draft.show(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
+    inside = t.add(draft.show_brief(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
     statement = t.equation(t.Deriv(t.Sym(draft.free("E"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add(
         "energy.rate",
@@ -218,7 +218,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     draft.add(
         "motion.from_energy",
         "solution",
-        t.equation(acceleration, shown),
+        solved_for(draft, f"{name}_ddot", shown, value),
         "energy.motion",
         premises=["energy.rate"],
         source=StepRef("energy.rate"),

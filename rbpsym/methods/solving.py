@@ -6,7 +6,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.notation import tree as t
 
 
@@ -22,3 +22,14 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
 def _varies(coefficient: Scalar, draft: Draft) -> bool:
     """Whether the inertia depends on position: then common factors are cancelled first."""
     return any(depends_on(coefficient, name) for name in draft.study.system.coordinates)
+
+
+def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Node:
+    """unknown = form that keeps both sides of the equation (= the same with all that cancels taken out)."""
+    return t.equation(t.Sym(name), *with_shorter(draft, raw, value))
+
+
+def with_shorter(draft: Draft, raw: t.Node, value: Scalar) -> list[t.Node]:
+    """The form, and the shorter one that all cancelling leads to if it is much shorter."""
+    shown = draft.show(value, factor=True)
+    return [raw, shown] if length(shown) <= MUCH_SHORTER * length(raw) else [raw]

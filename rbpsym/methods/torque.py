@@ -17,7 +17,7 @@ from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.methods.balances import Balance, outer_forces
 from rbpsym.methods.planner import Plan, plan
-from rbpsym.methods.solving import isolated
+from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "torque"
@@ -94,7 +94,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
         "torque",
         t.equation(*items),
-        f"torque.net.{balance.kind}",
+        f"torque.net.{_manner(draft, balance)}",
         premises=[f"force.{f.name}.{f.on}" for f in forces],
         point=_point(draft, balance),
         bodies=_bodies(balance),
@@ -103,6 +103,12 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
         variant="some" if balance.right else "zero",
         data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
     )
+
+
+def _manner(draft: Draft, balance: Balance) -> str:
+    """How the point is spoken of: a moving one is where a round body touches, or a joint."""
+    touching = balance.kind == "moving" and balance.label in draft.study.problem.body_names
+    return "contact" if touching else balance.kind
 
 
 def _silent(forces) -> PhraseRef:
@@ -154,15 +160,15 @@ def _left(draft: Draft, balance: Balance) -> t.Node:
             state = draft.study.system.bodies[name]
             orbital = orbital + state.mass * (state.center - balance.where).cross(state.acceleration)
             spin = spin + state.moment * state.alpha
-        return t.add(*(draft.show(short(part)) for part in (orbital, spin) if not is_zero(part)))
-    return draft.show(balance.left)
+        return t.add(*(draft.show_brief(short(part)) for part in (orbital, spin) if not is_zero(part)))
+    return draft.show_brief(balance.left)
 
 
 def _by_bodies(draft: Draft, balance: Balance) -> Step:
     """Body by body with the torque of the inner forces as an unknown, then added."""
     _name_inner_torques(draft, balance)
     steps = [_of_one(draft, balance, name) for name in balance.bodies]
-    statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
+    statement = t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=True))
     names = [t.Sym(n) for n in _inner_names(draft, balance)]
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}",
@@ -222,7 +228,7 @@ def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
 
 def _push(draft: Draft, balance: Balance) -> Step:
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(balance.label, draft.show_vector(balance.where))
-    statement = t.equation(draft.show(balance.left), draft.show(balance.right, factor=True))
+    statement = t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=True))
     return draft.add(
         f"push.{balance.label}.{'.'.join(balance.bodies)}",
         "balance",
@@ -246,7 +252,7 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
         draft.add(
             f"motion.{coordinate}",
             "solution",
-            t.equation(acceleration_symbol(coordinate), shown),
+            solved_for(draft, name, shown, value),
             "torque.solved" if value else "torque.solved_zero",
             premises=premises,
             is_result=True,

@@ -17,7 +17,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods.solving import isolated
+from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "work-energy"
@@ -182,7 +182,7 @@ def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     left = [i for i in works if not draft.study.dynamics.workless.get(i.force, False)]
     terms = [t.Sym(name_of(draft, i, half)) for i in left for half, word in HALVES if getattr(i, word).parts]
     total = sum(draft.study.kinetic, NOTHING)
-    statement = t.equation(t.add(*terms), t.Delta(t.Group(draft.show(total))))
+    statement = t.equation(t.add(*terms), t.Delta(t.Group(draft.show_brief(total))))
     draft.add(
         "theorem.whole",
         "work_energy",
@@ -233,7 +233,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     draft.add(
         "motion.from_work",
         "solution",
-        t.equation(t.Sym(f"{name}_ddot"), shown),
+        solved_for(draft, f"{name}_ddot", shown, value),
         "work.motion",
         premises=["theorem.whole"],
         source=StepRef("theorem.whole"),

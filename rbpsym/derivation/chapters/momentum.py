@@ -64,7 +64,7 @@ def _arm(draft: Draft, body: str, label: str) -> t.Node:
 
 def along_z(draft: Draft, *parts: Scalar) -> t.Node:
     """(a + b) k."""
-    shown = [draft.show(part) for part in parts if part]
+    shown = [draft.show_brief(part) for part in parts if part]
     return t.mul(t.add(*shown), t.Unit("z"))
 
 

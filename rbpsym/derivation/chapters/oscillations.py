@@ -6,7 +6,7 @@ from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.oscillation import Equilibrium, resting_forces
 from rbpsym.notation import tree as t
@@ -90,9 +90,9 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     slope = substitute(derivative(value, name), item.at)
     letter = t.Sym(draft.free(_letter(draft, item)))
     square = item.frequencies_squared[0]
-    shown = _frequency(draft, item, square)
+    shown = _forms(draft, _frequency(draft, item, square), square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
-    linear = _linear(draft, shown, deviation)
+    linear = _linear(draft, shown[-1], deviation)
     draft.add(
         f"linear.{place}",
         "linearization",
@@ -108,7 +108,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
         draft.add(
             f"frequency.{place}",
             "identity",
-            t.equation(t.Pow(letter, t.TWO), shown),
+            t.equation(t.Pow(letter, t.TWO), *shown),
             "oscillations.frequency",
             premises=[f"linear.{place}"],
             is_result=True,
@@ -127,6 +127,12 @@ def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
     if len(item.stiffness) == 1 and item.stiffness[0][0].den is ONE and item.inertia[0][0].den is ONE:
         return present_ratio(item.stiffness[0][0].num, item.inertia[0][0].num, draft.study.style)
     return draft.show(square, factor=True)
+
+
+def _forms(draft: Draft, raw: t.Node, square: Scalar) -> list[t.Node]:
+    """Stiffness over inertia, and what it comes to if that is much shorter."""
+    shown = draft.show(square, factor=True)
+    return [raw, shown] if length(shown) <= MUCH_SHORTER * length(raw) else [raw]
 
 
 def _linear(draft: Draft, shown: t.Node, deviation: t.Node) -> t.Node:
