@@ -16,6 +16,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import RbpsymError
 from rbpsym.quantities import ACCELERATION, NUMBER
 from rbpsym.statement.model import Coordinate, Problem
+from rbpsym.statement.units import unit_named
 
 Numbers = Mapping[str, float]
 
@@ -99,13 +100,14 @@ def _keep_bounds(problem: Problem, numbers: dict[str, float]) -> None:
 
 
 def _read(text: str) -> float | None:
-    """The number at the start of "0.25 m", degrees made radians; None if there is none."""
+    """The number of "25 cm" in SI units (radians for degrees); None if there is none or its unit is not known."""
     first, _, unit = str(text).strip().partition(" ")
     try:
         value = float(first)
     except ValueError:
         return None
-    return math.radians(value) if unit in ("deg", "°") else value
+    found = unit_named(unit) if unit else (None, 1.0)
+    return None if found is None else value * found[1]
 
 
 def _parameter(place: int, quantity) -> float:

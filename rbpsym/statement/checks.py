@@ -13,6 +13,7 @@ from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.signs import compare_numbers
 from rbpsym.statement.source import Table, did_you_mean
+from rbpsym.statement.units import unit_named
 
 MAX_BODIES = 64
 
@@ -144,9 +145,26 @@ def _known_names(problem: Problem, table: Table) -> None:
     starts = [coordinate.name for coordinate in problem.coordinates]
     _check_names(table.table("notation", "notation"), quantities)
     _check_names(table.table("example", "example"), [*own, *starts, *_rates(problem, "_dot")])
+    _check_units(table.table("example", "example"), problem)
     meanings = table.table("meanings", "meanings")
     for language in meanings.names():
         _check_names(meanings.table(language, language), [*quantities, *problem.body_names, *_elements(problem)])
+
+
+def _check_units(section: Table, problem: Problem) -> None:
+    """The numbers of the example have units of the dimensions of what they are for."""
+    for quantity in problem.parameters:
+        text = str(problem.example.get(quantity.name, "")).strip()
+        unit = text.partition(" ")[2]
+        if not unit:
+            continue  # a plain number is in SI units
+        found = unit_named(unit)
+        if found is None or found[0] != quantity.dimension:
+            raise section.error(
+                f"“{text}” is no {quantity.dimension}",
+                'write a number and, after a space, a unit: "25 cm", "9.81 m/s^2", "60 deg".',
+                quantity.name,
+            )
 
 
 def _check_names(section: Table, known: list[str]) -> None:

@@ -56,7 +56,9 @@ def model(problem: Problem, language: str) -> Model:
         "numbers": [_number(slider, notation, said) for slider in numbers],
         "coordinates": {c.name: _coordinate(c, notation, said) for c in problem.coordinates},
         "unknowns": {name: label(t.Sym(name), notation) for part in parts for name in part.study.system.unknowns},
-        "forces": {k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()},
+        "forces": {
+            k: v for part in reversed(parts) for k, v in force_labels(part.study.system, notation, said).items()
+        },
         "bodies": {name: said.body(name) for name in problem.body_names},
         "origins": {name: label(t.Sym(name), notation) for name in study.origins},
         "phases": [{**found.data, "name": part.name} for part, found in zip(parts, phases, strict=True)],
@@ -76,13 +78,12 @@ def _stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
 
 
 def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...]) -> Phase:
-    """A phase with what ends it: the moment or the force with which the next one begins."""
+    """A phase with what ends it: the moment, and the constraint whose event is no surprise then."""
     if k + 1 == len(parts):
         return phase(parts[k].study, names)
     event = problem.phases[k]
-    if event.event == "lost":
-        return phase(parts[k].study, names, ends_with=event.subject)
-    return phase(parts[k].study, names, ends_at=parts[k + 1].began.before.time)
+    time = None if event.event == "lost" else parts[k + 1].began.before.time
+    return phase(parts[k].study, names, ends_at=time, ends_with=event.subject)
 
 
 def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:

@@ -47,7 +47,9 @@ def _shown(place: int, found: Model) -> dict[str, object]:
 
 def _words(language: str) -> dict[str, str]:
     """The phrases of the explorer, with places {…} that the script fills."""
-    return {key.removeprefix("explorer."): text for key, text in phrases(language).items() if key.startswith("explorer.")}
+    return {
+        key.removeprefix("explorer."): text for key, text in phrases(language).items() if key.startswith("explorer.")
+    }
 
 
 def _colors() -> str:

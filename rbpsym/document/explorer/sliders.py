@@ -110,7 +110,9 @@ def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]
             own = {**numbers, start_name(coordinate.name): numbers[coordinate.name]}
             found = _start(start_name(coordinate.name), coordinate, own)
             at = t.At(t.Sym(coordinate.name), t.equation(t.Sym("t"), t.ZERO))
-            yield Slider(found.name, at, found.meaning, found.value, found.least, found.most, found.unit, found.unit_size)
+            yield Slider(
+                found.name, at, found.meaning, found.value, found.least, found.most, found.unit, found.unit_size
+            )
 
 
 def angles(problem: Problem) -> frozenset[str]:

@@ -39,7 +39,7 @@ class Phase:
 def phase(study: Study, names: tuple[str, ...], ends_at: Scalar | None = None, ends_with: str | None = None) -> Phase:
     """A phase; `names` are those of the adjustable numbers in their order.
 
-    It ends at the time `ends_at` (counted from its start) or when the force `ends_with` vanishes.
+    It ends at the time `ends_at` (counted from its start), or when an event of `ends_with` comes.
     """
     look, data = _look(study, names)
     data["endsWith"] = ends_with
