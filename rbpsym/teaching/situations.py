@@ -1,0 +1,274 @@
+"""A student's numbers: drawn so that the motion takes place and its results are reasonable.
+
+Conditions are quantities that must be positive: at the start and the frequencies, along the way from the
+start to the place that is asked about (it gets there, it keeps contact, friction is enough).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.study import Study
+from rbpsym.quantities import LENGTH, NUMBER
+from rbpsym.statement.model import Coordinate
+from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.draws import Draws
+from rbpsym.teaching.model import Measure
+from rbpsym.teaching.ranges import Range, default_ranges, named_quantities, step_near
+from rbpsym.teaching.units import scale_of, si
+
+MOST_DRAWS = 600
+WAY = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)  # shares of the way that are looked at
+SLOWEST, FASTEST = 0.15, 3.0  # Hz: what a class can count or time
+SMALLEST = 1e-9
+HALVINGS, TRIALS = 6, 40
+
+
+def _measure_near(start: float, ahead: float, is_angle: bool) -> Measure:
+    """A round number near start + ahead: whole degrees (tenths for small ways), three figures of a length."""
+    if is_angle:
+        step = Fraction(1) if abs(math.degrees(ahead)) > 4 else Fraction(1, 10)
+        return Measure(Fraction(round(math.degrees(start + ahead) / float(step))) * step, "deg")
+    step = step_near(Fraction(abs(ahead)))
+    return Measure(Fraction(round((start + ahead) / float(step))) * step, "m")
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """given: the printed numbers of the constants; place: the printed coordinate where it is looked at
+    (None if nothing is asked along a way); numbers: all in SI units, for evaluation."""
+
+    given: Mapping[str, Measure]
+    place: tuple[str, Measure] | None
+    numbers: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Scenery:
+    """What numbers a problem takes: ranges of its constants, the coordinate along which it is followed.
+
+    `ranges` of the coordinate itself may be wished for by its name. `still` and `along` are evaluated values that
+    must be positive, with what they mean; `along` holds on the whole way.
+    """
+
+    study: Study
+    ranges: Mapping[str, Range]
+    coordinate: str | None
+    wished: Range | None
+    still: tuple[tuple[str, Scalar], ...]
+    along: tuple[tuple[str, Scalar], ...]
+    evaluate_still: Callable = field(compare=False, repr=False)
+    evaluate_along: Callable = field(compare=False, repr=False)
+    start: Callable = field(compare=False, repr=False)
+
+    def situations(self, draws: Draws) -> Iterator[Situation]:
+        """Situations in which all conditions hold, one after another. Raises RbpsymError if there are hardly any."""
+        failed: dict[str, int] = {}
+        for _ in range(MOST_DRAWS):
+            given = {name: self.ranges[name].draw(draws) for name in self.ranges}
+            numbers = {name: si(measure) for name, measure in given.items()}
+            reason = self._failing_at_rest(numbers)
+            place = None if reason or self.coordinate is None else self.placed(draws, numbers)
+            reason = place if isinstance(place, str) else reason
+            if reason:
+                failed[reason] = failed.get(reason, 0) + 1
+                continue
+            if place is not None:
+                numbers[place[0]] = si(place[1])
+            yield Situation(given, place, numbers)
+        worst = max(failed, key=failed.__getitem__, default="print")
+        raise RbpsymError(
+            f"no fitting numbers were found for “{self.study.problem.name}” in {MOST_DRAWS} draws: {REASONS[worst]}",
+            instead="give other ranges under [problem.numbers], or ask for fewer things.",
+        )
+
+    def _failing_at_rest(self, numbers: dict[str, float]) -> str:
+        values = self.evaluate_still(numbers)
+        return next((what for (what, _), v in zip(self.still, values, strict=True) if not v > SMALLEST), "")
+
+    def placed(self, draws: Draws, numbers: dict[str, float]) -> tuple[str, Measure] | str:
+        """A place that is reached, nearer and nearer to the start; else what is in the way of it."""
+        start, speed, push = self.start(numbers)
+        way = math.copysign(1.0, speed if abs(speed) > SMALLEST else push)
+        if not math.isfinite(start) or not math.isfinite(way):
+            return "way"
+        reason = "way"
+        for measure in self._places(draws, start, way):
+            reason = self._obstacle(numbers, start, si(measure), way)
+            if not reason:
+                return self.coordinate, measure
+        return reason
+
+    def _obstacle(self, numbers: dict[str, float], start: float, end: float, way: float) -> str:
+        if (end - start) * way <= 0:
+            return "way"
+        for share in WAY:
+            values = self.evaluate_along({**numbers, self.coordinate: start + share * (end - start)})
+            for (what, _), value in zip(self.along, values, strict=True):
+                if not value > SMALLEST:
+                    return what
+        return ""
+
+    def _places(self, draws: Draws, start: float, way: float) -> Iterator[Measure]:
+        """Where it may be looked at: as wished, or a part of the room that there is, halved again and again."""
+        if self.wished is not None:
+            yield self.wished.draw(draws)
+            return
+        coordinate = next(c for c in self.study.problem.coordinates if c.name == self.coordinate)
+        share = (20 + draws.below(61)) / 100
+        is_angle = coordinate.quantity.dimension == NUMBER
+        whole = share * (min(1.9, self._room(coordinate, start, way)) if is_angle else 2.0)
+        for halvings in range(HALVINGS):
+            yield _measure_near(start, way * whole / 2**halvings, is_angle)
+
+    def _room(self, coordinate: Coordinate, start: float, way: float) -> float:
+        """How far the declared range lets it go."""
+        bound = coordinate.upper if way > 0 else coordinate.lower
+        if bound is None:
+            return math.inf
+        [end] = compiled([scalar(bound)])({})
+        return abs(end - start) if math.isfinite(end) else math.inf
+
+
+# condition -> what was wrong, in words
+REASONS: Mapping[str, str] = {
+    "mass": "a mass or a moment of inertia would not be positive",
+    "order": "sizes would not fit each other",
+    "friction": "friction would not be enough",
+    "frequency": f"an oscillation would be slower than {SLOWEST} Hz or faster than {FASTEST} Hz",
+    "way": "the place that is asked about would not be reached from the start, or contact would be lost before",
+    "print": "the right answer would look like a wrong one in print",
+}
+
+
+def scenery(study: Study, wishes: Mapping[str, Range], is_timed: bool) -> Scenery:
+    """The scenery of a problem; `wishes` are ranges by name; `is_timed`: an oscillation is to be measured."""
+    names = named_quantities(study.problem)
+    ranges = {**default_ranges(study.problem), **{n: r for n, r in wishes.items() if n in names}}
+    coordinate = followed(study)
+    if coordinate is not None and coordinate not in wishes and not _gets_anywhere(study, ranges, coordinate):
+        coordinate = None
+    return _scenery(study, ranges, coordinate, wishes.get(coordinate or ""), is_timed)
+
+
+def _gets_anywhere(study: Study, ranges: Mapping[str, Range], coordinate: str) -> bool:
+    """Whether it leaves its start at all in some of the drawn situations."""
+    trial, draws = _scenery(study, ranges, coordinate, None, False), Draws(b"trial", study.problem.name)
+    for _ in range(TRIALS):
+        numbers = {name: si(range_.draw(draws)) for name, range_ in ranges.items()}
+        if not isinstance(trial.placed(draws, numbers), str):
+            return True
+    return False
+
+
+def _scenery(
+    study: Study, ranges: Mapping[str, Range], coordinate: str | None, wished: Range | None, is_timed: bool
+) -> Scenery:
+    still = (*_sound(study), *_ordered(study, ranges), *(_measurable(study, ranges) if is_timed else ()))
+    along = () if coordinate is None else tuple(_kept(study, coordinate))
+    return Scenery(
+        study,
+        ranges,
+        coordinate,
+        wished,
+        still,
+        along,
+        compiled([value for _, value in still]),
+        compiled([value for _, value in along]),
+        _start(study, coordinate),
+    )
+
+
+def followed(study: Study) -> str | None:
+    """The coordinate along which the motion is known from its start: the first whose speed is a function of it alone."""
+    for name, square in study.squares.items():
+        if is_zero(square) or name not in study.system.scope.start:
+            continue
+        if names_in(square) <= {name, *named_quantities(study.problem)} and name in names_in(square):
+            return name
+    return None
+
+
+def names_in(value: Scalar) -> set[str]:
+    """All symbols of a value, also those inside of functions (π aside)."""
+    found: set[str] = set()
+    for index in value.atoms():
+        atom = atoms.atom(index)
+        if atom.kind == "symbol":
+            found |= {atom.arg} - {"pi"}
+        elif hasattr(atom.arg, "atoms"):
+            found |= names_in(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg))
+    return found
+
+
+def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
+    for state in study.system.bodies.values():
+        for value in (state.mass, state.moment):
+            if value and names_in(value) <= set(named_quantities(study.problem)):
+                yield "mass", value
+
+
+def _ordered(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, Scalar]]:
+    """Lengths keep the order that they have in the example (a hole stays smaller than its disk)."""
+    from rbpsym.algebra.scalar import symbol
+
+    lengths = [q.name for q in study.problem.parameters if q.dimension == LENGTH and q.sign == "positive"]
+    middle = {name: _middle(ranges[name]) for name in lengths}
+    for first in lengths:
+        for second in lengths:
+            if middle[first] < middle[second]:
+                yield "order", symbol(second) - symbol(first)
+
+
+def _middle(range_: Range) -> float:
+    return float(range_.low + range_.high) * scale_of(range_.unit)
+
+
+def _measurable(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, Scalar]]:
+    """4π²·f² within the bounds, if the middle of the ranges lies there (else what the author wants is followed)."""
+    known = set(named_quantities(study.problem))
+    middle = {name: _middle(range_) / 2 for name, range_ in ranges.items()}
+    for place in study.equilibria:
+        for square in place.frequencies_squared if place.stable else ():
+            low, high = (Fraction(round((2 * math.pi * f) ** 2, 6)) for f in (SLOWEST, FASTEST))
+            if names_in(square) <= known and float(low) < compiled([square])(middle)[0] < float(high):
+                yield "frequency", square - low
+                yield "frequency", high - square
+
+
+def _kept(study: Study, coordinate: str) -> Iterator[tuple[str, Scalar]]:
+    """The speed along the way, forces that can only push, and friction that suffices."""
+    known = {coordinate, *named_quantities(study.problem)}
+    yield "way", study.squares[coordinate]
+    forces = study.reactions_along_motion or {}
+    for element in study.problem.constraints:
+        for name in pushes(element):
+            if name in forces and names_in(forces[name]) <= known and names_in(forces[name]):
+                yield "way", forces[name]
+    for need in study.friction_needs:
+        if need.limit is not None:
+            for spare in (need.limit - need.ratio, need.limit + need.ratio):
+                if names_in(spare) <= known and not is_zero(spare):  # it may be given that friction just suffices
+                    yield "friction", spare
+
+
+def _start(study: Study, coordinate: str | None) -> Callable:
+    """(place, speed, acceleration) of the coordinate at the start."""
+    if coordinate is None:
+        return lambda numbers: (math.nan, math.nan, math.nan)
+    from rbpsym.algebra.calculus import substitute
+    from rbpsym.mechanics.motion import along_motion
+
+    start = study.system.scope.start
+    push = along_motion((study.dynamics.accelerations or {})[f"{coordinate}_ddot"], study.squares)
+    speed = start.get(f"{coordinate}_dot", push * 0)
+    return compiled([start[coordinate], speed, substitute(push, {coordinate: start[coordinate]})])
