@@ -71,7 +71,13 @@ class Pool:
         wrong = self.wrongs[place]
         if place not in self.spoiled:
             self.spoiled[place] = first_wrong(self.derivation, wrong.study, wrong.misconception.about)
-        return Slip(wrong.misconception.name, wrong.site.slots, self.spoiled[place])
+        first = self.spoiled[place]
+        return Slip(
+            wrong.misconception.name,
+            wrong.site.slots,
+            first,
+            self.derivation.step(first).statement if first else None,
+        )
 
 
 def pool(derivation: Derivation, names: Iterable[str] = ()) -> Pool:

@@ -80,12 +80,13 @@ class Slip:
     """A misconception at work in one problem: `name` is a key of `misconceptions.MISCONCEPTIONS`.
 
     `slots` fill the phrase of its feedback (`slip_feedback`); `first_wrong` is the id of the first step
-    of the right derivation that the misconception spoils ("" if none shows it).
+    of the right derivation that the misconception spoils ("" if none shows it), `shown` what that step states.
     """
 
     name: str
     slots: Mapping[str, Any] = field(default_factory=dict)
     first_wrong: str = ""
+    shown: Node | None = None
 
     @property
     def phrase(self) -> str:
