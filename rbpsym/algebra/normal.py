@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
-from math import lcm
+from math import comb, lcm
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import spend
 from rbpsym.algebra.modular import is_surely_nonzero
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, generator
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, clean, constant, generator, times
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 
@@ -143,27 +144,39 @@ def reduce_squares(poly: Poly) -> Poly:
 
 
 def without_squares(poly: Poly, index: int) -> Poly:
-    """Powers ≥ 2 of a sine (or cosine) replaced through its partner."""
-    parts = poly.by_power(index)
-    if max(parts, default=0) < 2:
+    """Powers ≥ 2 of a sine (or cosine) replaced through its partner: s^(2h) = Σ (h over k) (-c²)^k."""
+    if index not in _squared(poly):
         return poly
-    other = generator(partner(index))
-    square, result = ONE - other * other, []
-    for power, part in parts.items():
-        keep = power % 2 if power >= 2 else power
-        image = square ** ((power - keep) // 2)
-        result.append((1, (part * image).scaled(1, ((index, keep),) if keep else UNIT)))
-    return accumulate(result)
+    other, result = partner(index), {}
+    for m, c in poly.terms.items():
+        power = next((e for i, e in m if i == index), 0)
+        if power < 2:
+            result[m] = result.get(m, 0) + c
+            continue
+        half, keep = divmod(power, 2)
+        rest = tuple((i, keep if i == index else e) for i, e in m if i != index or keep)
+        for k in range(half + 1):
+            key = times(rest, ((other, 2 * k),)) if k else rest
+            result[key] = result.get(key, 0) + c * comb(half, k) * (-1) ** k
+    spend(len(result))
+    return clean(result)
+
+
+def _squared(poly: Poly) -> set[int]:
+    """Atoms that occur to a power of two or more."""
+    return {i for m in poly.terms for i, e in m if e > 1}
 
 
 def shorten(poly: Poly) -> Poly:
     """The shortest of: as it is, without sin², without cos² (angle by angle)."""
     if len(poly) < 2:
         return poly
-    for index in sorted(poly.atoms()):
-        if atoms.atom(index).kind in ("cos", "sin"):
+    squared = _squared(poly)
+    for index in sorted(poly.atoms()) if squared else ():
+        if index in squared and atoms.atom(index).kind in ("cos", "sin"):
             other = without_squares(poly, index)
-            poly = other if len(other) < len(poly) else poly
+            if len(other) < len(poly):
+                poly, squared = other, _squared(other)
     return poly
 
 

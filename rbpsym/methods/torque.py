@@ -21,7 +21,7 @@ from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "torque"
-MOST_PRODUCTS = 3_000_000  # some seconds: what takes more can't be read either
+MOST_PRODUCTS = 1_000_000  # some seconds: what takes more can't be read either
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -227,15 +227,19 @@ def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
 
 
 def _push(draft: Draft, balance: Balance) -> Step:
+    """Mass times acceleration along a direction; where nothing accelerates, the forces balance."""
     axis = {"x": t.Unit("x"), "y": t.Unit("y")}.get(balance.label, draft.show_vector(balance.where))
-    statement = t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=True))
+    way = balance.label.split(" ")[0]
+    manner = "rest" if is_zero(balance.left) else "push" if balance.right else "free"
+    whole = len(balance.bodies) > 1
     return draft.add(
         f"push.{balance.label}.{'.'.join(balance.bodies)}",
         "balance",
-        statement,
-        "torque.push",
+        t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=not whole)),
+        f"torque.{manner}.{way}",
         bodies=_bodies(balance),
         axis=axis,
+        variant="whole" if whole else "one",
         data={"row": balance.row},
     )
 
