@@ -1,0 +1,101 @@
+"""Judging what is chosen and not calculated: options, orders, the line with the slip, signs."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from rbpsym.teaching.grading import judgement as j
+from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
+from rbpsym.teaching.model import ChoiceKey, ComparisonKey, OrderKey, SignsKey
+
+LETTERS = "abcdefghijklmnopqrstuvwxyz"
+LONGEST = 400
+
+
+def labels(count: int) -> str:
+    """The labels of options as a sentence shows them: a, b, c."""
+    return ", ".join(LETTERS[:count])
+
+
+def place_of(label: str, count: int) -> int | None:
+    """The place (from 0) of a label: a letter, or a number from 1; None if it is no label."""
+    label = label.strip().strip("()[].:").lower()
+    if len(label) == 1 and label in LETTERS[:count]:
+        return LETTERS.index(label)
+    if label.isascii() and label.isdigit() and len(label) < 4 and 1 <= int(label) <= count:
+        return int(label) - 1
+    return None
+
+
+_FIRST = re.compile(r"\s*[(\[]?([A-Za-z]|\d{1,3})(?:[)\].:,;\s]|$)")
+
+
+def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
+    """The judgement on a chosen option; words after its label go to the teacher."""
+    if not text.strip():
+        return j.EMPTY
+    found = _FIRST.match(text)
+    place = place_of(found[1], len(key.options)) if found else None
+    if place is None:
+        return _no_option(text, len(key.options))
+    rest = text[found.end() :].strip()
+    judged = j.RIGHT if place == key.right else _wrong_option(key, place)
+    return _with_words(judged) if rest and isinstance(key, ComparisonKey) else judged
+
+
+def _wrong_option(key: ChoiceKey | ComparisonKey, place: int) -> Judgement:
+    slip = key.options[place].slip
+    remark = Remark("slip", {"slip": slip}) if slip else Remark("wrong option")
+    return Judgement(Status.WRONG, remarks=(remark,), slip=slip)
+
+
+def _with_words(judged: Judgement) -> Judgement:
+    return Judgement(judged.status, judged.credit, (*judged.remarks, Remark("open")), judged.slip, teacher=True)
+
+
+def _no_option(text: str, count: int) -> Judgement:
+    return Judgement(Status.INVALID, remarks=(Remark("not an option", {"text": text[:40], "options": labels(count)}),))
+
+
+def judge_order(text: str, key: OrderKey) -> Judgement:
+    """The judgement on an order: the part of the conditions beyond the half that chance fulfils."""
+    if not text.strip():
+        return j.EMPTY
+    count = len(key.pieces)
+    parts = [part for part in re.split(r"[\s,;>→\-–]+", text[:LONGEST]) if part]
+    if len(parts) == 1 and len(parts[0]) == count > 1:
+        parts = list(parts[0])
+    order = tuple(place_of(part, count) for part in parts)
+    if sorted(place for place in order if place is not None) != list(range(count)) or len(order) != count:
+        return Judgement(Status.INVALID, remarks=(Remark("not an order", {"options": labels(count)}),))
+    if key.accepts(order):
+        return j.RIGHT
+    place = {piece: at for at, piece in enumerate(order)}
+    kept = sum(place[before] < place[after] for before, after in key.before)
+    credit = max(Fraction(2 * kept, len(key.before)) - 1, Fraction(0))
+    remark = Remark("wrong order", {"right": str(kept), "all": str(len(key.before))})
+    return Judgement(Status.PARTLY if credit else Status.WRONG, credit, (remark,))
+
+
+SIGNS = {"+": "+", "＋": "+", "-": "-", "−": "-", "–": "-", "0": "0", "O": "0", "o": "0"}
+
+
+def judge_signs(text: str, key: SignsKey) -> Judgement:
+    """The judgement on a table of signs, row by row; the same sign everywhere earns nothing."""
+    if not text.strip():
+        return j.EMPTY
+    wanted = [row.translational + row.rotational for row in key.rows]
+    found = [SIGNS[char] for char in text[:LONGEST] if char in SIGNS]
+    if len(found) != 2 * len(wanted):
+        slots = {"wanted": str(2 * len(wanted)), "found": str(len(found))}
+        return Judgement(Status.INVALID, remarks=(Remark("not signs", slots),))
+    rows = ["".join(found[place : place + 2]) for place in range(0, len(found), 2)]
+    right = sum(a == b for a, b in zip(rows, wanted, strict=True))
+    if right == len(wanted):
+        return j.RIGHT
+    guessed = len(set(found)) == 1
+    credit = Fraction(0) if guessed else Fraction(right, len(wanted))
+    parts = tuple((str(place + 1), Fraction(a == b)) for place, (a, b) in enumerate(zip(rows, wanted, strict=True)))
+    remark = Remark("rows", {"right": str(right), "all": str(len(wanted))})
+    return Judgement(Status.PARTLY if credit else Status.WRONG, credit, (remark,), parts=parts)

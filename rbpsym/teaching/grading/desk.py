@@ -1,0 +1,285 @@
+"""All answers of one worksheet, judged item by item, with the student's own earlier answers at hand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Problem
+from rbpsym.teaching.grading import judgement as j
+from rbpsym.teaching.grading.book import book
+from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
+from rbpsym.teaching.grading.formula import Sought, judge_formula, replaced
+from rbpsym.teaching.grading.ground import Ground, ground_of
+from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
+from rbpsym.teaching.grading.number import judge_number, wanted
+from rbpsym.teaching.grading.quantity import read_quantity
+from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.grading.units import dimension_powers, read_unit
+from rbpsym.teaching.model import (
+    Blank,
+    BlanksKey,
+    ChoiceKey,
+    ComparisonKey,
+    ExplanationKey,
+    FollowOn,
+    FormulaKey,
+    Item,
+    NumberKey,
+    OrderKey,
+    SignsKey,
+    SlipKey,
+    Worksheet,
+)
+
+Answers = Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """The points of one item, out of `most`, with what was found and the answer as it was given."""
+
+    item: str
+    answer: str
+    judgement: Judgement
+    points: Fraction
+    most: Fraction
+
+
+@dataclass(frozen=True)
+class Desk:
+    """The grounds of problems, made once and kept for all students."""
+
+    language: str = "en"
+    grounds: dict[int, tuple[Problem, Ground]] = field(default_factory=dict)
+    wider: dict[tuple[int, frozenset[str]], Ground] = field(default_factory=dict)
+
+    def ground(self, problem: Problem, names: frozenset[str] = frozenset()) -> Ground:
+        """The ground of a problem, with further names that an item uses."""
+        if id(problem) not in self.grounds:
+            self.grounds[id(problem)] = (problem, ground_of(Study(problem), self.language))
+        ground = self.grounds[id(problem)][1]
+        more = names - ground.book.names - {"pi"}
+        if not more:
+            return ground
+        key = (id(problem), more)
+        if key not in self.wider:
+            wide = book(ground.book.names | more, problem.notation, self.language)
+            self.wider[key] = replace(ground, book=wide)
+        return self.wider[key]
+
+
+@dataclass(frozen=True)
+class Case:
+    """One worksheet with its answers, and what was judged so far."""
+
+    worksheet: Worksheet
+    answers: Answers
+    desk: Desk
+    judged: dict[str, Judgement] = field(default_factory=dict)
+
+    def problem(self, item: Item) -> Problem:
+        """The problem that an item is about."""
+        return self.worksheet.problems[item.asked.problem]
+
+    def ground(self, item: Item, *nodes: t.Node | None) -> Ground:
+        """The ground of an item; names in its key may be typed too."""
+        names = frozenset().union(*(t.names(node) for node in nodes if node is not None))
+        return self.desk.ground(self.problem(item), names)
+
+
+def grade_worksheet(worksheet: Worksheet, answers: Answers, desk: Desk) -> tuple[Mark, ...]:
+    """The marks of one worksheet, item by item in the printed order. No answer raises an error."""
+    case = Case(worksheet, answers, desk)
+    return tuple(_marked(item, case) for item in worksheet.items)
+
+
+def _marked(item: Item, case: Case) -> Mark:
+    text = case.answers.get(item.id, "")
+    found = JUDGES[type(item.key)](text, item, case)
+    case.judged[item.id] = found
+    return Mark(item.id, text, found, found.credit * item.points, item.points)
+
+
+# --- one judge for each kind of key
+
+
+def _formula(text: str, item: Item, case: Case) -> Judgement:
+    key: FormulaKey = item.key
+    ground = case.ground(item, key.value, key.left)
+    carried = tuple(own for follow in key.follows if (own := _own_formula(follow, case)) is not None)
+    return judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
+
+
+def _number(text: str, item: Item, case: Case) -> Judgement:
+    key: NumberKey = item.key
+    carried = [own for follow in key.follows if (own := _own_number(follow, key, case)) is not None]
+    return judge_number(text, wanted(key, carried, case.desk.language))
+
+
+def _choice(text: str, item: Item, case: Case) -> Judgement:
+    return judge_choice(text, item.key)
+
+
+def _order(text: str, item: Item, case: Case) -> Judgement:
+    return judge_order(text, item.key)
+
+
+def _signs(text: str, item: Item, case: Case) -> Judgement:
+    return judge_signs(text, item.key)
+
+
+def _explanation(text: str, item: Item, case: Case) -> Judgement:
+    return Judgement(Status.OPEN, remarks=(Remark("open"),)) if text.strip() else j.EMPTY
+
+
+def _blanks(text: str, item: Item, case: Case) -> Judgement:
+    key: BlanksKey = item.key
+    typed = blank_texts(text, item, case.answers)
+    found = [_blank(typed.get(blank.number, ""), blank, item, case) for blank in key.blanks]
+    if all(one.status is Status.EMPTY for one in found):
+        return j.EMPTY
+    whole = sum((blank.points for blank in key.blanks), Fraction(0))
+    credit = sum((one.credit * blank.points for one, blank in zip(found, key.blanks, strict=True)), Fraction(0)) / whole
+    status = Status.RIGHT if credit == 1 else Status.PARTLY if credit else Status.WRONG
+    remarks: list[Remark] = []
+    for one, blank in zip(found, key.blanks, strict=True):
+        if one.remarks:
+            remarks += [Remark("blank", {"number": str(blank.number)}), *one.remarks]
+    parts = tuple((str(blank.number), one.credit) for one, blank in zip(found, key.blanks, strict=True))
+    slip = next((one.slip for one in found if one.slip), None)
+    return Judgement(
+        status, credit, tuple(remarks), slip, parts=parts, teacher=any(one.is_for_teacher for one in found)
+    )
+
+
+def _blank(text: str, blank: Blank, item: Item, case: Case) -> Judgement:
+    ground = case.ground(item, blank.value)
+    return judge_formula(text, Sought(blank.value, ground, None, frozenset(item.key.names), blank.anticipated))
+
+
+def blank_texts(text: str, item: Item, answers: Answers) -> dict[int, str]:
+    """What stands in each blank: from columns “3.1”, “3.2”, or from one cell, separated by semicolons or lines."""
+    numbers = [blank.number for blank in item.key.blanks]
+    own = {number: answers[f"{item.id}.{number}"] for number in numbers if f"{item.id}.{number}" in answers}
+    if own:
+        return own
+    return dict(zip(numbers, re.split(r"[;\n]", text), strict=False))
+
+
+def _slip(text: str, item: Item, case: Case) -> Judgement:
+    key: SlipKey = item.key
+    if not text.strip():
+        return j.EMPTY
+    found = re.match(
+        r"\s*(?:line|línea|linea)?\s*[(\[]?([A-Za-z]|\d{1,3})[)\].:,]?(?:\s+|$|(?<=[:)\].,]))", text, re.IGNORECASE
+    )
+    place = place_of(found[1], len(key.lines)) if found else None
+    if place is None:
+        options = f"1 – {len(key.lines)}"
+        return Judgement(Status.INVALID, remarks=(Remark("not an option", {"text": text[:40], "options": options}),))
+    if place != key.wrong:
+        return j.wrong("wrong line")
+    rest = text[found.end() :].strip()
+    return _correction(rest, item, case) if rest else j.RIGHT
+
+
+def _correction(text: str, item: Item, case: Case) -> Judgement:
+    """The corrected formula beside the line: its last side is compared."""
+    corrected = item.key.corrected
+    sides = corrected.items if isinstance(corrected, t.Chain) else (corrected,)
+    ground = case.ground(item, corrected)
+    found = judge_formula(text, Sought(sides[-1], ground, sides[0] if len(sides) > 1 else None))
+    if found.credit == 1:
+        return j.RIGHT
+    if found.is_for_teacher:
+        return replace(found, credit=j.HALF, remarks=(Remark("right line"), *found.remarks))
+    return Judgement(Status.PARTLY, j.HALF, (Remark("wrong correction"), *found.remarks))
+
+
+JUDGES: Mapping[type, Callable[[str, Item, Case], Judgement]] = {
+    FormulaKey: _formula,
+    NumberKey: _number,
+    ChoiceKey: _choice,
+    ComparisonKey: _choice,
+    OrderKey: _order,
+    SignsKey: _signs,
+    BlanksKey: _blanks,
+    SlipKey: _slip,
+    ExplanationKey: _explanation,
+}
+
+
+# --- the student's own earlier answers
+
+NOT_OWN = frozenset({Status.EMPTY, Status.INVALID, Status.RIGHT})
+
+
+def _own_text(follow: FollowOn, case: Case) -> tuple[Item, str] | None:
+    """The earlier item and what was answered there; None if it was right, empty or not valid."""
+    earlier = next((item for item in case.worksheet.items if item.id == follow.item), None)
+    judged = case.judged.get(follow.item)
+    if earlier is None or judged is None or judged.status in NOT_OWN:
+        return None
+    text = case.answers.get(follow.item, "")
+    if isinstance(earlier.key, BlanksKey):
+        text = blank_texts(text, earlier, case.answers).get(follow.blank or 1, "")
+    return (earlier, text) if text.strip() else None
+
+
+def _own_tree(follow: FollowOn, case: Case) -> t.Node | None:
+    """The student's own earlier formula."""
+    own = _own_text(follow, case)
+    if own is None or isinstance(own[0].key, NumberKey):
+        return None
+    item, text = own
+    try:
+        read = read_formula(
+            text, case.ground(item, getattr(item.key, "left", None), getattr(item.key, "value", None)).book
+        )
+    except RbpsymError:
+        return None
+    return read.items[-1] if isinstance(read, t.Chain) else read
+
+
+def _own_formula(follow: FollowOn, case: Case) -> t.Node | None:
+    own = _own_tree(follow, case)
+    return None if own is None or follow.name in t.names(own) else replaced(follow.formula, follow.name, own)
+
+
+def _own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
+    """What follows in SI units from the student's own earlier number or formula."""
+    given = {name: float(m.value) * read_unit(m.unit).factor for name, m in key.given.items()}
+    try:
+        own = _earlier_value(follow, given, case)
+        if not own:
+            return None
+        problem = case.worksheet.problems[next(i for i in case.worksheet.items if i.id == follow.item).asked.problem]
+        return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, follow.name: own})
+    except (RbpsymError, ArithmeticError, ValueError, KeyError):
+        return None
+
+
+def _earlier_value(follow: FollowOn, given: Mapping[str, float], case: Case) -> float | None:
+    own = _own_text(follow, case)
+    if own is None:
+        return None
+    item, text = own
+    if isinstance(item.key, NumberKey):
+        typed = read_quantity(text, case.desk.language)
+        fits = typed.unit is None or typed.unit.dimension == dimension_powers(item.asked.dimension)
+        return (typed.si if typed.unit else typed.value * read_unit(item.key.measure.unit).factor) if fits else None
+    tree = _own_tree(follow, case)
+    return None if tree is None else number(scalar(tree, case.ground(item).scope), given)
+
+
+def points_text(value: Fraction) -> str:
+    """Points as a decimal number with at most two places: 1, 0.5, 0.67."""
+    return f"{float(value):.2f}".rstrip("0").rstrip(".")
