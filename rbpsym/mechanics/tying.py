@@ -18,6 +18,8 @@ from rbpsym.mechanics.rates import from_start, full_rates, integrated, rate_cond
 from rbpsym.mechanics.system import BodyState, Condition, Pose, at_point
 from rbpsym.statement.model import Problem
 
+Rates = dict[int, Condition]  # conditions on the speeds by their place among all of them
+
 
 @dataclass(frozen=True)
 class Tied:
@@ -34,26 +36,29 @@ def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, P
     """Conditions on the position first; then those on the speeds, integrated one after the other."""
     conditions = all_conditions(problem, _geometry(problem, inertias, given))
     solved, implicit = solve_explicitly(conditions, names, problem)
-    waiting = _rates(problem, inertias, given, solved, names)
-    while (found := _first_integral(waiting, names, problem)) is not None:
+    waiting, done = _rates(problem, inertias, given, solved, names), set()
+    while (step := _first_integral(waiting, names, problem)) is not None:
+        place, found = step
+        done.add(place)  # also where the place that follows has no closed form: its rate says nothing new
         conditions = (*conditions, found)
         solved, implicit = solve_explicitly(conditions, names, problem)
-        waiting = _rates(problem, inertias, given, solved, names)
-    return Tied(solved, implicit, tuple(waiting), conditions)
+        rates = _rates(problem, inertias, given, solved, names)
+        waiting = {place: rate for place, rate in rates.items() if place not in done}
+    return Tied(solved, implicit, tuple(waiting.values()), conditions)
 
 
 def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping[str, Pose]) -> Geometry:
     return Geometry(locator(problem, inertias, placed), placed, start_numbers(problem))
 
 
-def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], names: tuple[str, ...]) -> list[Condition]:
+def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], names: tuple[str, ...]) -> Rates:
     """The conditions on the speeds that do not hold identically, in the names that are left."""
     placed = {n: Pose(p.origin.substitute(solved), substitute(p.angle, solved)) for n, p in given.items()}
     scope = Scope(rates=full_rates([name for name in names if name not in solved]))
     geometry = _geometry(problem, inertias, placed)
     states = {name: _state(name, inertias[name], pose, scope) for name, pose in placed.items()}
     moving = Geometry(geometry.where, placed, geometry.numbers, states)
-    return [c for c in rate_conditions(problem, moving) if not is_zero(c.value)]
+    return {place: c for place, c in enumerate(rate_conditions(problem, moving)) if not is_zero(c.value)}
 
 
 def _state(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
@@ -62,11 +67,11 @@ def _state(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
     return BodyState(name, own, pose, center, velocity, time_derivative(pose.angle, scope))
 
 
-def _first_integral(waiting: list[Condition], names: tuple[str, ...], problem: Problem) -> Condition | None:
-    """The first condition that is the rate of a position, integrated from the start."""
+def _first_integral(waiting: Rates, names: tuple[str, ...], problem: Problem) -> tuple[int, Condition] | None:
+    """The first condition that is the rate of a position, integrated from the start, with its place."""
     start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
-    for condition in waiting:
+    for place, condition in waiting.items():
         found = integrated(condition.value, names)
         if found is not None:
-            return Condition(condition.constraint, from_start(found, names, start), condition.what)
+            return place, Condition(condition.constraint, from_start(found, names, start), condition.what)
     return None
