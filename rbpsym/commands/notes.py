@@ -8,7 +8,7 @@ import click
 
 from rbpsym.commands.arguments import Listed, detail_option, name_argument, output_option
 
-FORMATS = ("pdf", "html", "tex", "md", "typ")
+FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
 ENGINES = ("typst", "pdflatex")
 
 
@@ -38,8 +38,10 @@ def command(
       rbpsym notes sliding-ladder --format pdf -o build
       rbpsym notes my-problem.toml --format tex,html --detail full
       rbpsym notes paper --engine pdflatex
+      rbpsym notes sliding-ladder --format beamer,ipynb,docx
 
-    The files are called as the problem or course. They are written whole or not at all.
+    The files are called as the problem or course, slides NAME-slides; the drawings of Markdown lie
+    beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]'.
     """
     from rbpsym.commands.shelf import found
 
@@ -82,9 +84,8 @@ def _course(path: Path, lang: str, detail: str, simulation: bool):
 
 def _written(document, stem: str, formats: tuple[str, ...], engine: str, output: Path) -> list[Path]:
     """All formats are made before the first file is written."""
-    from rbpsym.document.files import write_whole
-    from rbpsym.document.writers import writer
-    from rbpsym.document.writers.pdf import write_pdf
+    from rbpsym.document.files import write_all
+    from rbpsym.document.writers import files
 
-    made = {f: write_pdf(document, engine) if f == "pdf" else writer(f)(document) for f in formats}
-    return [write_whole(output / f"{stem}.{ending}", content) for ending, content in made.items()]
+    made = {name: content for f in formats for name, content in files(document, f, stem, engine).items()}
+    return write_all(output, made)

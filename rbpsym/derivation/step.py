@@ -10,6 +10,7 @@ from typing import Any
 from rbpsym.equality.verdict import PROVED, Verdict
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
+from rbpsym.showing import Shown
 from rbpsym.statement.course import Course, CoursePart
 
 BRIEF, STANDARD, FULL = 1, 2, 3
@@ -46,7 +47,7 @@ class Certificate:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class Step(Shown):
     """One step.
 
     rule: name in `rules.RULES`. premises: ids of the steps it uses. statement: a relation, a
@@ -79,7 +80,7 @@ class Skipped:
 
 
 @dataclass(frozen=True)
-class Derivation:
+class Derivation(Shown):
     """The steps of a problem in reading order; ids are unique, premises come before.
 
     `agreement`: verdicts on the independent roads by name; `simulation`: the oracle's report
@@ -96,6 +97,12 @@ class Derivation:
     def step(self, id: str) -> Step:
         """The step of an id (KeyError if there is none)."""
         return {step.id: step for step in self.steps}[id]
+
+    def show(self, *ids: str) -> Excerpt:
+        """Some of its steps, which show themselves in a notebook as the notes print them."""
+        for id in ids:
+            self.step(id)
+        return Excerpt(self, ids)
 
     def chapter(self, name: str) -> tuple[Step, ...]:
         """The steps of a chapter."""
@@ -118,7 +125,15 @@ class Derivation:
 
 
 @dataclass(frozen=True)
-class Lesson:
+class Excerpt(Shown):
+    """Some steps of a derivation, by their ids."""
+
+    derivation: Derivation
+    ids: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Lesson(Shown):
     """Steps that belong to no single problem: the general theory, or a comparison of two problems.
 
     kind: "theory" or "comparison"; slots are what its introduction may mention; notation as
@@ -134,7 +149,7 @@ class Lesson:
 
 
 @dataclass(frozen=True)
-class DerivedCourse:
+class DerivedCourse(Shown):
     """A course with the derivations of its problems by name, and its lessons part by part."""
 
     course: Course

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -27,6 +28,11 @@ def write_whole(path: Path, content: str | bytes) -> Path:
         with suppress(FileNotFoundError):
             os.unlink(name)
     return path
+
+
+def write_all(folder: Path, contents: Mapping[str, str | bytes]) -> list[Path]:
+    """Write files into a folder, each of them whole."""
+    return [write_whole(folder / name, content) for name, content in contents.items()]
 
 
 def fill(handle: int, data: bytes) -> None:

@@ -12,6 +12,7 @@ from rbpsym.document.figures.scene import Scene
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.tree import Node
+from rbpsym.showing import Shown
 
 
 class DocumentError(RbpsymError):
@@ -162,7 +163,7 @@ class Live:
 
 
 @dataclass(frozen=True, slots=True)
-class Document:
+class Document(Shown):
     """A whole text. `notation` is handed to the formula printers as it is."""
 
     title: Inlines

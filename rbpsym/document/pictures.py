@@ -29,14 +29,14 @@ def figures_of(document: Document) -> tuple[FigureBlock, ...]:
     return tuple(part for part in parts(document.sections) if isinstance(part, FigureBlock) and part.scenes)
 
 
-def pictures(document: Document, kind: str = "png") -> dict[str, Picture]:
+def pictures(document: Document, kind: str = "png", resolution: float = RESOLUTION) -> dict[str, Picture]:
     """The figures of a numbered document by number; `kind` is "png" or "svg"."""
     figures = figures_of(document)
-    drawn = drawings(tuple(figure.scenes for figure in figures), document.notation, kind)
-    return {f.number: picture(f.number, content, kind) for f, content in zip(figures, drawn, strict=True)}
+    drawn = drawings(tuple(figure.scenes for figure in figures), document.notation, kind, resolution)
+    return {f.number: picture(f.number, content, kind, resolution) for f, content in zip(figures, drawn, strict=True)}
 
 
-def drawings(scenes: Sequence[tuple], notation: Notation, kind: str) -> list[bytes]:
+def drawings(scenes: Sequence[tuple], notation: Notation, kind: str, resolution: float) -> list[bytes]:
     """Each group of scenes side by side, all of them drawn in one run."""
     if not scenes:
         return []
@@ -44,13 +44,13 @@ def drawings(scenes: Sequence[tuple], notation: Notation, kind: str) -> list[byt
 
     groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group in scenes]
     source = shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups))
-    found = typst.compile(source.encode(), format=kind, ppi=RESOLUTION)
+    found = typst.compile(source.encode(), format=kind, ppi=resolution)
     return found if isinstance(found, list) else [found]
 
 
-def picture(number: str, content: bytes, kind: str) -> Picture:
+def picture(number: str, content: bytes, kind: str, resolution: float) -> Picture:
     """The picture with its size."""
     if kind != "png":
         return Picture(number, content)
     wide, high = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))  # the head of a PNG
-    return Picture(number, content, wide / RESOLUTION * 2.54, high / RESOLUTION * 2.54)
+    return Picture(number, content, wide / resolution * 2.54, high / resolution * 2.54)

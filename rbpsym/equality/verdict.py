@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rbpsym.notation.tree import Node
+from rbpsym.showing import Shown
 
 if TYPE_CHECKING:
     from rbpsym.equality.enclosure import Number
@@ -66,7 +67,7 @@ class Witness:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Shown):
     """The outcome. `how` names the procedure, `reason` says why it is UNDECIDED."""
 
     kind: Kind

@@ -12,9 +12,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
+from rbpsym.showing import Shown
+
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class Node(Shown):
     """A formula or a part of one."""
 
     span: tuple[int, int] | None = field(default=None, compare=False, repr=False, kw_only=True)

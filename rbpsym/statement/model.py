@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from rbpsym.errors import Place
 from rbpsym.notation.tree import Node
 from rbpsym.quantities import Quantity
+from rbpsym.showing import Shown
 
 Pair = tuple[Node, Node]
 
@@ -194,7 +195,7 @@ class Phase:
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
+class Problem(Shown):
     """A whole statement. `notation` maps names to the glyph names that print them.
 
     `points` are the author's fixed points with O, `origins` those about which momenta are

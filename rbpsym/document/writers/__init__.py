@@ -29,3 +29,22 @@ def writer(format_name: str) -> Writer:
         raise DocumentError(f"unknown format “{format_name}”", instead=f"known: {known}.")
     module, name = WRITERS[format_name]
     return getattr(import_module(module), name)
+
+
+Files = Callable[[Document, str], "Mapping[str, str | bytes]"]
+
+# format -> (module, function) of those that are more than one file, or are called otherwise
+SEVERAL: Mapping[str, tuple[str, str]] = {
+    "md": ("rbpsym.document.writers.markdown", "markdown_files"),
+    "beamer": ("rbpsym.document.writers.slides", "slides_files"),
+}
+
+
+def files(document: Document, format_name: str, stem: str, engine: str = "typst") -> Mapping[str, str | bytes]:
+    """The files of a document in a format, by the names that they should have; `engine` makes the PDF."""
+    if format_name in SEVERAL:
+        module, name = SEVERAL[format_name]
+        return getattr(import_module(module), name)(document, stem)
+    write = writer(format_name)
+    content = write(document, engine) if format_name == "pdf" else write(document)
+    return {f"{stem}.{format_name}": content}

@@ -48,11 +48,17 @@ def write_html(document: Document) -> str:
         language=document.language,
         contents=page.word("block.contents"),
         sections=[contents_entry(part, page) for part in document.sections if part.level == 1],
-        style=Markup((data_folder("templates") / "notes.css").read_text(encoding="utf-8")),
+        style=Markup(style()),
         font=Markup(font()),
-        colors=Markup(color_rules()),
         body=Markup(body(document, page)),
     )
+
+
+@cache
+def style() -> str:
+    """The style sheet, with the colours of the figures."""
+    sheet = (data_folder("templates") / "notes.css").read_text(encoding="utf-8")
+    return f"{color_rules()}\n{sheet}"
 
 
 @cache
@@ -74,6 +80,8 @@ def contents_entry(part: Section, page: Page) -> tuple[str, str, Markup]:
 
 def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
+    if not part.title:
+        return page.blocks(part.blocks, "\n")
     rank = min(part.level, 3) + 1
     number = f'<span class="section-number">{escape(part.number)}</span> ' if part.number else ""
     name = identity(section_id(part) if part.number else part.label)

@@ -52,6 +52,8 @@ HEADINGS = {1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
 
 def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
+    if not part.title:
+        return blocks(part.blocks, page)
     heading = f"{HEADINGS[min(part.level, 3)]}{{{page.inlines(part.title)}}}{anchor(part.label)}"
     return f"{heading}\n\n{blocks(part.blocks, page)}".rstrip()
 

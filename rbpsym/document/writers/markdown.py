@@ -94,7 +94,8 @@ def cell(inlines: Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
     if len(inlines) != 1 or not isinstance(inlines[0], Math):
         return in_cell(page.inlines(inlines))
-    return in_cell(rf"$\displaystyle {in_markdown(to_latex(inlines[0].node, page.notation))}$")
+    style = r"\displaystyle " if breaking.node_height(inlines[0].node, page.notation) > 1.6 else ""
+    return in_cell(f"${style}{in_markdown(to_latex(inlines[0].node, page.notation))}$")
 
 
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:

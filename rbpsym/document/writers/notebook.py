@@ -13,6 +13,7 @@ from rbpsym.document.pictures import pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
 from rbpsym.document.writers.plain_text import plain_text
 
+SCREEN = 110.0  # dots an inch
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
@@ -28,7 +29,7 @@ class Cell:
 def write_notebook(document: Document) -> str:
     """The document as a notebook (nbformat 4.5)."""
     document = numbered(document)
-    drawn = {number: found.content for number, found in pictures(document).items()}
+    drawn = {number: found.content for number, found in pictures(document, resolution=SCREEN).items()}
     page = markdown_page(document, {number: f"attachment:{name(number)}" for number in drawn})
     cells = [as_json(cell, place) for place, cell in enumerate(cells_of(document, page, drawn), 1)]
     title = plain_text(document.title, document.notation)
@@ -78,14 +79,14 @@ def owner(section: Section, live: tuple[Live, ...]) -> Live | None:
 
 def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
     """The cells that build a problem and derive it."""
-    yield Cell(f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)})\nproblem", True)
+    yield Cell(f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)})", True)
     yield Cell(page.word("notebook.derive"))
     yield Cell("derivation = derive(problem)\nderivation", True)
 
 
 def quoted(text: str) -> str:
     """The text as a literal of Python, on several lines where it can be."""
-    plain = '"""' not in text and not text.rstrip().endswith(("\\", '"'))
+    plain = '"""' not in text
     return f'r"""\n{text.strip()}\n"""' if plain and "\r" not in text else repr(text)
 
 
@@ -95,7 +96,7 @@ def checking(page: MarkdownPage) -> Iterator[Cell]:
     yield Cell(
         "summary = derivation.summary()\n"
         'assert summary["refuted"] == 0 and summary["methods_agree"]\n'
-        'f"{summary[\'proved\']} of {summary[\'steps\']} steps are proved"',
+        "f\"{summary['proved']} of {summary['steps']} steps are proved\"",
         True,
     )
 
@@ -134,6 +135,4 @@ def results(block: Block, live: Live | None) -> list[str]:
 
 def shown(ids: list[str]) -> str:
     """The code that shows steps."""
-    if len(ids) == 1:
-        return f'derivation.step("{ids[0]}")'
-    return "display(\n" + "".join(f'    derivation.step("{id}"),\n' for id in ids) + ")"
+    return f"derivation.show({', '.join(f'{chr(34)}{id}{chr(34)}' for id in ids)})"

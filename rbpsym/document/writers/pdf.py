@@ -34,9 +34,14 @@ def by_pdflatex(document: Document) -> bytes:
     """Three passes at most: references settle in the second, page breaks in the third."""
     from rbpsym.document.writers.latex import write_latex
 
-    if shutil.which("pdflatex") is None:
+    if not has_pdflatex():
         raise RbpsymError("pdflatex is not installed", instead="leave out --engine: Typst needs no TeX.")
     return compiled(write_latex(document))
+
+
+def has_pdflatex() -> bool:
+    """Is TeX installed?"""
+    return shutil.which("pdflatex") is not None
 
 
 def compiled(source: str) -> bytes:

@@ -25,6 +25,7 @@ from rbpsym.document.model import (
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import BABEL, LATEX, anchor, blocks
 from rbpsym.document.writers.page import Page, page_for, shell
+from rbpsym.document.writers.pdf import compiled, has_pdflatex
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.latex import PREAMBLE
 
@@ -53,6 +54,13 @@ def write_slides(document: Document) -> str:
     )
 
 
+def slides_files(document: Document, stem: str) -> dict[str, str | bytes]:
+    """The LaTeX source, and the PDF where pdflatex is installed."""
+    source = write_slides(document)
+    found: dict[str, str | bytes] = {f"{stem}-slides.tex": source}
+    return found | {f"{stem}-slides.pdf": compiled(source)} if has_pdflatex() else found
+
+
 def section(part: Section, page: Page) -> str:
     """The frames of a section; one without text of its own is a frame with its title."""
     title = page.inlines(part.title)
@@ -67,7 +75,9 @@ def section(part: Section, page: Page) -> str:
 def frame(title: str, place: int, group: tuple[Block, ...], page: Page) -> str:
     """A frame; the second of a section and those after it say so."""
     count = rf"\,{{\small({place + 1})}}" if place else ""
-    return f"\\begin{{frame}}{{{title}{count}}}\n\\begin{{fitted}}\n{blocks(group, page)}\n\\end{{fitted}}\n\\end{{frame}}"
+    return (
+        f"\\begin{{frame}}{{{title}{count}}}\n\\begin{{fitted}}\n{blocks(group, page)}\n\\end{{fitted}}\n\\end{{frame}}"
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_math import TEXT_WIDTH, display_table, is_aside, math
 from rbpsym.document.writers.word_xml import Cell, Look, link, paragraph, safe, table_of, text_run
 from rbpsym.notation.layout import layout
-from rbpsym.notation.omml import formula, render, to_omml
+from rbpsym.notation.omml import render, to_omml
 
 COLUMN = 31.0  # em, between a margin for the number and one like it at the left
 
@@ -86,7 +86,9 @@ def display(block: Display, page: Page) -> str:
 def table(block: Table, page: Page) -> str:
     """A native table with three rules; its header is repeated on each page."""
     columns = widths(block, page)
-    header = [Cell(cell(c, letter, page, "<w:b/>"), UNDER) for c, letter in zip(block.header, block.columns, strict=True)]
+    header = [
+        Cell(cell(c, letter, page, "<w:b/>"), UNDER) for c, letter in zip(block.header, block.columns, strict=True)
+    ]
     rows = [[Cell(cell(c, x, page)) for c, x in zip(row, block.columns, strict=True)] for row in block.rows]
     shown = table_of(columns, [header, *rows], Look("center", RULES, 90), header=True)
     return captioned(block, "table", page) + shown if block.caption else shown

@@ -68,7 +68,9 @@ class Look:
     indent: int = 0
 
 
-def table_of(columns: Sequence[int], rows: Sequence[Sequence[Cell]], look: Look = Look(), *, header: bool = False) -> str:
+def table_of(
+    columns: Sequence[int], rows: Sequence[Sequence[Cell]], look: Look = Look(), *, header: bool = False
+) -> str:
     """A table with columns of given widths in twips, and the gap that parts it from a table below it.
 
     The first of its rows is a `header` that is repeated on each page.

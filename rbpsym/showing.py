@@ -1,0 +1,17 @@
+"""Values that show themselves in notebooks: how they look is known on the floor of documents."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+LOOKS = "rbpsym.document.looks"
+
+
+class Shown:
+    """What Jupyter shows as a page and not as source text."""
+
+    __slots__ = ()
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """HTML with MathML, LaTeX and plain text, by media type."""
+        return import_module(LOOKS).looks(self)
