@@ -55,7 +55,7 @@ def explored(problem: Problem) -> Model:
 def state_numbers(found: Model, moment: Mapping[str, Any]) -> dict[str, float]:
     """The names of a problem with the numbers that the page shows."""
     numbers = {one["name"]: one["value"] for one in found.data["numbers"]}
-    numbers |= {name: value for name, value in moment["q"].items()}
+    numbers |= moment["q"]
     numbers |= {f"{name}_dot": value for name, value in moment["v"].items()}
     return numbers | {"t": moment["local"]}
 

@@ -45,7 +45,7 @@ def as_json(value: Any) -> str:
 def model(problem: Problem, language: str) -> Model:
     """The model of a problem, with all its phases where these have a closed form."""
     said, notation = Words(language, problem), problem_notation(problem)
-    parts, partial = _stages(problem)
+    parts, partial = problem_stages(problem)
     study = parts[0].study
     numbers = sliders(study)
     names = tuple(slider.name for slider in numbers)
@@ -70,7 +70,8 @@ def _bodies(study: Study, said: Words) -> list[str]:
     return [said.body(name) for name in study.problem.body_names]
 
 
-def _stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
+def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
+    """All phases of a problem; the first alone, and True, where the next has no closed form."""
     try:
         return stages(problem), False
     except NotApplicable:

@@ -101,16 +101,16 @@ class Readings {
 
   halves(key, k) {
     return [
-      this.reading(`W_T.${key}`, "J", 1, (m) => m.works[k][0]),
-      this.reading(`W_R.${key}`, "J", 1, (m) => m.works[k][1]),
-      this.reading(`W.${key}`, "J", 1, (m) => m.works[k][0] + m.works[k][1]),
+      this.reading(`W_T.${key}`, "", 1, (m) => m.works[k][0]),
+      this.reading(`W_R.${key}`, "", 1, (m) => m.works[k][1]),
+      this.reading(`W.${key}`, "", 1, (m) => m.works[k][0] + m.works[k][1]),
     ];
   }
 
   energies() {
     const rows = Object.entries(ENERGIES).filter(([name]) => name[0] === "K" || this.motion.data.phases.some((p) => p.potential !== null));
     return tableOf(WORDS.energies, [], rows.map(([name, of]) => [
-      WORDS[name], this.bar(name, (m) => of(m), "energy"), this.reading(name, "J", 1, of),
+      WORDS[name], this.bar(name, (m) => of(m), "energy"), this.reading(name, "", 1, of),
     ]));
   }
 

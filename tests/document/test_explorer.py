@@ -1,0 +1,237 @@
+"""The explorer: its script and its page show the numbers of the derivation, for every problem that ships."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from rbpsym.cli import main
+from rbpsym.document.explorer.model import model, problem_stages
+from rbpsym.document.explorer.page import explorer
+from rbpsym.document.resources import data_folder
+from rbpsym.mechanics.numbers import number
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+from tests.architecture.source import ROOT
+from tests.document import explored
+
+EXAMPLES = sorted((ROOT / "docs" / "examples").glob("[ci]*/*.toml"))
+FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
+node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+browser = pytest.mark.skipif(shutil.which("chromium") is None, reason="needs Chromium")
+WITHOUT_FONT = 150_000
+
+
+def can_move(path: Path) -> bool:
+    return "[coordinates" in path.read_text(encoding="utf-8")
+
+
+MOVING = [name for name, path in FILES.items() if can_move(path)]
+
+
+@node
+@pytest.mark.parametrize("name", MOVING)
+def test_the_script_agrees_with_the_derivation(name: str) -> None:
+    problem = load_problem(FILES[name])
+    found = model(problem, "en")
+    parts, _ = problem_stages(problem)
+    for moment in explored.run(found):
+        assert moment["end"]["kind"] not in ("numbers", "singular"), moment["end"]
+        told = explored.told(moment)
+        size = max(abs(value) for value in told.values())
+        numbers = explored.state_numbers(found, moment)
+        for what, value in explored.derived(parts[moment["phase"]].study, numbers):
+            assert explored.close(told[what], value, size), (what, told[what], value)
+
+
+@node
+@pytest.mark.parametrize(
+    "name",
+    ["sliding-ladder", "sliding-ladder-with-spring", "rod-and-disk-fixed", "rod-and-disk-free", "half-disk-rocking"],
+)
+def test_works_and_motion_are_those_of_the_derivation(name: str) -> None:
+    """Works against their closed forms; the motion against the square of the speed and an independent integration."""
+    problem = load_problem(FILES[name])
+    found = model(problem, "en")
+    study = problem_stages(problem)[0][0].study
+    for moment in explored.run(found, (0.3, 0.9)):
+        numbers = explored.state_numbers(found, moment)
+        for coordinate, square in study.squares.items():
+            speed = moment["v"][coordinate]
+            assert explored.close(number(square, numbers), speed**2)
+        closed = 0
+        for item in study.works:
+            for half, value in zip(
+                (item.translational, item.rotational), moment["works"][f"{item.force}@{item.on}"], strict=True
+            ):
+                if half.value is not None:
+                    closed += 1
+                    assert explored.close(number(half.value, numbers), value, 10.0), item.force
+        assert closed
+        assert explored.close(moment["q"][study.system.independent[0]], integrated(study, found, moment["time"]))
+
+
+def integrated(study, found, time: float) -> float:
+    """The first coordinate at a time, from the derived accelerations by scipy."""
+    from scipy.integrate import solve_ivp
+
+    system = study.system
+    numbers = {one["name"]: one["value"] for one in found.data["numbers"]}
+    names = (*system.coordinates, *system.speeds)
+    start = [number(system.scope.start[name], numbers) for name in names]
+
+    def rate(t: float, y: np.ndarray) -> list[float]:
+        known = numbers | dict(zip(names, y.tolist(), strict=True)) | {"t": t}
+        gained = [number(study.dynamics.accelerations[name], known) for name in system.accelerations]
+        return [number(system.scope.rates[name], known) for name in system.coordinates] + gained
+
+    done = solve_ivp(rate, (0, time), start, rtol=1e-10, atol=1e-12)
+    return float(done.y[0, -1])
+
+
+class Readings(HTMLParser):
+    """The <data> elements of a page by key, its status, and whether the script came to its end."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.found: dict[str, float] = {}
+        self.attributes: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        known = dict(attrs)
+        self.attributes.append((tag, known))
+        if tag == "data" and "data-key" in known:
+            self.found[str(known["data-key"])] = float(known["value"] or "nan")
+
+
+def shown(page: Path, fragment: str = "", extra: str = "") -> Readings:
+    """What Chromium makes of a page; `extra` is a script that plays the part of a person."""
+    if extra:
+        text = page.read_text(encoding="utf-8").replace("</body>", f"<script>{extra}</script></body>")
+        page = page.with_name("played.html")
+        page.write_text(text, encoding="utf-8")
+    flags = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={page.parent / 'profile'}"]
+    wait = ["--virtual-time-budget=5000", "--dump-dom", f"{page.as_uri()}{fragment}"]
+    done = subprocess.run(["chromium", *flags, *wait], capture_output=True, text=True, timeout=120, check=True)
+    found = Readings(done.stdout)
+    assert found.attributes[0][1].get("data-ready") == "yes", "the script did not come to its end"
+    return found
+
+
+def written(tmp_path: Path, *names: str) -> Path:
+    """The explorer's page, by the command."""
+    result = CliRunner().invoke(main, ["explore", *names, "-o", str(tmp_path)])
+    assert result.exit_code == 0, result.output
+    return Path(result.output.strip())
+
+
+@browser
+def test_the_page_shows_the_numbers_of_the_derivation(tmp_path: Path) -> None:
+    """Two systems side by side in the browser, other numbers than the example's, read out at t = 0.6 s."""
+    page = written(tmp_path, "rod-and-disk-fixed", "rod-and-disk-free")
+    read = shown(page, "#t=0.6&ell=1.3&M=1.7").found
+    assert read["p.ell"] == 1.3
+    for place, name in enumerate(("rod-and-disk-fixed", "rod-and-disk-free")):
+        problem = load_problem(FILES[name])
+        study = problem_stages(problem)[0][0].study
+        numbers = {key.removeprefix("p."): value for key, value in read.items() if key.startswith("p.")}
+        for coordinate in study.problem.coordinates:
+            numbers[coordinate.name] = read[f"{place}.q.{coordinate.name}"]
+            numbers[f"{coordinate.name}_dot"] = read[f"{place}.v.{coordinate.name}"]
+        compared = 0
+        for what, value in explored.derived(study, numbers):
+            kind, _, rest = what.partition(" ")
+            key = f"{place}." + ("K_" + "TR"[int(rest)] if kind == "K" else f"{kind}.{rest.replace(' ', '.')}")
+            assert explored.close(read[key], value, 10.0), (key, read[key], value)
+            compared += 1
+        assert compared > 8
+        total = number(sum(study.kinetic), numbers) + number(study.potential, numbers)
+        assert explored.close(read[f"{place}.E"], total)
+        for item in study.works:
+            for letter, half in (("T", item.translational), ("R", item.rotational)):
+                if half.value is not None:
+                    value = read[f"{place}.W_{letter}.{item.force}@{item.on}"]
+                    assert explored.close(number(half.value, numbers), value, 10.0)
+
+
+PERSON = """
+const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+const slide = (id, value) => {
+  const one = document.getElementById(id);
+  one.value = value;
+  one.dispatchEvent(new Event("input"));
+};
+setTimeout(() => {
+  press("ArrowRight"); press("ArrowRight"); press("ArrowRight");
+  document.body.dataset.stepped = document.getElementById("clock").value;
+  document.body.dataset.said = document.getElementById("status").textContent;
+  press(" ");
+  document.body.dataset.playing = document.getElementById("play").dataset.playing;
+  press(" "); press("Home");
+  document.body.dataset.home = document.getElementById("clock").value;
+  slide("place-0-theta", 1.0);
+  document.body.dataset.place = document.querySelector('[data-key="0.q.theta"]').value;
+  slide("number-g", 20);
+}, 200);
+"""
+
+
+@browser
+def test_it_is_worked_by_keyboard_and_sliders(tmp_path: Path) -> None:
+    seen = shown(written(tmp_path, "sliding-ladder"), extra=PERSON)
+    told = next(attributes for tag, attributes in seen.attributes if tag == "body")
+    assert float(told["data-stepped"]) == pytest.approx(0.06)
+    assert "θ = " in told["data-said"]
+    assert "°" in told["data-said"]
+    assert told["data-playing"] == "true"
+    assert float(told["data-home"]) == 0
+    assert float(told["data-place"]) == pytest.approx(1.0, abs=1e-3)
+    assert seen.found["p.g"] == pytest.approx(20, abs=0.1)
+    sliders = [a for tag, a in seen.attributes if tag == "input" and a.get("type") == "range" and a.get("id") != "time"]
+    assert len(sliders) >= 5
+    assert all(one.get("aria-label") and one.get("aria-valuetext") for one in sliders)
+    assert any(a.get("role") == "status" and a.get("aria-live") == "polite" for _, a in seen.attributes)
+
+
+@browser
+def test_it_fits_a_phone(tmp_path: Path) -> None:
+    """At 360 px nothing sticks out of the page, but for tables that scroll by themselves."""
+    measure = "setTimeout(()=>{document.body.dataset.wide=document.documentElement.scrollWidth;},300)"
+    page = written(tmp_path, "rod-and-disk-free")
+    framed = page.with_name("phone.html")
+    inner = page.read_text(encoding="utf-8").replace("<body>", '<body style="width:360px">')
+    framed.write_text(inner, encoding="utf-8")
+    seen = shown(framed, extra=measure.replace("document.documentElement", "document.querySelector('main')"))
+    body = next(attributes for tag, attributes in seen.attributes if tag == "body")
+    assert int(body["data-wide"]) <= 360
+
+
+@pytest.mark.parametrize("name", [name for name in MOVING if name in problem_files()])
+def test_one_small_file_without_a_network(name: str) -> None:
+    page = explorer((load_problem(FILES[name]),))
+    font = re.search(r"base64,[A-Za-z0-9+/=]+", page)
+    assert len(page.encode()) - (len(font[0]) if font else 0) < WITHOUT_FONT
+    assert not re.search(r"""(?:src|href)=["']?(?:https?:)?//|@import|fetch\(|XMLHttp""", page)
+
+
+def test_what_can_not_be_explored_gets_a_sentence(tmp_path: Path) -> None:
+    for wanted, said in (("paper", "is a course"), ("no-such-problem", "no problem and no file")):
+        result = CliRunner().invoke(main, ["explore", wanted, "-o", str(tmp_path)])
+        assert result.exit_code == 2
+        assert said in result.output
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_scripts_hold_no_formula_of_a_problem() -> None:
+    """The templates are shells; what moves is in the package and knows no problem."""
+    assert "<script>" in (data_folder("templates") / "explorer.html").read_text(encoding="utf-8")
+    text = "".join(path.read_text(encoding="utf-8") for path in explored.FOLDER.glob("*.js"))
+    assert not [name for name in problem_files() if name in text]
