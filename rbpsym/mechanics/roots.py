@@ -8,9 +8,11 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import is_zero, normal, shorten
-from rbpsym.algebra.poly import Poly, generator, inverse
+from rbpsym.algebra.poly import ONE, Poly, generator, inverse
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.algebra.sympy_bridge import factors
+from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)
 
@@ -54,7 +56,16 @@ def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
     slope = derivative(factor, name)
     if not depends_on(slope, name):
         return [-(substitute(factor, {name: NOTHING}) / slope)]
+    bend = derivative(slope, name)
+    if not depends_on(bend, name):
+        return _solve_quadratic(bend / 2, *(substitute(value, {name: NOTHING}) for value in (slope, factor)))
     return _trig_zeros(factor, name)
+
+
+def _solve_quadratic(a: Scalar, b: Scalar, c: Scalar) -> list[Scalar]:
+    """Zeros of a x² + b x + c (whether they are real is seen where they are used)."""
+    spread = simplified_root(short(b * b - a * c * 4), lambda name: False)
+    return [(spread * side - b) / (a * 2) for side in (1, -1)]
 
 
 def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
@@ -71,11 +82,34 @@ def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
     if depends_on(rate, name):
         return []
     cos, sin = (atoms.intern(kind, angle) for kind in ("cos", "sin"))
-    parts = _linear_parts(factor.num, cos, sin)
-    if parts is None or any(depends_on(part, name) for part in parts):
-        return []
     phase = substitute(Scalar(angle), {name: NOTHING})
-    return [_principal((solution - phase) / rate) for solution in _solve_wave(*parts)]
+    return [_principal((solution - phase) / rate) for solution in _waves(factor.num, cos, sin, name)]
+
+
+def _waves(poly: Poly, cos: int, sin: int, name: str) -> list[Scalar]:
+    """Angles at which a polynomial in cos A and sin A vanishes: linear in both, or quadratic in one."""
+    parts = _linear_parts(poly, cos, sin)
+    if parts is not None:
+        return [] if any(depends_on(part, name) for part in parts) else _solve_wave(*parts)
+    for base, other, kind in ((cos, sin, "acos"), (sin, cos, "asin")):
+        powers = _quadratic_parts(poly, base, other)
+        if powers and not any(depends_on(part, name) for part in powers):
+            solutions = [function(kind, value) for value in _solve_quadratic(*powers)]
+            return [way for first in solutions for way in (first, -first if kind == "acos" else PI - first)]
+    return []
+
+
+def _quadratic_parts(poly: Poly, base: int, other: int) -> tuple[Scalar, Scalar, Scalar] | None:
+    """(a, b, c) of a u² + b u + c in u = cos A, with sin² A = 1 - u² (or the other way round)."""
+    mixed = poly.by_power(other)
+    if set(mixed) - {0, 2}:
+        return None
+    square = generator(base) * generator(base)
+    plain = mixed.get(0, Poly({})) + mixed.get(2, Poly({})) * (ONE - square)
+    powers = plain.by_power(base)
+    if set(powers) - {0, 1, 2} or 2 not in powers:
+        return None
+    return tuple(Scalar(powers.get(k, Poly({}))) for k in (2, 1, 0))
 
 
 def _other_forms(factor: Scalar, name: str, angles: set) -> list[Scalar]:

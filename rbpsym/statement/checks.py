@@ -35,7 +35,7 @@ def unknowns_of(element: Element) -> dict[str, Dimension]:
 def _something(problem: Problem, table: Table) -> None:
     if not problem.bodies:
         raise table.error("the problem has no bodies", "add [bodies.rod] with its shape, mass and place.")
-    if not problem.coordinates:
+    if not problem.coordinates and not problem.constraints:  # with constraints it is one of statics
         raise table.error("the problem has no coordinates", "add [coordinates.theta] and use theta in a pose.")
     if len(problem.bodies) > MAX_BODIES:
         raise table.error(f"the problem has {len(problem.bodies)} bodies, {MAX_BODIES} are allowed", key="bodies")

@@ -75,7 +75,8 @@ def test_every_step_is_proved_or_says_why_not(name):
 @by_name
 def test_methods_and_oracles_agree(name):
     found = derived(name).summary()
-    assert found["methods"] and found["methods_agree"], found["methods"]
+    still = not derived(name).study.system.independent  # statics: no acceleration on which methods could agree
+    assert (found["methods"] or still) and found["methods_agree"], found["methods"]
     assert found["lagrange"] == "PROVED"
     assert found["simulation"] is not None and found["simulation"]["max_relative_error"] <= 1e-8
 
