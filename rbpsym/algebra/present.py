@@ -7,6 +7,7 @@ scalar it was made of (the derivation proves it again for every tree that it pri
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 
@@ -61,11 +62,19 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     return t.neg(node) if sign else node
 
 
+def _number(poly: Poly) -> float | None:
+    """The value of a polynomial in π alone."""
+    if any(atoms.symbol_name(index) != "pi" for index in poly.atoms()):
+        return None
+    return sum(float(c) * math.prod(math.pi**e for _, e in m) for m, c in poly.terms.items())
+
+
 def _is_upside_down(den: Poly, style: Style) -> bool:
     """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
     if len(still) == 2 == len(den.terms):
-        return starts_negative(den, style)
+        value = _number(den)
+        return starts_negative(den, style) if value is None else value < 0
     return bool(still) and all(c < 0 for c in still)
 
 

@@ -159,6 +159,19 @@ def rates_on_motion(context: Context, step: Step) -> Verdict:
     return found if found.kind is PROVED else _by_rates(context, step, context.along)
 
 
+def power_of_works(context: Context, step: Step) -> Verdict:
+    """The rate of the works is as stated, whatever the unknown forces; an inequality holds for every state."""
+
+    def seen(node: t.Node) -> Scalar:
+        return context.rate(node.of) if isinstance(node, t.Deriv) else context.value(node)
+
+    def one(left: t.Node, op: str, right: t.Node) -> Verdict:
+        a, b = seen(left), seen(right)
+        return same(context, a, b) if op == "=" else compare(a, b, context.assumptions, strict=op == "<")
+
+    return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
+
+
 def integrals_by_differentiation(context: Context, step: Step) -> Verdict:
     """Each integral: its antiderivative is differentiated and compared with the integrand."""
     found = [node for node in t.walk(step.statement) if isinstance(node, t.Integral)]

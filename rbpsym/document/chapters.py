@@ -61,8 +61,11 @@ def _ends(statement: t.Node) -> t.Node:
 
 
 def _title(name: str, derivation: Derivation) -> str:
-    """The chapter on contacts is about forces along the motion where none is lost."""
-    return "along" if name == "contact" and not derivation.study.losses else name
+    """The chapter on contacts is about forces along the motion where none is lost; energy need not be conserved."""
+    if name == "energy" and not any(step.id == "energy" for step in derivation.steps):
+        return "energy_changes"
+    lost = any(step.rule == "vanishing" for step in derivation.steps)
+    return name if name != "contact" or lost else "along"
 
 
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
@@ -112,12 +115,15 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as symbols, what cancels, the theorem in its halves, then the works carried out."""
     teller = Teller(said)
-    rules = ("work", "workless", "work_energy", "work_done", "solution")
+    rules = ("work", "workless", "power", "work_energy", "work_done", "solution")
     kinds = {rule: [step for step in steps if step.rule == rule] for rule in rules}
-    if kinds["work"]:
-        yield from _integrals(kinds["work"], derivation, said)
-    forces = [step.slots["force"] for step in kinds["workless"]]
-    yield from teller.together(kinds["workless"], "work.cancel_all", forces=forces)
+    integrals, handed_on = by_kind(kinds["work"], ("work.handed_on",))
+    if integrals:
+        yield from _integrals(integrals, derivation, said)
+    for manner in dict.fromkeys(step.phrase for step in kinds["workless"]):
+        group = [step for step in kinds["workless"] if step.phrase == manner]
+        yield from teller.together(group, "work.cancel_all", forces=[step.slots["force"] for step in group])
+    yield from teller.steps((*handed_on, *kinds["power"]))
     whole, *split = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
@@ -164,8 +170,9 @@ def _by_force(steps: list[Step]) -> list[list[Step]]:
 
 def _halves(steps: list[Step], teller: Teller, said: Words) -> Iterator[Block]:
     """Both halves of the theorem, of all bodies under one number if there are few."""
+    turns = any(step.phrase == "work.theorem.rotational" for step in steps)
     if len(steps) <= MOST_ROWS:
-        yield Paragraph(said.say("work.theorem.halves"))
+        yield Paragraph(said.say("work.theorem.halves" if turns else "work.theorem.half", count=len(steps)))
         yield joined(steps, said)
         return
     yield Paragraph(said.say("work.theorem.halves_each"))
@@ -182,7 +189,11 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
         group = [step for step in along if step.is_result is boxed]
         forces = [step.slots["force"] for step in group]
         yield from teller.together(group, "contact.along_all", sources=sources, forces=forces)
-    yield from teller.steps(others)
+    same, rest = by_kind(others, ("contact.other_force",))
+    first = next((k for k, step in enumerate(others) if step in rest), len(same))
+    yield from teller.steps(same[:first])
+    yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
+    yield from teller.steps(same[first:])
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
@@ -16,7 +16,7 @@ from rbpsym.mechanics import energy, events, friction, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
-from rbpsym.notation.tree import Sym
+from rbpsym.notation.tree import Fn, Sym, walk
 from rbpsym.quantities import ACCELERATION, Quantity
 from rbpsym.statement.model import Problem
 
@@ -76,7 +76,7 @@ class Study:
             for c in self.problem.coordinates
             if c.name in ranges and getattr(c.start, "name", None) in self.problem.implicit
         }
-        return Assumptions(signs, {**self._roomy_circles, **ranges})
+        return Assumptions(signs, {**self._roomy_circles, **self._slopes, **ranges})
 
     @property
     def _roomy_circles(self) -> dict[str, tuple[Scalar | None, Scalar | None]]:
@@ -84,6 +84,17 @@ class Study:
         inside = [e for e in self.problem.constraints if e.values.get("side") == "inside" and e.values.get("rim")]
         rims = [(e["rim"], scalar(e["radius"])) for e in inside]
         return {rim.name: (NOTHING, radius) for rim, radius in rims if isinstance(rim, Sym)}
+
+    @property
+    def _slopes(self) -> dict[str, tuple[Scalar | None, Scalar | None]]:
+        """An angle that gives the slope of a line by its tangent lies below a right angle."""
+        lines = [e["line"] for e in self.problem.constraints if e.values.get("line") is not None]
+        nodes = (node for line in lines for part in (line.a, line.b, line.c) for node in walk(part))
+        slopes = {
+            node.arg.name for node in nodes if isinstance(node, Fn) and node.name == "tan" and isinstance(node.arg, Sym)
+        }
+        signs = {q.name: q.sign for q in self.problem.parameters if q.name in slopes}
+        return {name: (NOTHING if sign == "positive" else -PI / 2, PI / 2) for name, sign in signs.items()}
 
     @cached_property
     def style(self) -> Style:

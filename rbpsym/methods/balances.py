@@ -49,6 +49,7 @@ class Balance:
 
 COST = {"fixed": 1.0, "center": 1.05, "force": 1.2, "moving": 1.6, "crossing": 1.7}
 ABOUT_NO_AXIS = 0.45  # torque about a fixed point about which the bodies do not turn
+SLANTED = 0.1  # a direction that is neither along the velocity nor across it
 ONLY_SHIFTED = -0.2  # mass times acceleration of bodies that do not turn
 
 
@@ -128,7 +129,8 @@ def _habit(study: Study, kind: str, bodies: tuple[str, ...], where: Vector) -> f
     """What a teacher would rather take: the axis of what turns about it, forces for what is only shifted."""
     states = [study.system.bodies[name] for name in bodies]
     if kind == "force":
-        return ONLY_SHIFTED if not any(state.omega for state in states) else 0.0
+        slanted = any(not is_zero(where.cross(s.velocity)) and not is_zero(where.dot(s.velocity)) for s in states)
+        return SLANTED * slanted + (ONLY_SHIFTED if not any(state.omega for state in states) else 0.0)
     if kind != "fixed" or all(_keeps_distance(study, state, where) for state in states):
         return 0.0
     return ABOUT_NO_AXIS

@@ -8,10 +8,12 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
+from rbpsym.methods.net_work import is_kinetic, net_power
 from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
@@ -23,7 +25,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     draft.chapter = "energy"
     _kinetic(draft)
     if draft.study.first_integral is None:
-        draft.skip(NAME, "skipped.not_conserved", forces=_dissipative(draft))
+        _not_conserved(draft)
         return None
     _potentials(draft)
     _splits(draft)
@@ -32,9 +34,58 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     return _acceleration(draft)
 
 
-def _dissipative(draft: Draft) -> list[t.Node]:
+def _not_conserved(draft: Draft) -> None:
+    """Why, and how fast the energy changes."""
+    forces = [*_without_potential(draft), *_rough(draft)]
+    nodes = [force_node(draft, next(f for f in draft.study.system.forces if f.name == name)) for name in forces]
+    if forces:
+        draft.skip(NAME, "skipped.not_conserved", forces=nodes, count=len(forces))
+    else:
+        draft.skip(NAME, "skipped.driven" if draft.study.system.has_clock else "skipped.no_integral")
+    _potentials(draft)
+    _changes(draft, forces, nodes)
+
+
+def _without_potential(draft: Draft) -> list[str]:
     """The interactions without a potential energy."""
-    return [t.Vec(name) for name, value in energy.potentials(draft.study.system).items() if value is None]
+    return [name for name, value in energy.potentials(draft.study.system).items() if value is None]
+
+
+def _rough(draft: Draft) -> list[str]:
+    """The forces of kinetic friction."""
+    names = dict.fromkeys(force.name for force in draft.study.system.forces)
+    return [name for name in names if is_kinetic(draft.study.system.element(name), name)]
+
+
+def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
+    """dE/dt is the power of the forces that are neither ideal nor conservative."""
+    driving = [n for n, fine in draft.study.dynamics.workless.items() if not fine and n not in forces]
+    powers = [value for name in (*forces, *driving) if (value := net_power(draft, name))]
+    if not powers or draft.study.dynamics.accelerations is None:
+        return
+    known = {n: v for n, v in energy.potentials(draft.study.system).items() if v}
+    total = sum(draft.study.kinetic, NOTHING) + sum(known.values(), NOTHING)
+    letter = draft.define(draft.free("E"), total)
+    letters = [t.Sym(draft.free("K")), *(t.Sym(draft.free(f"U_{name}")) for name in known)]
+    draft.add(
+        "energy.letter",
+        "identity",
+        t.equation(letter, t.add(*letters)),
+        "energy.total",
+        count=len(letters),
+        premises=["kinetic", *(f"potential.{name}" for name in known)],
+    )
+    more = [t.Sym(name) if name in draft.study.system.unknowns else t.Vec(name) for name in driving]
+    draft.add(
+        "energy.change",
+        "balance",
+        t.equation(t.Deriv(letter), t.add(*(draft.show(short(value), factor=True) for value in powers))),
+        "energy.changes",
+        forces=[*nodes, *more],
+        count=len(powers),
+        premises=["energy.letter", *(f"dissipation.{name}" for name in forces)],
+        is_result=True,
+    )
 
 
 def _kinetic(draft: Draft) -> None:
@@ -68,7 +119,7 @@ def _kinetic(draft: Draft) -> None:
 def _potentials(draft: Draft) -> None:
     """The potential energy of each conservative interaction."""
     for name, value in energy.potentials(draft.study.system).items():
-        if value is None:
+        if not value:
             continue
         letter = draft.define(draft.free(f"U_{name}"), value)
         element = draft.study.system.element(name)
@@ -119,7 +170,7 @@ def _splits(draft: Draft) -> None:
 def _conserved(draft: Draft) -> None:
     """E = T + U is constant."""
     letters = [t.Sym(draft.free("K"))]
-    letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v is not None]
+    letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v]
     value = draft.study.first_integral
     shown = _as_sum(draft)
     letter = draft.define(draft.free("E"), value)
@@ -128,7 +179,9 @@ def _conserved(draft: Draft) -> None:
         if draft.study.potential is not None and not draft.study.system.has_clock
         else [letter, draft.show(value)]
     )
-    phrase = "energy.relative" if draft.study.system.has_clock else "energy.conserved"
+    whole = "energy.conserved" if draft.study.potential is not None else "energy.effective"
+    phrase = "energy.relative" if draft.study.system.has_clock else whole
+    ideal = list(dict.fromkeys(force.name for force in draft.study.system.forces if force.unknowns))
     draft.add(
         "energy",
         "conservation",
@@ -137,8 +190,8 @@ def _conserved(draft: Draft) -> None:
         is_result=True,
         premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
         data={"value": value},
-        ideal=[t.Vec(e.name) for e in draft.study.problem.constraints],
-        variant={0: "none", 1: "one"}.get(len(draft.study.problem.constraints), "many"),
+        ideal=[t.Vec(name) for name in ideal],
+        variant={0: "none", 1: "one"}.get(len(ideal), "many"),
     )
 
 

@@ -17,11 +17,12 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.methods import net_work
+from rbpsym.methods.net_work import HALVES
 from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "work-energy"
-HALVES = (("T", "translational"), ("theta", "rotational"))
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -35,7 +36,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
         _symbols(draft, item)
     for item in works:
         _integrals(draft, item)
-    _cancelling(draft, works)
+    net_work.write(draft, works)
     _theorem(draft, works)
     for item in works:
         _done(draft, item)
@@ -118,26 +119,6 @@ def start_of(draft: Draft, name: str) -> t.Node:
     return coordinate.start if coordinate.start is not None else t.Sym(f"{name}_0")
 
 
-def _cancelling(draft: Draft, works: tuple[ForceWork, ...]) -> None:
-    """Constraint by constraint: the sum of all works vanishes although the single ones don't."""
-    for name in dict.fromkeys(item.force for item in works):
-        items = [item for item in works if item.force == name]
-        terms = [
-            t.Sym(name_of(draft, item, half)) for item in items for half, word in HALVES if getattr(item, word).parts
-        ]
-        if terms and draft.study.dynamics.workless.get(name):
-            draft.add(
-                f"workless.{name}",
-                "workless",
-                t.equation(t.add(*terms), t.ZERO),
-                "work.cancels",
-                premises=[f"work.{i.force}.{i.on}" for i in items],
-                force=t.Vec(name),
-                works=terms,
-                count=len(terms),
-            )
-
-
 def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
     """The halves for each body, and the whole."""
     for name, state in _bodies_with_known_motion(draft):
@@ -188,8 +169,8 @@ def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
         "work_energy",
         statement,
         "work.theorem.whole",
+        variant="cancelled" if len(left) < len(works) else "all",
         premises=[s.id for s in draft.steps if s.id.startswith(("theorem.", "workless."))],
-        count=len(terms),
     )
 
 

@@ -1,15 +1,23 @@
-"""Unknown forces as functions of position alone, and where a contact is lost."""
+"""Unknown forces as functions of position alone, where a contact is lost, how much friction is needed."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+
 from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import generator
 from rbpsym.algebra.present import atom_node
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.draft import Draft
+from rbpsym.algebra.scalar import UNITY, Scalar, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, StepRef
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.events import Loss
+from rbpsym.mechanics.events import Loss, pushes
+from rbpsym.mechanics.friction import FrictionNeed
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.notation import tree as t
 
 LONGEST = 60  # nodes of a formula that is worth showing in standard detail
@@ -19,11 +27,36 @@ def write(draft: Draft) -> None:
     """The chapter."""
     draft.chapter = "contact"
     along = draft.study.reactions_along_motion
-    if not along or not draft.study.squares:
-        return
+    if along and draft.study.squares:
+        _along(draft, along)
+        found = _first(draft)
+        for name in _one_sided(draft, along):
+            if not any(loss.force == name for loss in draft.study.losses):
+                _holds(draft, name, along[name])
+        if found is not None:
+            _loss(draft, found, along)
+    for need in draft.study.friction_needs:
+        _friction(draft, need)
+
+
+def _with_tangent(draft: Draft, value: Scalar) -> t.Node:
+    """With tan a, where sin a/cos a is all that is there of an angle a."""
+    problem = draft.study.problem
+    for name in (*(q.name for q in problem.parameters), *(c.name for c in problem.coordinates)):
+        angle = symbol(name)
+        if depends_on(value, name):
+            rest = short(value * cosine(angle) / sine(angle))
+            if not depends_on(rest, name):
+                tangent = t.Fn("tan", t.Sym(name))
+                return tangent if is_zero(rest - UNITY) else t.mul(draft.show(rest, factor=True), tangent)
+    return draft.show(value, factor=True)
+
+
+def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
+    """Each unknown force with the speed put in."""
     for name, value in along.items():
         shown = draft.show(value, factor=True)
-        level = STANDARD if _is_contact(draft, name) or len(list(t.walk(shown))) <= LONGEST else FULL
+        level = STANDARD if _is_contact(draft, name) or length(shown) <= LONGEST else FULL
         draft.add(
             f"along.{name}",
             "substitution",
@@ -36,8 +69,86 @@ def write(draft: Draft) -> None:
             reaction=StepRef(f"reaction.{name}"),
             is_result=_is_contact(draft, name),
         )
-    for loss in draft.study.losses:
-        _loss(draft, loss, along)
+
+
+def _one_sided(draft: Draft, along: Mapping[str, Scalar]) -> list[str]:
+    """Forces that can only push (or pull)."""
+    return [name for element in draft.study.problem.constraints for name in pushes(element) if name in along]
+
+
+def _first(draft: Draft) -> Loss | None:
+    """The loss that comes first, as far as sample numbers tell: what would come later does not happen."""
+    numbers = sample(draft.study.problem)
+
+    def way(loss: Loss) -> float:
+        start = draft.study.system.scope.start.get(loss.coordinate)
+        place = loss.at.get(loss.coordinate)
+        return math.inf if None in (start, place) else abs(number(place, numbers) - number(start, numbers))
+
+    return min(draft.study.losses, key=way, default=None)
+
+
+def _holds(draft: Draft, name: str, value: Scalar) -> None:
+    """A force that is positive whatever the position: the contact lasts."""
+    if sign(value, draft.study.assumptions).kind != "positive":
+        return
+    moving = any(depends_on(value, q) for q in (*draft.study.system.coordinates, "t"))
+    draft.add(
+        f"holds.{name}",
+        "stays",
+        t.relation(t.Sym(name), ">", t.ZERO),
+        f"contact.holds.{_manner(draft, name)}",
+        level=STANDARD if moving else FULL,
+        premises=[f"along.{name}"],
+        force=t.Sym(name),
+    )
+
+
+def _manner(draft: Draft, name: str) -> str:
+    """A string that pulls, or a contact that pushes."""
+    return "string" if draft.study.system.element(name).kind == "string" else "contact"
+
+
+def _friction(draft: Draft, need: FrictionNeed) -> None:
+    """How large the coefficient of static friction must be."""
+    force, normal = t.Sym(need.friction), t.Sym(need.constraint)
+    slots = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
+    premises = [f"{kind}.{n}" for n in (need.friction, need.constraint) for kind in ("along", "reaction")]
+    if need.needed is None:
+        shown = _with_tangent(draft, need.ratio)
+        draft.add(
+            f"friction.{need.constraint}",
+            "substitution",
+            t.equation(t.Div(force, normal), shown),
+            "contact.ratio",
+            level=STANDARD if length(shown) <= LONGEST else FULL,
+            premises=premises,
+            **slots,
+        )
+        return
+    single = len(draft.study.friction_needs) == 1
+    letter = draft.define(draft.free("mu_min" if single else f"mu_min_{need.constraint}"), need.needed)
+    size = t.Div(force, normal) if is_zero(need.ratio - need.needed) else t.neg(t.Div(force, normal))
+    draft.add(
+        f"friction.{need.constraint}",
+        "substitution",
+        t.equation(letter, size, _with_tangent(draft, need.needed)),
+        "contact.needed",
+        premises=premises,
+        is_result=True,
+        letter=letter,
+        variant="stated" if need.limit else "open",
+        **slots,
+    )
+    if need.holds:
+        draft.add(
+            f"enough.{need.constraint}",
+            "inequality",
+            t.relation(letter, "<=", draft.show(need.limit)),
+            "contact.enough",
+            premises=[f"friction.{need.constraint}"],
+            **slots,
+        )
 
 
 def _is_contact(draft: Draft, name: str) -> bool:
@@ -52,7 +163,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         f"loss.{loss.force}",
         "vanishing",
         equation,
-        "contact.lost" if place is not None else "contact.lost_implicitly",
+        f"contact.{'lost' if place is not None else 'lost_implicitly'}.{_manner(draft, loss.force)}",
         premises=[f"along.{loss.force}"],
         force=t.Sym(loss.force),
         is_result=True,
@@ -65,16 +176,25 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         if name == loss.force:
             continue
         there = short(substitute(value, loss.at))
+        shown = draft.show(there, factor=True)
+        if length(shown) > LONGEST:
+            continue
         letter = draft.define(draft.free(f"{name}_end"), there)
         draft.add(
             f"at_loss.{loss.force}.{name}",
             "identity",
-            t.equation(letter, draft.show(there, factor=True)),
-            "contact.other_force",
+            t.equation(letter, shown),
+            "contact.grip" if there and _is_grip(draft, name, loss.force) else "contact.other_force",
             premises=[f"along.{name}", f"loss.{loss.force}"],
             force=t.Sym(name),
             lost=t.Sym(loss.force),
         )
+
+
+def _is_grip(draft: Draft, name: str, normal: str) -> bool:
+    """Is it the static friction of the very contact that is lost?"""
+    element = draft.study.system.element(normal)
+    return element.values.get("friction") == name and "limit" in element.values
 
 
 def _solved(draft: Draft, loss: Loss) -> t.Node:
