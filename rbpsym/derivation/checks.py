@@ -23,7 +23,7 @@ from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 
-MOST_PRODUCTS = 400_000  # of a single check: what takes more stays undecided
+MOST_PRODUCTS = 250_000  # of a single check: what takes more stays undecided
 Check = Callable[[Context, Step], Verdict]
 
 

@@ -103,10 +103,17 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     yield forces_table(steps, derivation, said)
 
 
+def _manner_of_motion(derivation: Derivation) -> str:
+    """At rest, driven all through, or with accelerations that were found before."""
+    if derivation.study.system.independent:
+        return "newton_euler"
+    return "newton_euler.driven" if derivation.study.system.has_clock else "newton_euler.rest"
+
+
 def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The equations of each body, then the unknown forces together."""
     teller = Teller(said)
-    yield from _intro("newton_euler", derivation, said)
+    yield from _intro(_manner_of_motion(derivation), derivation, said)
     others, reactions = by_kind(steps, ("newton_euler.reaction",))
     yield from teller.steps(others)
     yield from teller.together(reactions, "newton_euler.reactions")
@@ -188,7 +195,8 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     for boxed in (True, False):
         group = [step for step in along if step.is_result is boxed]
         forces = [step.slots["force"] for step in group]
-        yield from teller.together(group, "contact.along_all", sources=sources, forces=forces)
+        key = "contact.along_all" if sources else "contact.along_plain"
+        yield from teller.together(group, key, sources=sources, forces=forces)
     same, rest = by_kind(others, ("contact.other_force",))
     first = next((k for k, step in enumerate(others) if step in rest), len(same))
     yield from teller.steps(same[:first])

@@ -77,6 +77,8 @@ def _freedom(derivation: Derivation, said: Words) -> Inlines:
     names = set(study.system.independent)
     own = [c for c in study.problem.coordinates if c.name in names]
     described = [_coordinate(c, said, len(own)) for c in own]
+    if not own:
+        return said.say("statement.driven" if study.system.has_clock else "statement.still")
     key = f"number.{len(own)}"
     number = said.say(key) if said.has(key) else len(own)
     return said.say("statement.freedom", coordinates=described, number=number, count=len(own))

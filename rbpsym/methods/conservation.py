@@ -22,6 +22,9 @@ NAME = "energy"
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
     """The steps; returns the acceleration that energy gives, None if the method does not apply."""
+    if not draft.study.system.independent and not draft.study.system.has_clock:
+        draft.skip(NAME, "skipped.no_freedom")
+        return None
     draft.chapter = "energy"
     _kinetic(draft)
     if draft.study.first_integral is None:

@@ -21,7 +21,7 @@ from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "torque"
-MOST_PRODUCTS = 1_000_000  # some seconds: what takes more can't be read either
+MOST_PRODUCTS = 600_000  # some seconds: what takes more can't be read either
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -128,18 +128,19 @@ def _along_k(node: t.Node) -> t.Node:
 
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     """Rate of change of angular momentum = net torque."""
+    momenta = _momenta(draft, balance)
     premises = [net.id, *(f"momentum.{b}.{balance.label}" for b in balance.bodies), f"momentum.total.{balance.label}"]
     statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}",
         "balance",
         statement,
-        f"torque.balance.{balance.kind}",
+        f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'unnamed'}",
         premises=premises,
         point=_point(draft, balance),
         bodies=_bodies(balance),
         net=StepRef(net.id),
-        momenta=_momenta(draft, balance),
+        momenta=momenta,
         variant="some" if balance.right else "zero",
         data={"row": balance.row},
     )
@@ -149,7 +150,8 @@ def _momenta(draft: Draft, balance: Balance) -> list[StepRef]:
     """The steps that gave the angular momentum whose rate of change is balanced."""
     whole = set(balance.bodies) == set(draft.study.system.bodies) and len(balance.bodies) > 1
     ids = [f"momentum.total.{balance.label}"] if whole else [f"momentum.{b}.{balance.label}" for b in balance.bodies]
-    return [StepRef(id) for id in ids if draft.has(id)]
+    spins = [s.id for b in balance.bodies for s in draft.steps if s.id.startswith(f"momentum.{b}.")][:1]
+    return [StepRef(id) for id in [id for id in ids if draft.has(id)] or spins]
 
 
 def _left(draft: Draft, balance: Balance) -> t.Node:

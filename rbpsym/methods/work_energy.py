@@ -27,6 +27,9 @@ NAME = "work-energy"
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
     """The steps; returns the acceleration that the theorem gives for one degree of freedom."""
+    if not draft.study.system.independent and not draft.study.system.has_clock:
+        draft.skip(NAME, "skipped.no_freedom")
+        return None
     draft.chapter = "work"
     works = draft.study.works
     if not works:
@@ -199,7 +202,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     """Σ (rates of work) = dT/dt, divided by the speed."""
     names = draft.study.system.independent
     if len(names) != 1:
-        draft.skip(NAME, "skipped.one_equation", method=NAME, count=len(names))
+        draft.skip(NAME, "skipped.one_equation" if names else "skipped.no_freedom", method=NAME, count=len(names))
         return None
     [name] = names
     total = sum(draft.context.works.values(), NOTHING)

@@ -34,6 +34,8 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
     draft.context.vectors[name] = Space(z=orbital + spin)
     if not orbital and not spin:
         return False
+    if not orbital and any(draft.has(f"momentum.{body}.{other}") for other in draft.study.origins):
+        return True  # the spin part is the same about every point
     formula = t.add(
         t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body))),
         t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))),
