@@ -200,10 +200,34 @@ def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
     group: tuple[b.Box, ...] = ()
     for part in parts:
         if group and width(b.Row((*group, *part.items))) > room:
-            yield b.Row(group)
+            yield fenced_together(group)
             group = ()
         group = (*group, *part.items)
-    yield b.Row(group)
+    yield fenced_together(group)
+
+
+def fenced_together(items: tuple[b.Box, ...]) -> b.Row:
+    """A line whose cut parentheses hold all that stands between them on this line, so that they grow with it."""
+    start = next((k for k, item in enumerate(items) if is_fence(item) and not item.closing), None)
+    end = next((k for k, item in enumerate(items) if is_fence(item) and not item.opening), None)
+    if end is not None and start is not None and start < end:
+        body = (items[start].body, *items[start + 1 : end], items[end].body)
+        whole = b.Fence(items[start].opening, b.Row(tuple(flat(b.Row(body)))), items[end].closing, items[end].tall)
+        return fenced_together((*items[:start], whole, *items[end + 1 :]))
+    if end:
+        sign = int(isinstance(items[0], b.Operator))  # it keeps its spaces outside
+        body = b.Row(tuple(flat(b.Row((*items[sign:end], items[end].body)))))
+        closed = b.Fence("", body, items[end].closing, items[end].tall)
+        return fenced_together((*items[:sign], closed, *items[end + 1 :])) if end > sign else b.Row(items)
+    if start is not None and items[start + 1 :]:
+        body = b.Row(tuple(flat(b.Row((items[start].body, *items[start + 1 :])))))
+        return b.Row((*items[:start], b.Fence(items[start].opening, body, "", items[start].tall)))
+    return b.Row(items)
+
+
+def is_fence(item: b.Box) -> bool:
+    """Is it a pair of delimiters, or one of a pair that was cut?"""
+    return isinstance(item, b.Fence)
 
 
 def widest(found: tuple[Line, ...]) -> float:

@@ -27,7 +27,7 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered
 from rbpsym.document.resources import data_folder
-from rbpsym.document.writers.html_math import display_math, inline_math
+from rbpsym.document.writers.html_math import display_math, inline_math, widest_piece
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text
 
@@ -103,10 +103,19 @@ def display(block: Display, page: Page) -> str:
     """A displayed formula with its number at the right; boxes are CSS."""
     number = f'<span class="number">({block.number})</span>' if block.number else ""
     math = display_math(block, page)
-    math = f'<div class="formula{" boxed" if block.boxed else ""}">{math}</div>'
+    math = f'<div class="formula{" boxed" if block.boxed else ""}"{shrinking(block, page)}>{math}</div>'
     aside = reason(block, page)
     kind = "display with-aside" if 'class="reason beside"' in aside else "display"
     return f'<div class="{kind}"{identity(block.label)}>{math}{aside}{number}</div>'
+
+
+def shrinking(block: Display, page: Page) -> str:
+    """How much room the widest piece takes that does not fold, if a phone has less: it is set smaller there, and scrolls by keyboard."""
+    widest = widest_piece(block, page)
+    return f' tabindex="0" style="--wide:{widest:.1f}"' if widest > PHONE else ""
+
+
+PHONE = 14.0  # em
 
 
 def reason(block: Display, page: Page) -> str:

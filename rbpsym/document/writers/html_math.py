@@ -33,6 +33,12 @@ def table_row(line: breaking.Line) -> str:
     return f'<mtr>{left}<mtd class="{kind}">{pieces}</mtd></mtr>'
 
 
+def widest_piece(block: Display, page: Page) -> float:
+    """The width in em of the widest part of a formula that stands on one line even on a phone."""
+    lines = breaking.display_lines(block, page.notation, page.column)
+    return max(breaking.width(piece) for line in lines for piece in (line.left, *folding_pieces(line.right)))
+
+
 def folding_piece(piece: b.Row) -> str:
     """A piece; the sign at its start keeps the spaces that it has between two terms."""
     first, *others = piece.items

@@ -79,7 +79,9 @@ def owner(section: Section, live: tuple[Live, ...]) -> Live | None:
 
 def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
     """The cells that build a problem and derive it."""
-    yield Cell(f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)})", True)
+    yield Cell(
+        f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)}, name={live.name!r})", True
+    )
     yield Cell(page.word("notebook.derive"))
     yield Cell("derivation = derive(problem)\nderivation", True)
 

@@ -12,7 +12,7 @@ from rbpsym.document.extras import extra
 from rbpsym.document.model import Document, ItemList
 from rbpsym.document.numbering import parts
 from rbpsym.document.pictures import Picture, pictures
-from rbpsym.document.writers.word_xml import W
+from rbpsym.document.writers.word_xml import UNPRINTABLE, W
 from rbpsym.notation.omml import NAMESPACE
 
 LETTERS = "Cambria"
@@ -63,7 +63,7 @@ def new(title: str, language: str) -> Any:
     for name, look in STYLES.items():
         set_style(file, name, look)
     set_language(file, language)
-    file.core_properties.title = title[:255]
+    file.core_properties.title = UNPRINTABLE.sub("", title)[:255]
     file.core_properties.author = file.core_properties.comments = ""
     file.core_properties.language = language
     return file
