@@ -158,7 +158,7 @@ def without_squares(poly: Poly, index: int) -> Poly:
         for k in range(half + 1):
             key = times(rest, ((other, 2 * k),)) if k else rest
             result[key] = result.get(key, 0) + c * comb(half, k) * (-1) ** k
-    spend(len(result))
+    spend(len(poly) + len(result))
     return clean(result)
 
 
