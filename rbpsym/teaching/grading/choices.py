@@ -46,8 +46,8 @@ def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
 
 def _wrong_option(key: ChoiceKey | ComparisonKey, place: int) -> Judgement:
     slip = key.options[place].slip
-    remark = Remark("slip", {"slip": slip}) if slip else Remark("wrong option")
-    return Judgement(Status.WRONG, remarks=(remark,), slip=slip)
+    remarks = j.slip_remarks(slip) if slip else (Remark("wrong option"),)
+    return Judgement(Status.WRONG, remarks=remarks, slip=slip)
 
 
 def _with_words(judged: Judgement) -> Judgement:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
@@ -60,12 +59,10 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
 
 def judge_tree(read: t.Node, sought: Sought) -> Judgement:
     """The judgement on an answer that was read."""
-    if any(divides_by_zero(part, sought.ground) for part in _sides(read) if is_small(part)):
-        return Judgement(Status.INVALID, remarks=(Remark("zero division"),))
     answer = _right_side(read, sought)
-    if answer is None:
-        return _equation(read, sought)
-    found = _judged(answer, sought)
+    found = _equation(read, sought) if answer is None else _judged(answer, sought)
+    if found.status is Status.UNDECIDED and any(divides_by_zero(part, sought.ground) for part in _sides(read)):
+        return Judgement(Status.INVALID, remarks=(Remark("zero division"),))
     if found.status is Status.RIGHT and isinstance(read, t.Chain):
         return _with_chain(found, read, sought)
     return found
@@ -171,7 +168,7 @@ def _same(first: Scalar | None, second: Scalar | None, ground: Ground) -> bool:
 def _slip(answer: t.Node, sought: Sought) -> Judgement | None:
     for known in sought.anticipated:
         if known.formula is not None and are_equal(answer, known.formula, sought.ground).is_proved:
-            return Judgement(Status.WRONG, remarks=(Remark("slip", {"slip": known.slip}),), slip=known.slip)
+            return Judgement(Status.WRONG, remarks=j.slip_remarks(known.slip), slip=known.slip)
     return None
 
 
@@ -197,21 +194,13 @@ def _dimension_remark(answer: t.Node, sought: Sought) -> Remark | None:
 
 
 def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
-    """A rational factor or a sign off."""
-    pair = [_value(side, sought.ground) for side in (answer, sought.value)]
-    if None in pair or not all(pair) or pair[1].number() is not None:
+    """A sign or a rational factor off; the factor is read off one point, and then proved."""
+    ratio = sought.ground.sampling.ratio(answer, sought.value)
+    if ratio is None or not t.names(sought.value) - {"pi"}:
         return None
-    if scalars_equal(-pair[0], pair[1], sought.ground.assumptions).is_proved:
-        return j.wrong("sign")
-    ratio = _ratio(*pair)
-    return j.wrong("factor", factor=t.Num(ratio)) if ratio is not None and ratio > 0 else None
-
-
-def _ratio(first: Scalar, second: Scalar) -> Fraction | int | None:
-    try:
-        return (first / second).number()
-    except OUTSIDE:
+    if not are_equal(answer, t.Mul((t.Num(ratio), sought.value)), sought.ground).is_proved:
         return None
+    return j.wrong("sign") if ratio == -1 else j.wrong("factor", factor=t.Num(ratio))
 
 
 def _value(node: t.Node, ground: Ground) -> Scalar | None:

@@ -21,6 +21,7 @@ from rbpsym.notation.limits import number_of
 from rbpsym.notation.tree import Node
 
 MOST_POINTS = 4
+MOST_DENOMINATOR, CLOSE = 64, Fraction(1, 10**20)  # of a ratio that is told
 LARGEST = 200  # of an argument of exp: beyond, the numbers get long
 
 
@@ -43,6 +44,18 @@ class Sampling:
             if None not in sides and e.are_disjoint(*sides):
                 return refuted("the sides differ at a point", _witness(point, *sides))
         return undecided("neither a proof nor a point at which the sides differ was found")
+
+    def ratio(self, left: Node, right: Node) -> Fraction | None:
+        """The ratio of the sides at one point, if it is a short fraction other than 0 and 1."""
+        for point in self._points(left, right)[:1]:
+            sides = self._at(left, point), self._at(right, point)
+            if None in sides or not all(e.sign_of(side) for side in sides):
+                return None
+            low, high = e.ends(sides[0] * e.reciprocal(sides[1]))
+            near = Fraction(low).limit_denominator(MOST_DENOMINATOR)
+            is_close = max(abs(low - near), abs(high - near)) < CLOSE
+            return near if is_close and near not in (0, 1) and abs(near) < MOST_DENOMINATOR else None
+        return None
 
     def _points(self, left: Node, right: Node) -> list[Point]:
         names = frozenset((t.names(left) | t.names(right)) - {"pi"})

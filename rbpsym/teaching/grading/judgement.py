@@ -68,6 +68,12 @@ RIGHT = Judgement(Status.RIGHT, ALL)
 EMPTY = Judgement(Status.EMPTY, remarks=(Remark("empty"),))
 
 
+def slip_remarks(slip: Slip) -> tuple[Remark, ...]:
+    """What the slip is, and the first step that it spoils, as it should be."""
+    first = () if slip.shown is None else (Remark("first wrong", {"step": slip.shown}),)
+    return (Remark("slip", {"slip": slip}), *first)
+
+
 def wrong(key: str = "wrong", **slots: Any) -> Judgement:
     """No points, with a remark."""
     return Judgement(Status.WRONG, remarks=(Remark(key, slots),))

@@ -124,7 +124,7 @@ def _unit_remark(typed: Typed, sought: Wanted) -> Remark | None:
 
 def _figures_remark(typed: Typed, tolerance: Tolerance) -> Remark | None:
     low, high = tolerance.digits - tolerance.fewer, tolerance.digits + tolerance.more
-    if not typed.most:
+    if not typed.most or not typed.value:
         return None
     if typed.most < low:
         return Remark("too few figures", {"digits": str(tolerance.digits)})
@@ -134,7 +134,8 @@ def _figures_remark(typed: Typed, tolerance: Tolerance) -> Remark | None:
 def _missed(meant: Typed, unit: Remark | None, sought: Wanted) -> Judgement:
     """A wrong value: a known slip, or a sign, a power of ten, degrees for radians."""
     known = next((found for look in LOOKS if (found := look(meant, sought))), None)
-    remarks = (known or Remark("wrong value"), *((unit,) if unit else ()))
+    told = j.slip_remarks(known.slots["slip"]) if known and known.key == "slip" else (known or Remark("wrong value"),)
+    remarks = (*told, *((unit,) if unit else ()))
     seen = Fraction(known is not None)
     figures = Fraction(_figures_remark(meant, sought.tolerance) is None)
     found = _marked(Status.WRONG, Fraction(0), seen * (unit is None), seen * figures, sought, *remarks)

@@ -12,14 +12,16 @@ from typing import Any
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 
-MOST = 1500  # terms above and below the fraction bar
+MOST = 450  # terms above and below the fraction bar
+MOST_INSIDE = 120  # of what stands under a root or in a function
 _CAP = 10**9
 Terms = tuple[int, int]
 
 
-def is_small(node: t.Node) -> bool:
-    """Whether it can be multiplied out quickly."""
-    return max(terms(node)) <= MOST
+def is_small(node: t.Node, key: t.Node | None = None) -> bool:
+    """Whether it can be multiplied out quickly; beside a large key it may be large too."""
+    most = MOST if key is None else max(MOST, 4 * max(terms(key)))
+    return max(terms(node)) <= most
 
 
 def terms(node: t.Node) -> Terms:
@@ -32,7 +34,7 @@ def terms(node: t.Node) -> Terms:
 def _apart(node: t.Node) -> Terms:
     """A function is one term; what stands in it must be small too."""
     inner = [max(terms(child)) for child in t.children(node)]
-    return (1, 1) if max(inner, default=1) <= MOST else (_CAP, 1)
+    return (1, 1) if max(inner, default=1) <= MOST_INSIDE else (_CAP, 1)
 
 
 def _sum(node: t.Add) -> Terms:

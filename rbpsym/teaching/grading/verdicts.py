@@ -23,7 +23,7 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
     first = ground.sampling.differ(answer, key, most=1)
     if first.is_refuted:
         return first
-    is_short = is_small(answer) and is_small(key)
+    is_short = is_small(answer, key)
     found = _by_algebra(answer, key, ground.assumptions, ground.scope) if is_short else TOO_LARGE
     if found.is_proved or found.is_refuted:
         return found
@@ -42,7 +42,9 @@ def _by_algebra(answer: Node, key: Node, assumptions: Assumptions, scope: Scope)
 
 
 def divides_by_zero(answer: Node, ground: Ground) -> bool:
-    """Does the formula divide by what is identically zero?"""
+    """Does the formula divide by what is identically zero? (Not asked of what is too large.)"""
+    if not is_small(answer):
+        return False
     try:
         scalar(answer, ground.scope)
     except ZeroDivisionError:

@@ -1,0 +1,33 @@
+"""The table of answers that people type (`answers.txt`)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+EXPECTED = {"==": "right", "!=": "wrong", "??": "invalid"}
+
+
+@dataclass(frozen=True)
+class Row:
+    """A key, an answer, what is expected, and the symbols with their signs."""
+
+    key: str
+    answer: str
+    expected: str
+    symbols: tuple[tuple[str, str], ...]
+
+
+def rows() -> list[Row]:
+    """All rows of the table."""
+    found, symbols = [], ()
+    for line in (Path(__file__).parent / "answers.txt").read_text(encoding="utf-8").splitlines():
+        if line.startswith("["):
+            symbols = tuple(
+                (name.rstrip("+"), "positive" if name.endswith("+") else "real") for name in line[1:-1].split()
+            )
+        elif line and not line.startswith("#"):
+            key, sign, answer = re.fullmatch(r"(.*?) (==|!=|\?\?) (.*)", line).groups()
+            found.append(Row(key, answer, EXPECTED[sign], symbols))
+    return found
