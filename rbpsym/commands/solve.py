@@ -100,12 +100,14 @@ class Drawn:
         return self.problem.title.get("en") or self.problem.name
 
     def formula(self, text: str) -> str:
-        """A formula in Unicode; text that our reader does not know stays as it is."""
+        """A formula in Unicode; text that our reader does not know stays as it is, what nobody reads is left out."""
         from rbpsym.errors import RbpsymError
         from rbpsym.notation.glyphs import Notation
         from rbpsym.notation.infix import read_infix
         from rbpsym.notation.text import to_text
 
+        if len(text) > LONGEST:
+            return f"a formula of {len(text)} characters: see --json"
         words = set(re.findall(r"[A-Za-z]\w*", text)) - FUNCTIONS
         try:
             return to_text(read_infix(text, dict.fromkeys(words)), Notation(self.problem.notation))
@@ -126,6 +128,7 @@ def _places(values: Mapping[str, str], drawn: Drawn) -> str:
     return ", ".join(f"{drawn.formula(name)} = {drawn.formula(value)}" for name, value in values.items())
 
 
+LONGEST = 800
 STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
 
 
