@@ -64,7 +64,17 @@ def read_quantity(text: str, language: str = "en") -> Typed:
         and not re.match(r"\s*[*·]?\s*pi", rest)
     ):
         return _decimal(found, read_unit("1" + rest if rest.strip().startswith("/") else rest.strip()[1:]))
-    return _exact(told)
+    return _bracketed(found, rest) or _exact(told)
+
+
+def _bracketed(found: re.Match[str] | None, rest: str) -> Typed | None:
+    """A number with a unit that begins with a parenthesis: 4.2 (m)/(s)."""
+    if not found or not re.match(r"\s*\(\s*[A-Za-zΩµμ]", rest):
+        return None
+    try:
+        return _decimal(found, read_unit(rest.strip()))
+    except RbpsymError:
+        return None
 
 
 def _bare(text: str, language: str) -> str:

@@ -217,6 +217,8 @@ def _exponent(tokens: Tokens) -> tuple[str | None, Tokens]:
     if start >= len(tokens) or tokens[start][0] != "number":
         return None, tokens
     end = start + 1 + bool(bracket)
+    if bracket and texts[end - 1 : end] != [")"]:
+        return None, tokens
     return sign + tokens[start][1], tokens[end:]
 
 
