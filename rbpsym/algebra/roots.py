@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
-from rbpsym.algebra.poly import ONE, Monomial, Poly, inverse
-from rbpsym.algebra.scalar import Scalar, generator_of
+from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of
 
 
 def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
@@ -24,3 +24,23 @@ def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar
 
 def _halved(powers: Monomial) -> Monomial:
     return tuple((i, e // 2) for i, e in powers)
+
+
+def without_even_roots(value: Scalar) -> Scalar:
+    """The value with even powers of square roots carried out, exactly."""
+    return _evened(value.num) / _evened(value.den) if value.den is not ONE else _evened(value.num)
+
+
+def _evened(poly: Poly) -> Scalar:
+    index = next((i for i in poly.atoms() if atoms.atom(i).kind == "root" and _is_squared(poly, i)), None)
+    if index is None:
+        return Scalar(poly)
+    radicand, total = atoms.atom(index).arg, NOTHING
+    for power, part in poly.by_power(index).items():
+        odd = Scalar(generator(index)) if power % 2 else UNITY
+        total = total + Scalar(part) * odd * radicand ** (power // 2)
+    return without_even_roots(total)
+
+
+def _is_squared(poly: Poly, index: int) -> bool:
+    return any(power not in (0, 1) for power in poly.by_power(index))

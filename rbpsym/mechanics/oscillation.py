@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero, without_even_roots
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.roots import simplified_root
+from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -79,7 +79,7 @@ def _without_roots(value: Scalar, assumptions: Assumptions) -> Scalar:
             inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
             image = simplified_root(inner, lambda name: assumptions.sign_of(name) == "positive")
             value = _with_image(value.num, index, image) / _with_image(value.den, index, image)
-    return short(Scalar(without_even_roots(value.num)) / Scalar(without_even_roots(value.den)))
+    return short(without_even_roots(value))
 
 
 def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:

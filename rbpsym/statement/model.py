@@ -183,8 +183,9 @@ class Element:
 class Phase:
     """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
 
-    `event` is a key of `phases.EVENTS`, `subject` the constraint that it is about; `impulses` are
-    elements of the kinds of `phases.IMPULSES`. The starts in `problem` are those of the first phase.
+    `event` is a key of `phases.EVENTS`, `subject` the constraint that it is about, or the coordinate
+    that reaches `value`; `impulses` are elements of the kinds of `phases.IMPULSES`. The starts in
+    `problem` are those of the first phase.
     """
 
     name: str
@@ -192,6 +193,7 @@ class Phase:
     subject: str | None
     impulses: tuple[Element, ...]
     problem: Problem
+    value: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,12 +14,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from rbpsym.notation.tree import Node
 from rbpsym.quantities import DIMENSIONS, NUMBER
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.kinds import Field, Kind, registry
 from rbpsym.statement.model import Element, Phase, Problem
+from rbpsym.statement.scope import read_expression
 from rbpsym.statement.source import Table, did_you_mean
 
 _IMPULSE = DIMENSIONS["impulse"]
@@ -27,7 +29,9 @@ _IMPULSE = DIMENSIONS["impulse"]
 EVENTS: dict[str, str] = {
     "at once": "the phase begins at the start of the one before: a blow, a point suddenly held",
     "no slip": "the constraint “of”, which has kinetic friction, stops slipping",
+    "slips": "the constraint “of”, which static friction with a limit holds, begins to slip: |f| reaches μN",
     "lost": "the contact “of” is lost: its normal force reaches zero",
+    "reaches": "the coordinate “of” reaches the value “at”",
 }
 
 IMPULSES: dict[str, Kind] = registry(
@@ -54,7 +58,8 @@ IMPULSES: dict[str, Kind] = registry(
 _KEYS = {
     "name": "what the phase is called",
     "event": "what ends the phase before: " + ", ".join(EVENTS),
-    "of": "the constraint that the event is about",
+    "of": "the constraint that the event is about, or the coordinate that reaches a value",
+    "at": "the value that the coordinate reaches",
     "constraints": "constraints that are new or change",
     "without": "names of constraints that hold no more",
     "impulses": "blows and collisions at the moment of the event",
@@ -68,34 +73,55 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
     for number, row in enumerate(table.rows("phases", "“phases”"), 2):
         name = row.string("name") or f"phase {number}"
         row.check_keys(_KEYS, f"the phase “{name}”")
-        event, subject = _event(row, name, current)
+        event, subject = _event(row, name, current, around)
+        value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)
         section = Table(row.source, row.path, {"constraints": current})
         constraints = tuple(
             finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
         )
         impulses = tuple(_checked(e, row) for e in read_elements("impulses", row, IMPULSES, around))
-        found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints)))
+        found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
     return tuple(found)
 
 
-def _event(row: Table, name: str, current: Mapping[str, object]) -> tuple[str, str | None]:
+def _event(row: Table, name: str, current: Mapping[str, object], around: Surroundings) -> tuple[str, str | None]:
     event = row.string("event", "at once")
     if event not in EVENTS:
         raise row.value_error(
             "event", f"the phase “{name}” begins with an unknown event “{event}”", did_you_mean(event, EVENTS, "events")
         )
     if event == "at once":
+        _needless(row, name, event, ("of", "at"))
         return event, None
     row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
     subject = row.string("of")
-    if subject not in current:
+    known, what = (around.scope.coordinates, "coordinate") if event == "reaches" else (current, "constraint")
+    if subject not in known:
         raise row.value_error(
-            "of",
-            f"the phase “{name}”: there is no constraint “{subject}”",
-            did_you_mean(subject, current, "constraints"),
+            "of", f"the phase “{name}”: there is no {what} “{subject}”", did_you_mean(subject, known, f"{what}s")
         )
     return event, subject
+
+
+def _value(row: Table, name: str, event: str, subject: str | None, around: Surroundings) -> Node | None:
+    """The value that a coordinate reaches."""
+    if event != "reaches":
+        _needless(row, name, event, ("at",))
+        return None
+    row.require("at", f"the phase “{name}”", f'add at = "0": the value that {subject} reaches.')
+    dimension = around.scope.coordinates[subject]
+    return read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", dimension)
+
+
+def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:
+    for key in keys:
+        if key in row:
+            raise row.value_error(
+                key,
+                f"the phase “{name}” begins “{event}”, which asks for no “{key}”",
+                "leave it out, or say which event.",
+            )
 
 
 def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, object]:

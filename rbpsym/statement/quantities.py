@@ -18,7 +18,9 @@ from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 SIGNS = ("positive", "nonnegative", "nonzero", "real", "acute")  # acute: an angle between 0 and π/2
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "range", "glyph")
-_EXAMPLE = 'write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"'
+_EXAMPLE = (
+    'write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"'
+)
 _RIGHT_ANGLE = Div(Sym("pi"), Num(2))
 
 

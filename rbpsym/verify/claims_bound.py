@@ -6,12 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, function
 from rbpsym.algebra.evaluate import Scope
 from rbpsym.algebra.normal import shorten
-from rbpsym.algebra.poly import ONE, Poly, generator
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
@@ -48,26 +46,6 @@ def plane(value: Vector | Space) -> Bound:
 def number(value: Scalar) -> Bound:
     """A scalar."""
     return Bound(value)
-
-
-def without_even_roots(value: Scalar) -> Scalar:
-    """The value with even powers of square roots carried out, exactly."""
-    return _evened(value.num) / _evened(value.den) if value.den is not ONE else _evened(value.num)
-
-
-def _evened(poly: Poly) -> Scalar:
-    index = next((i for i in poly.atoms() if atoms.atom(i).kind == "root" and _is_squared(poly, i)), None)
-    if index is None:
-        return Scalar(poly)
-    radicand, total = atoms.atom(index).arg, NOTHING
-    for power, part in poly.by_power(index).items():
-        odd = Scalar(generator(index)) if power % 2 else UNITY
-        total = total + Scalar(part) * odd * radicand ** (power // 2)
-    return without_even_roots(total)
-
-
-def _is_squared(poly: Poly, index: int) -> bool:
-    return any(power not in (0, 1) for power in poly.by_power(index))
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,13 @@ from contextlib import suppress
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import Undecided
-from rbpsym.verify.claims_bound import without_even_roots
 from rbpsym.verify.claims_integrals import as_vector
 from rbpsym.verify.claims_question import HOW, Question, are_same
 from rbpsym.verify.claims_refute import disorder, refutation, witness_of

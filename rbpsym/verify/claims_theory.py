@@ -15,13 +15,14 @@ from functools import cached_property
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, space_derivative
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, cartesian
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane, without_even_roots
+from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane
 
 ALPHA, OMEGA, MASS, MOMENT = theory.ALPHA, theory.OMEGA, theory.MASS, theory.MOMENT
 COUNT = 3

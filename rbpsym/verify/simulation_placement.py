@@ -77,7 +77,9 @@ class Placement:
 
     def slopes(self, known: Numbers) -> np.ndarray:
         """∂stated/∂q, a row a link."""
-        return np.array([known.row(link.stated.slopes) for link in self.links]).reshape(len(self.links), len(self.names))
+        return np.array([known.row(link.stated.slopes) for link in self.links]).reshape(
+            len(self.links), len(self.names)
+        )
 
     def coordinates(self, where: State, guess: State) -> np.ndarray:
         """q of a pose of the bodies, near the guess, by Gauss-Newton steps."""

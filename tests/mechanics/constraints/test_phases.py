@@ -2,6 +2,7 @@
 
 import pytest
 
+from rbpsym.algebra import atoms
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
@@ -196,3 +197,119 @@ def test_phases_in_the_answer():
     [phase] = results(Study(slipping()))["phases"]
     assert phase["name"] == "rolling"
     assert phase["time"] == "2*v_0/(7*g*mu)"
+
+
+def thrown(at, event="reaches", of="y"):
+    """A particle thrown upwards, and what ends its flight."""
+    return stated(
+        "m: mass, v_0: speed, h: length, g: acceleration",
+        coordinates={"y": rb.coordinate(dimension="length", start="0", speed="v_0"), "x": {"dimension": "length"}},
+        bodies={"stone": rb.particle(mass="m", center=("x", "y"))},
+        constraints={"N": rb.contact("stone.center", "x = 0")},
+        phases=[{"name": "there", "event": event, "of": of, "at": at}],
+    )
+
+
+def test_a_coordinate_reaches_a_value_in_uniform_motion():
+    """Back on the ground after 2 v/g, with the speed it had; on its way down at -h: the later root."""
+    _, second = stages(thrown("0"))
+    assert_same(second.began.before.time, "2*v_0/g", second.study)
+    assert_same(second.began.speeds["y"], "-v_0", second.study)
+    _, second = stages(thrown("-h"))
+    assert_same(second.began.before.time, "(v_0 + sqrt(v_0**2 + 2*g*h))/g", second.study)
+
+
+def test_a_coordinate_reaches_a_value_with_a_first_integral():
+    """A pendulum let go level: ω² = 3 g/ℓ below."""
+    problem = stated(
+        "M: mass, ell: length, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="pi/2", range=("-pi", "pi"))},
+        bodies={"rod": rb.rod("ell", mass="M", start="O", angle="theta - pi/2")},
+        constraints={"P": rb.pivot("rod.start")},
+        phases=[{"name": "below", "event": "reaches", "of": "theta", "at": "0"}],
+    )
+    _, second = stages(problem)
+    assert second.began.before.time is None
+    assert_same(second.began.speeds["theta"], "-sqrt(3*g/ell)", second.study)
+
+
+def test_a_value_that_is_never_reached():
+    with pytest.raises(StatementError, match="never reached"):
+        stages(thrown("10000*h + 1000*v_0**2/g"))
+
+
+def test_static_friction_reaches_its_limit():
+    """A rod laid over an edge slips where tan θ = μ ℓ²/(ℓ² + 36 b²); then kinetic friction takes over."""
+    problem = stated(
+        "M: mass, ell: length, b: length, mu: number, g: acceleration",
+        coordinates={
+            "theta": rb.coordinate(start="0", range=("0", "pi/2")),
+            "s": rb.coordinate(dimension="length", start="0"),
+        },
+        bodies={"rod": rb.rod("ell", mass="M", center=("(b + s)*cos(theta)", "-(b + s)*sin(theta)"), angle="-theta")},
+        constraints={
+            "N": {"type": "sticking", "point": "O", "of": "rod", "line": "y = 0", "side": "negative", "limit": "mu"}
+        },
+        phases=[
+            {
+                "name": "slipping",
+                "event": "slips",
+                "of": "N",
+                "constraints": {"N": {"type": "contact", "coefficient": "mu", "slip": "backward"}},
+            }
+        ],
+    )
+    _, second = stages(problem)
+    assert_same(second.began.before.places["theta"], "atan(mu*ell**2/(ell**2 + 36*b**2))", second.study)
+    assert second.study.system.independent == ("theta", "s")
+
+
+def test_kinetic_friction_turns_into_static():
+    """A block that slides to rest stays there: its friction is static and, on the level, nothing."""
+    problem = stated(
+        "m: mass, v_0: speed, mu: number, g: acceleration",
+        coordinates={"x": rb.coordinate(dimension="length", start="0", speed="v_0")},
+        bodies={"block": rb.particle(mass="m", center=("x", "0"))},
+        constraints={"N": rb.contact("block.center", "y = 0", coefficient="mu")},
+        phases=[{"name": "still", "event": "no slip", "of": "N", "constraints": {"N": {"type": "sticking"}}}],
+    )
+    _, second = stages(problem)
+    assert_same(second.began.before.time, "v_0/(mu*g)", second.study)
+    assert_same(second.began.before.places["x"], "v_0**2/(2*mu*g)", second.study)
+    assert_same(second.study.dynamics.reactions["f_N"], "0", second.study)
+    assert second.study.system.independent == ()
+
+
+def test_energy_lost_holds_no_squared_root():
+    problem = stated(
+        "M: mass, m: mass, ell: length, e: number, g: acceleration",
+        coordinates={
+            "theta": rb.coordinate(start="pi/2", range=("-pi", "pi")),
+            "x": rb.coordinate(dimension="length", start="0"),
+        },
+        bodies={
+            "rod": rb.rod("ell", mass="M", start="O", angle="-pi/2 - theta"),
+            "ball": rb.particle(mass="m", center=("x", "-ell")),
+        },
+        constraints={"P": rb.pivot("rod.start"), "N": rb.contact("ball.center", "y = -ell")},
+        phases=[
+            {
+                "name": "hit",
+                "event": "reaches",
+                "of": "theta",
+                "at": "0",
+                "impulses": {
+                    "J": {
+                        "type": "collision",
+                        "points": ["rod.end", "ball.center"],
+                        "along": ["1", "0"],
+                        "restitution": "e",
+                    }
+                },
+            }
+        ],
+    )
+    _, second = stages(problem)
+    lost = second.began.energy_lost
+    assert_same(lost, "(1 - e**2)*M*m*3*g*ell/(2*(M + 3*m))", second.study)
+    assert not any(atoms.atom(i).kind == "root" for i in lost.atoms())

@@ -1,0 +1,256 @@
+"""How a phase of the motion ends: the state at the event that begins the next one.
+
+In closed form where the accelerations are constant, or where one degree of freedom has a first
+integral; the time is known in the first case only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import simplified_root
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.model import Phase
+
+EDGE = 1e-9
+
+
+@dataclass(frozen=True)
+class State:
+    """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has."""
+
+    time: Scalar | None
+    places: Mapping[str, Scalar]
+    speeds: Mapping[str, Scalar]
+
+
+def at_start(study: Study, phase: Phase | None = None) -> State:
+    """Coordinates and speeds of the declared start, dependent ones too."""
+    start, places, speeds = study.system.scope.start, {}, {}
+    for coordinate in study.problem.coordinates:
+        name = coordinate.name
+        value, rate = _of(study, name)
+        places[name], speeds[name] = (short(substitute(part, start)) for part in (value, rate))
+        _require_start(study, name, places[name], speeds[name])
+    return State(NOTHING, places, speeds)
+
+
+def _of(study: Study, name: str) -> tuple[Scalar, Scalar]:
+    """A coordinate and its speed in the independent ones."""
+    value, rate = study.system.dependent.get(name, symbol(name)), study.system.scope.rates.get(name)
+    return value, time_derivative(value, study.system.scope) if rate is None else rate
+
+
+def _require_start(study: Study, name: str, *values: Scalar) -> None:
+    names = {n for c in study.problem.coordinates for n in (c.name, f"{c.name}_dot")}
+    if any(derivative(value, other) for value in values for other in names):
+        raise StatementError(
+            f"the phases need to know where “{name}” starts and how fast",
+            instead=f'give [coordinates.{name}] a start = "..." and a speed = "...".',
+            place=next(c.place for c in study.problem.coordinates if c.name == name),
+        )
+
+
+# --- events
+
+
+def slip_ends(study: Study, phase: Phase) -> State:
+    """The moment at which a slip that changes uniformly has gone."""
+    element = study.system.element(phase.subject)
+    if element.values.get("coefficient") is None:
+        raise StatementError(
+            f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, but it has no kinetic friction",
+            instead='give it a coefficient = "mu".',
+            place=element.place,
+        )
+    geometry = geometry_of(study.system)
+    slip = short(substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent))
+    gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
+    start = at_start(study)
+    first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
+    if is_zero(gain) or _float(study, -(first / gain)) < 0:
+        raise StatementError(
+            f"the phase “{phase.name}” is never reached: “{phase.subject}” does not stop slipping",
+            instead="check the start speeds and the sense of the slip.",
+            place=element.place,
+        )
+    return _after(study, phase, start, short(-(first / gain)))
+
+
+def contact_lost(study: Study, phase: Phase) -> State:
+    """The place at which a contact is lost, and the speed there from the first integral."""
+    loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
+    name = _mover(study)
+    if loss is None or name not in loss.at:
+        raise _no_closed_form(f"the place where “{phase.subject}” is lost")
+    return _at_place(study, name, loss.at[name])
+
+
+def value_reached(study: Study, phase: Phase) -> State:
+    """The moment or the place at which a coordinate has a value."""
+    value = scalar(phase.value)
+    if _are_uniform(study):
+        return _after(study, phase, at_start(study), _time_until(study, phase, value))
+    name = _mover(study)
+    if name is None:
+        raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
+    gap = _of(study, phase.subject)[0] - value
+    place = _next(study, name, zeros(gap, name))
+    if place is None:
+        raise _never(study, phase)
+    return _at_place(study, name, place)
+
+
+def grip_ends(study: Study, phase: Phase) -> State:
+    """The place at which static friction reaches its limit: |f| = μ N."""
+    element = study.system.element(phase.subject)
+    if element.values.get("limit") is None:
+        raise StatementError(
+            f"the phase “{phase.name}” begins when “{phase.subject}” slips, but its static friction has no limit",
+            instead='give it a limit = "mu".',
+            place=element.place,
+        )
+    along, name = study.reactions_along_motion, _mover(study)
+    if not along or name is None:
+        raise _no_closed_form(f"the place where “{phase.subject}” slips")
+    grip, limit = along[element["friction"]], along[element.name] * scalar(element["limit"])
+    place = _next(study, name, [zero for gap in (grip - limit, grip + limit) for zero in zeros(gap, name)])
+    if place is None:
+        raise _no_closed_form(f"the place where “{phase.subject}” slips")
+    return _at_place(study, name, place)
+
+
+ENDINGS = {
+    "at once": at_start,
+    "no slip": slip_ends,
+    "slips": grip_ends,
+    "lost": contact_lost,
+    "reaches": value_reached,
+}
+
+
+# --- uniform motion
+
+
+def _are_uniform(study: Study) -> bool:
+    found = study.dynamics.accelerations
+    names = [*study.system.coordinates, *study.system.speeds, "t"]
+    return found is not None and not any(derivative(value, name) for value in found.values() for name in names)
+
+
+def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
+    """The accelerations, if they are constants."""
+    if not _are_uniform(study):
+        raise NotApplicable(
+            f"the end of the phase before “{phase.name}” has no closed form: the accelerations are not constant",
+            instead="state this phase as a problem of its own, or follow it in the simulation.",
+        )
+    return study.dynamics.accelerations
+
+
+def _gain(study: Study, phase: Phase, name: str) -> Scalar:
+    """The acceleration of any coordinate."""
+    rate = _of(study, name)[1]
+    return substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
+
+
+def _after(study: Study, phase: Phase, start: State, time: Scalar) -> State:
+    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t."""
+    gains = {name: _gain(study, phase, name) for name in start.places}
+    places = {n: short(q + start.speeds[n] * time + gains[n] * time * time / 2) for n, q in start.places.items()}
+    return State(time, places, {n: short(v + gains[n] * time) for n, v in start.speeds.items()})
+
+
+def _time_until(study: Study, phase: Phase, value: Scalar) -> Scalar:
+    """The first t > 0 with q + q̇ t + ½ q̈ t² = value."""
+    start, gain = at_start(study), _gain(study, phase, phase.subject)
+    way, speed = short(value - start.places[phase.subject]), start.speeds[phase.subject]
+    if is_zero(gain):
+        times = [] if is_zero(speed) else [short(way / speed)]
+    else:
+        spread = _root(study, speed * speed + way * gain * 2)
+        times = [short((spread * side - speed) / gain) for side in (1, -1)]
+    ahead = [(t, time) for time in times if (t := _float(study, time)) > EDGE]
+    if not ahead:
+        raise _never(study, phase)
+    return min(ahead, key=lambda item: item[0])[1]
+
+
+# --- one degree of freedom with a first integral
+
+
+def _mover(study: Study) -> str | None:
+    """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest."""
+    start, gains = study.system.scope.start, study.dynamics.accelerations or {}
+    moving = [
+        name
+        for name in study.system.independent
+        if start.get(f"{name}_dot", NOTHING) or not is_zero(gains.get(f"{name}_ddot", symbol(name)))
+    ]
+    return moving[0] if len(moving) == 1 and moving[0] in study.squares else None
+
+
+def _at_place(study: Study, name: str, place: Scalar) -> State:
+    """All coordinates and speeds where the one that changes has a value, its speed from the first integral."""
+    speed = _root(study, substitute(study.squares[name], {name: place})) * _way(study, name, place)
+    here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
+    values = {c.name: _of(study, c.name) for c in study.problem.coordinates}
+    places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
+    return State(None, places, speeds)
+
+
+def _root(study: Study, value: Scalar) -> Scalar:
+    """The square root, with what is declared positive taken out."""
+    return simplified_root(short(value), lambda name: study.assumptions.sign_of(name) == "positive")
+
+
+def _way(study: Study, name: str, place: Scalar) -> int:
+    """The sense in which it moves there: away from the start."""
+    return -1 if _float(study, place - study.system.scope.start[name]) < 0 else 1
+
+
+def _next(study: Study, name: str, places: Iterable[Scalar]) -> Scalar | None:
+    """The first of the places on the way from the start, as far as sample numbers tell."""
+    start = study.system.scope.start
+    first = start.get(f"{name}_dot", NOTHING)
+    if is_zero(first):
+        first = substitute((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING), start)
+    sense = -1 if _float(study, first) < 0 else 1
+    ahead = [(sense * _float(study, place - start[name]), place) for place in places if not depends_on(place, name)]
+    ahead = [item for item in ahead if item[0] > EDGE]
+    return min(ahead, key=lambda item: item[0])[1] if ahead else None
+
+
+def _float(study: Study, value: Scalar) -> float:
+    """A sample number; not a number where it is not real."""
+    try:
+        found = number(value, sample(study.problem))
+    except (ValueError, ZeroDivisionError):
+        return float("nan")
+    return 0.0 if abs(found) < 1e-12 else found
+
+
+def _never(study: Study, phase: Phase) -> StatementError:
+    return StatementError(
+        f"the phase “{phase.name}” is never reached: “{phase.subject}” does not come to its value",
+        instead="check the start, the start speed and the value.",
+        place=next((c.place for c in study.problem.coordinates if c.name == phase.subject), None),
+    )
+
+
+def _no_closed_form(what: str) -> NotApplicable:
+    return NotApplicable(
+        f"{what} has no closed form",
+        instead="state the phase after it as a problem of its own, or follow it in the simulation.",
+    )
