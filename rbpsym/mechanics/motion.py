@@ -18,27 +18,38 @@ from rbpsym.mechanics.system import System
 def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
     """For each coordinate for which it is a function of position: the square of its speed.
 
-    From the first integral for one degree of freedom; for several, for each coordinate whose
-    acceleration depends on itself alone. Coordinates without a start are left out.
+    For several degrees of freedom, for each coordinate whose acceleration depends on itself alone; then,
+    for the one that is left, from the first integral. Coordinates without a start are left out.
     """
-    if len(system.independent) == 1 and integral is not None:
-        found = from_integral(system, integral)
-        return {} if found is None else {system.independent[0]: found}
-    return _decoupled(system, dynamics)
+    found = _decoupled(system, dynamics) if len(system.independent) > 1 else {}
+    left = [name for name in system.independent if name not in found]
+    if len(left) == 1 and integral is not None:
+        square = from_integral(system, integral, left[0], found)
+        found |= {} if square is None else {left[0]: square}
+    return found
 
 
-def from_integral(system: System, integral: Scalar) -> Scalar | None:
-    """q̇² from (½ m(q) q̇² + U(q)) at start and now."""
-    [name] = system.independent
+def from_integral(system: System, integral: Scalar, name: str, known: Mapping[str, Scalar]) -> Scalar | None:
+    """q̇² from (½ m(q) q̇² + U(q)) at start and now, the squares of the other speeds being known."""
     speed = f"{name}_dot"
     if any(other not in system.scope.start for other in (name, *_coordinates_in(integral, system))):
         return None
-    half_mass = derivative(derivative(integral, speed), speed) / 2
-    rest = substitute(integral, {speed: NOTHING})
-    if not is_zero(integral - half_mass * symbol(speed) ** 2 - rest):
+    now: Scalar | None = integral
+    for other, square in known.items():
+        now = now if now is None else _without_speed(_at_rest(now, other, square), f"{other}_dot", square)
+    if now is None:
+        return None
+    half_mass = derivative(derivative(now, speed), speed) / 2
+    rest = substitute(now, {speed: NOTHING})
+    if not is_zero(now - half_mass * symbol(speed) ** 2 - rest):
         return None
     start = substitute(integral, system.scope.start)
     return short((start - rest) / half_mass)
+
+
+def _at_rest(value: Scalar, name: str, square: Scalar) -> Scalar:
+    """The value with a speed that is known to stay zero."""
+    return value if square else substitute(value, {f"{name}_dot": NOTHING})
 
 
 def _coordinates_in(value: Scalar, system: System) -> list[str]:
