@@ -142,7 +142,9 @@ CONSTRAINTS: dict[str, Kind] = registry(
                 "path",
                 "path",
                 "what it joins, from end to end: points, and round bodies with the sense in which it runs round "
-                "them: “cw pulley”, “ccw drum”",
+                "them, going along the path: “cw pulley”, “ccw drum”; on an axle of another radius than the body's "
+                '`{ around = "yoyo", radius = "r", sense = "ccw" }`, round a smooth fixed pulley '
+                '`{ around = "Q", radius = "R", sense = "cw" }`, over a smooth peg `{ around = "Q" }`',
             ),
             Field("length", "expression", "length between two points; absent: as at the start", LENGTH, default=""),
         ),
