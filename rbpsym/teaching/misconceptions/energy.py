@@ -24,7 +24,7 @@ from rbpsym.teaching.misconceptions.change import (
     with_parts,
     with_values,
 )
-from rbpsym.teaching.misconceptions.model import ENERGY, WORKS, Misconception, Site
+from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site
 from rbpsym.teaching.targets import axes
 
 
@@ -228,10 +228,11 @@ MISCONCEPTIONS = (
         ("rimoldini-singh-2005", "singh-rosengrant-2003", "sherwood-1983"),
         _no_rotational_energy,
         ENERGY | {"kinetic"},
+        WELL,
     ),
     Misconception("energy-kept", ("sherwood-bernard-1984", "lindsey-2009"), _energy_kept, ENERGY | {"acceleration"}),
     Misconception(
-        "start-speed-forgotten", ("lawson-mcdermott-1987", "singh-rosengrant-2003"), _start_forgotten, ENERGY
+        "start-speed-forgotten", ("lawson-mcdermott-1987", "singh-rosengrant-2003"), _start_forgotten, ENERGY, WELL
     ),
     Misconception(
         "speed-of-end-for-center",
@@ -240,7 +241,11 @@ MISCONCEPTIONS = (
         frozenset({"speed", "kinetic", "momentum"}),
     ),
     Misconception(
-        "orbital-part-dropped", ("close-heron-2011", "paper"), _orbital_dropped, frozenset({"momentum", "kinetic"})
+        "orbital-part-dropped",
+        ("close-heron-2011", "paper"),
+        _orbital_dropped,
+        frozenset({"momentum", "kinetic"}),
+        WELL,
     ),
     Misconception(
         "small-angle-for-large",
@@ -261,7 +266,7 @@ MISCONCEPTIONS = (
         WORKS,
     ),
     Misconception("all-work-is-rotational", ("lindsey-2009", "mungan-2005"), _whole_in_rotation, WORKS),
-    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS),
-    Misconception("works-always-cancel", ("paper", "carnero-1993"), _always_cancel, WORKS),
-    Misconception("works-add-up", ("paper", "carnero-1993"), _never_cancel, WORKS),
+    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS, WELL),
+    Misconception("works-always-cancel", ("paper", "carnero-1993"), _always_cancel, WORKS, WELL),
+    Misconception("works-add-up", ("paper", "carnero-1993"), _never_cancel, WORKS, WELL),
 )

@@ -29,7 +29,7 @@ from rbpsym.teaching.misconceptions.change import (
     with_parts,
     with_values,
 )
-from rbpsym.teaching.misconceptions.model import FORCES, MOTION, Misconception, Site
+from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site
 
 
 def _force_sign(study: Study) -> Iterator[Site]:
@@ -249,21 +249,22 @@ def _pulley_at_rest(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception("force-sign", ("flores-2004", "arons-1997"), _force_sign, MOTION),
-    Misconception("torque-sign", ("ortiz-heron-shaffer-2005", "rimoldini-singh-2005"), _one_torque_sign, MOTION),
-    Misconception("whole-length-for-lever-arm", ("ortiz-heron-shaffer-2005",), _whole_lever, MOTION),
-    Misconception("weight-at-middle-of-shape", ("ortiz-heron-shaffer-2005",), _weight_at_middle, MOTION),
+    Misconception("force-sign", ("flores-2004", "arons-1997"), _force_sign, MOTION, NO_FORCES),
+    Misconception("torque-sign", ("ortiz-heron-shaffer-2005", "rimoldini-singh-2005"), _one_torque_sign, MOTION, WELL),
+    Misconception("whole-length-for-lever-arm", ("ortiz-heron-shaffer-2005",), _whole_lever, MOTION, WELL),
+    Misconception("weight-at-middle-of-shape", ("ortiz-heron-shaffer-2005",), _weight_at_middle, MOTION, WELL),
     Misconception("sine-for-cosine", ("flores-2004", "arons-1997"), _swapped_weight, MOTION),
-    Misconception("sine-for-cosine-in-lever-arm", ("flores-2004", "ortiz-heron-shaffer-2005"), _swapped_lever, MOTION),
-    Misconception("forces-as-at-rest", ("hestenes-1992", "close-gomez-heron-2013"), _as_at_rest, FORCES),
-    Misconception("f-is-ma-at-contact-point", ("close-gomez-heron-2013", "sherwood-1983"), _at_the_contact, FORCES),
-    Misconception("centripetal-forgotten", ("shaffer-mcdermott-2005", "mashood-singh-2012"), _no_centripetal, FORCES),
-    Misconception("length-for-elongation", ("arons-1997",), _whole_length, MOTION),
     Misconception(
-        "wrong-sense-of-rotation",
-        ("mashood-singh-2012", "paper"),
-        _wrong_sense,
-        MOTION | {"momentum"},
+        "sine-for-cosine-in-lever-arm", ("flores-2004", "ortiz-heron-shaffer-2005"), _swapped_lever, MOTION, WELL
+    ),
+    Misconception("forces-as-at-rest", ("hestenes-1992", "close-gomez-heron-2013"), _as_at_rest, FORCES, WELL),
+    Misconception("f-is-ma-at-contact-point", ("close-gomez-heron-2013", "sherwood-1983"), _at_the_contact, FORCES),
+    Misconception(
+        "centripetal-forgotten", ("shaffer-mcdermott-2005", "mashood-singh-2012"), _no_centripetal, FORCES, WELL
+    ),
+    Misconception("length-for-elongation", ("arons-1997",), _whole_length, MOTION, WELL),
+    Misconception(
+        "wrong-sense-of-rotation", ("mashood-singh-2012", "paper"), _wrong_sense, MOTION | {"momentum"}, WELL
     ),
     Misconception("same-tension-on-both-sides", ("mcdermott-1994",), _pulley_at_rest, MOTION),
 )

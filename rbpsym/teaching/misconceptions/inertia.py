@@ -14,7 +14,7 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.misconceptions.change import of_kind, spinning, with_inertia, with_parts
-from rbpsym.teaching.misconceptions.model import INERTIA, SPIN, Misconception, Site
+from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
 from rbpsym.teaching.targets import axes
 
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
@@ -110,12 +110,18 @@ def _mass_dropped(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception("spin-dropped", ("rimoldini-singh-2005", "close-heron-2011", "paper"), _spin_dropped, SPIN),
-    Misconception("all-mass-at-centers", ("rimoldini-singh-2005", "nelson-olsson-1986"), _all_at_centers, SPIN),
-    Misconception("parallel-axis-forgotten", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_forgotten, SPIN),
-    Misconception("parallel-axis-twice", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_twice, SPIN),
-    Misconception("moment-about-wrong-point", ("rimoldini-singh-2005",), _about_end, INERTIA),
-    Misconception("end-of-rod-taken-for-axis", ("rimoldini-singh-2005",), _center_for_end, SPIN),
-    Misconception("moment-of-another-shape", ("rimoldini-singh-2005", "arons-1997"), _another_shape, INERTIA),
+    Misconception(
+        "spin-dropped", ("rimoldini-singh-2005", "close-heron-2011", "paper"), _spin_dropped, SPIN, NO_INERTIA
+    ),
+    Misconception(
+        "all-mass-at-centers", ("rimoldini-singh-2005", "nelson-olsson-1986"), _all_at_centers, SPIN, NO_INERTIA
+    ),
+    Misconception(
+        "parallel-axis-forgotten", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_forgotten, SPIN, NO_INERTIA
+    ),
+    Misconception("parallel-axis-twice", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_twice, SPIN, NO_INERTIA),
+    Misconception("moment-about-wrong-point", ("rimoldini-singh-2005",), _about_end, INERTIA, WELL),
+    Misconception("end-of-rod-taken-for-axis", ("rimoldini-singh-2005",), _center_for_end, SPIN, NO_INERTIA),
+    Misconception("moment-of-another-shape", ("rimoldini-singh-2005", "arons-1997"), _another_shape, INERTIA, WELL),
     Misconception("mass-dropped", ("ortiz-heron-shaffer-2005",), _mass_dropped, SPIN),
 )

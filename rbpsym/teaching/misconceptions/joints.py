@@ -20,7 +20,7 @@ from rbpsym.teaching.misconceptions.change import (
     with_inertia,
     with_kinematics,
 )
-from rbpsym.teaching.misconceptions.model import FORCES, MOTION, SPIN, Misconception, Site
+from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site
 
 
 def _free_as_welded(study: Study) -> Iterator[Site]:
@@ -167,10 +167,10 @@ def _hanging(study: Study, element: Element) -> list[str]:
 
 
 MISCONCEPTIONS = (
-    Misconception("free-taken-as-welded", ("paper", "kleppner-kolenkow"), _free_as_welded, SPIN),
-    Misconception("welded-taken-as-free", ("paper", "rimoldini-singh-2005"), _welded_as_free, SPIN),
+    Misconception("free-taken-as-welded", ("paper", "kleppner-kolenkow"), _free_as_welded, SPIN, WELL),
+    Misconception("welded-taken-as-free", ("paper", "rimoldini-singh-2005"), _welded_as_free, SPIN, NO_INERTIA),
     Misconception(
-        "spin-of-carrier", ("paper", "mashood-singh-2012"), _spin_of_carrier, frozenset({"momentum", "kinetic"})
+        "spin-of-carrier", ("paper", "mashood-singh-2012"), _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL
     ),
     Misconception("third-law-forgotten", ("hestenes-1992", "mcdermott-1994"), _third_law_forgotten, MOTION),
     Misconception("rolling-taken-as-sliding", ("lopez-2003", "rimoldini-singh-2005"), _rolling_as_sliding, MOTION),

@@ -23,13 +23,15 @@ class Misconception:
 
     name: its key, also of its phrases (`misconception.<name>`); sources: keys of
     `literature.SOURCES`; sites(study): where it applies, decided by the structure of the problem;
-    about: kinds of targets (`targets.KINDS`, "axis-moment") that it can change.
+    about: kinds of targets (`targets.KINDS`, "axis-moment") that it can change. tells: chapters that a
+    derivation with the slip must leave out to read as a student's (None: it does not read so at all).
     """
 
     name: str
     sources: tuple[str, ...]
     sites: Callable[[Study], Iterator[Site]]
     about: frozenset[str] = field(default_factory=frozenset)
+    tells: frozenset[str] | None = None
 
 
 MOTION = frozenset({"acceleration", "reaction", "speed", "frequency", "work", "friction", "loss"})
@@ -38,3 +40,7 @@ INERTIA = SPIN | {"moment"}
 WORKS = frozenset({"work"})
 FORCES = frozenset({"reaction", "work", "friction", "loss"})
 ENERGY = frozenset({"speed", "reaction", "loss"})
+
+WELL: frozenset[str] = frozenset()  # the derivation with the slip reads well as it is
+NO_INERTIA = frozenset({"inertia"})  # it does from the angular momentum on
+NO_FORCES = frozenset({"inertia", "forces"})

@@ -1,0 +1,201 @@
+"""All that tasks about one problem share, worked out once: derivation, targets, wrong studies, numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document.model import Inlines
+from rbpsym.document.notes_figures import problem_notation
+from rbpsym.document.telling import known_key
+from rbpsym.document.words import Words
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
+from rbpsym.quantities import NUMBER
+from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.distractors import Pool, shown
+from rbpsym.teaching.draws import Draws
+from rbpsym.teaching.model import Asked, Item, Measure
+from rbpsym.teaching.ranges import Range
+from rbpsym.teaching.situations import Scenery, Situation, names_in
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.units import measure_text, unit_of
+
+ASKED_DIGITS = 3
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One problem of a worksheet. `targets` by id; `scenery` is where a student's numbers come from."""
+
+    derivation: Derivation
+    targets: Mapping[str, Target]
+    pool: Pool
+    wishes: Mapping[str, Range] = field(default_factory=dict)
+
+    @property
+    def study(self) -> Study:
+        """The right mechanics."""
+        return self.derivation.study
+
+    @property
+    def name(self) -> str:
+        """The name of the problem."""
+        return self.study.problem.name
+
+    @property
+    def notation(self) -> Notation:
+        """How its names are printed."""
+        return problem_notation(self.study.problem)
+
+    def asked(self, target: Target) -> Asked:
+        """What an item about a target asks for."""
+        return Asked(self.name, target.id, target.left, target.dimension, target.step)
+
+    def way_to(self, step: str, most: int) -> tuple[Step, ...]:
+        """The steps that lead to a step, itself the last: by the graph, the nearest first, at most so many."""
+        by_id = {s.id: s for s in self.derivation.steps}
+        kept, front = [step], [step]
+        while front and len(kept) < most:
+            near = [p for id in front for p in by_id[id].premises if p not in kept]
+            front = list(dict.fromkeys(near))[: most - len(kept)]
+            kept += front
+        order = [s.id for s in self.derivation.steps]
+        return tuple(by_id[id] for id in sorted(kept, key=order.index))
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One student's item in the making: words, numbers, draws, and the values of the prepared task."""
+
+    said: Words
+    situation: Situation
+    scenery: Scenery
+    draws: Draws
+    id: str
+    values: Sequence[float]
+    before: tuple[Item, ...] = ()
+
+    @property
+    def language(self) -> str:
+        """Of the paper."""
+        return self.said.language
+
+
+Make = Callable[[Setting], Item | None]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A task of which only numbers and the order of things are open.
+
+    `values` are evaluated at each student's numbers; `make` gives the item, or None if these numbers do not do
+    (two answers would look the same in print).
+    """
+
+    kind: str
+    target: Target | None
+    values: tuple[Scalar, ...]
+    make: Make
+    is_timed: bool = False
+    needs_place: bool = False
+
+
+def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], list[list[float]]]:
+    """The values of all prepared tasks at some numbers, each task's in a list of its own."""
+    tasks = tuple(prepared)
+    whole = compiled([value for task in tasks for value in task.values])
+
+    def evaluate(numbers: Mapping[str, float]) -> list[list[float]]:
+        found, rows, at = whole(numbers), [], 0
+        for task in tasks:
+            rows.append(found[at : at + len(task.values)])
+            at += len(task.values)
+        return rows
+
+    return evaluate
+
+
+def generic_state(bench: Bench) -> dict[str, float]:
+    """Numbers for coordinates, speeds and accelerations that the paper leaves open, so that formulas can be told apart."""
+    found = {}
+    for place, coordinate in enumerate(bench.study.problem.coordinates):
+        name = coordinate.name
+        found |= {name: 0.43 + 0.29 * place, f"{name}_dot": 1.37 + 0.73 * place, f"{name}_ddot": -0.83 - 0.31 * place}
+    found |= {name: 2.9 + 1.7 * place for place, name in enumerate(bench.study.system.unknowns)}
+    return found
+
+
+def formula_of(bench: Bench, target: Target) -> t.Node:
+    """The right value of a target as it is printed in answers."""
+    value = target.value(bench.study)
+    if value is None:
+        raise RbpsymError(f"“{target.id}” has no value in “{bench.name}”")
+    return shown(value, bench.study)
+
+
+def is_number(bench: Bench, target: Target, scenery: Scenery) -> bool:
+    """Whether a target is a number at the place that is asked about."""
+    value = target.along(bench.study)
+    return value is not None and names_in(value) <= known_names(bench, scenery)
+
+
+def known_names(bench: Bench, scenery: Scenery) -> set[str]:
+    """Names that have a number on the paper."""
+    return set(scenery.ranges) | ({scenery.coordinate} if scenery.coordinate else set())
+
+
+def asked_unit(bench: Bench, target: Target) -> str:
+    """The unit of a target as a number."""
+    dimension = target.reading.dimension if target.reading else target.dimension
+    name = target.unit_name if not target.reading else target.reading.unit_name
+    if not name and dimension == NUMBER and target.kind == "loss":
+        name = "angle"
+    if target.kind in ("acceleration", "speed") and not dimension.length:
+        return "rad/s" if target.kind == "speed" else "rad/s^2"
+    return unit_of(dimension, name)
+
+
+def sentence(step: Step, said: Words) -> Inlines:
+    """Why a step is made, in the words of the notes; () where they say nothing."""
+    key = known_key(step.phrase, said)
+    return () if key is None else said.say(key, **step.slots)
+
+
+def word(measure: Measure, notation: Notation) -> t.Word:
+    """A measure as a part of a formula."""
+    return t.Word(measure_text(measure, notation.decimal))
+
+
+def is_given(name: str, measure: Measure, notation: Notation) -> t.Node:
+    """name = 2.50 m."""
+    return t.equation(t.Sym(name), word(measure, notation))
+
+
+def with_numbers(node: t.Node, given: Mapping[str, Measure], notation: Notation) -> t.Node:
+    """A formula with the printed numbers in the places of the names."""
+    from dataclasses import fields, replace
+
+    if isinstance(node, t.Sym):
+        return t.Group(word(given[node.name], notation)) if node.name in given else node
+    changes = {}
+    for item in fields(node):
+        value = getattr(node, item.name)
+        if isinstance(value, t.Node):
+            changes[item.name] = with_numbers(value, given, notation)
+        elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
+            changes[item.name] = tuple(with_numbers(part, given, notation) for part in value)
+    return replace(node, **changes) if changes else node
+
+
+def numbers_at(situation: Situation, names: Iterable[str]) -> dict[str, Measure]:
+    """The printed numbers of some names, in the order of the paper."""
+    known = dict(situation.given)
+    if situation.place is not None:
+        known[situation.place[0]] = situation.place[1]
+    wanted = set(names)
+    return {name: measure for name, measure in known.items() if name in wanted}

@@ -1,0 +1,157 @@
+"""Lines of a derivation for tasks: which steps matter, what may be left out of them, which come first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from rbpsym.algebra.evaluate import Value
+from rbpsym.derivation.step import STANDARD, Step
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.teaching.bench import Bench
+from rbpsym.teaching.model import Piece
+
+# what a step does -> how much it matters to understand it (0: never asked)
+WEIGHTS: Mapping[str, int] = {
+    "parallel_axis": 5,
+    "angular_momentum": 5,
+    "torque": 4,
+    "work": 4,
+    "workless": 4,
+    "kinetic_energy": 4,
+    "mass_integral": 3,
+    "balance": 3,
+    "combination": 3,
+    "potential": 3,
+    "first_integral": 3,
+    "differentiation": 2,
+    "conservation": 2,
+    "solution": 2,
+    "identity": 2,
+    "linearization": 2,
+    "substitution": 1,
+    "work_done": 1,
+}
+LARGEST_BLANK = 40  # parts of a formula that one has to write
+
+
+def lines_to(bench: Bench, step: str, most: int) -> tuple[Step, ...]:
+    """The steps that lead to a step, those that a lecture would show, at most so many."""
+    found = bench.way_to(step, 3 * most)
+    kept = [s for s in found if s.level <= STANDARD and s.rule not in ("constraint", "statement")]
+    return tuple(kept[-most:])
+
+
+def piece(step: Step) -> Piece:
+    """A step as a piece."""
+    return Piece(step.id, step.statement)
+
+
+def precedence(bench: Bench, ids: list[str]) -> set[tuple[int, int]]:
+    """Pairs of places (i, j): by the graph the step i is needed, directly or not, for the step j."""
+    by_id = {s.id: s for s in bench.derivation.steps}
+    needed = {id: set(_ancestors(by_id, id)) for id in ids}
+    return {(i, j) for j, id in enumerate(ids) for i, other in enumerate(ids) if other in needed[id]}
+
+
+def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
+    seen, front = set(), [id]
+    while front:
+        for premise in by_id[front.pop()].premises:
+            if premise not in seen:
+                seen.add(premise)
+                front.append(premise)
+                yield premise
+
+
+# --- what may be blanked
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """A part of a statement that may be left out: the path to it, and what stands there."""
+
+    path: tuple[tuple[str, int], ...]
+    node: t.Node
+    is_term: bool = False
+
+
+def gaps(statement: t.Node) -> list[Gap]:
+    """Right sides of a statement that have a scalar value, and the terms of sums in them."""
+    rows = (
+        [((("rows", k),), row) for k, row in enumerate(statement.rows)]
+        if isinstance(statement, t.System)
+        else [((), statement)]
+    )
+    found: list[Gap] = []
+    for path, row in rows:
+        if isinstance(row, t.Chain) and set(row.ops) == {"="} and len(row.items) > 1:
+            found += _in_side((*path, ("items", len(row.items) - 1)), row.items[-1])
+    return found
+
+
+def _in_side(path: tuple[tuple[str, int], ...], node: t.Node) -> Iterator[Gap]:
+    """The side itself, or (of a vector along k) its factor; then the terms of a sum."""
+    path, node = _without_direction(path, node)
+    if _is_plain(node):
+        yield Gap(path, node)
+    if isinstance(node, t.Add):
+        for k, term in enumerate(node.terms):
+            bare = (*path, ("terms", k))
+            inner = (*bare, ("arg", -1)) if isinstance(term, t.Neg) else bare
+            part = term.arg if isinstance(term, t.Neg) else term
+            if _is_plain(part):
+                yield Gap(inner, part, is_term=True)
+
+
+def _without_direction(path, node: t.Node):
+    while True:
+        if isinstance(node, t.Mul) and len(node.factors) == 2 and isinstance(node.factors[1], t.Unit):
+            path, node = (*path, ("factors", 0)), node.factors[0]
+        elif isinstance(node, (t.Group, t.Neg)):
+            path, node = (*path, ("arg", -1)), node.arg
+        else:
+            return path, node
+
+
+VECTORS = (t.Vec, t.Unit, t.Cross, t.PathIntegral, t.BodyIntegral, t.Delta, t.Word, t.Sum)
+
+
+def _is_plain(node: t.Node) -> bool:
+    """Something to write down: neither a number, nor a bare name, nor a vector, nor too long."""
+    if isinstance(node, (t.Num, t.Sym)) or any(isinstance(part, VECTORS) for part in t.walk(node)):
+        return False
+    return sum(1 for _ in t.walk(node)) <= LARGEST_BLANK
+
+
+def put(statement: t.Node, path: tuple[tuple[str, int], ...], part: t.Node) -> t.Node:
+    """The statement with another part at a path."""
+    if not path:
+        return part
+    (name, place), rest = path[0], path[1:]
+    held = getattr(statement, name)
+    if place < 0:
+        return replace(statement, **{name: put(held, rest, part)})
+    inner = put(held[place], rest, part)
+    return replace(statement, **{name: (*held[:place], inner, *held[place + 1 :])})
+
+
+def has_value(bench: Bench, node: t.Node) -> bool:
+    """Whether a part means something outside its step: only quantities of the problem are in it."""
+    return value_of(bench, node) is not None
+
+
+def value_of(bench: Bench, node: t.Node) -> Value | None:
+    """The value of a part in the names of the problem; None if it holds names that the derivation defined."""
+    from rbpsym.algebra.evaluate import value
+    from rbpsym.teaching.distractors import dimensions_of
+
+    known = {*dimensions_of(bench.study), *bench.study.system.unknowns, "pi"}
+    bound = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
+    if not t.names(node) <= known | bound:
+        return None
+    try:
+        return value(node, bench.study.system.scope)
+    except (RbpsymError, ZeroDivisionError, ValueError):
+        return None

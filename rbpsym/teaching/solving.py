@@ -1,0 +1,80 @@
+"""How an answer is worked out at the student's numbers: the formula, the numbers put in, the result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
+from rbpsym.notation import tree as t
+from rbpsym.teaching.bench import (
+    ASKED_DIGITS,
+    Bench,
+    Setting,
+    asked_unit,
+    formula_of,
+    is_given,
+    numbers_at,
+    with_numbers,
+    word,
+)
+from rbpsym.teaching.distractors import shown
+from rbpsym.teaching.model import Measure
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.units import measured
+from rbpsym.teaching.wording import spoken
+
+
+def where_text(setting: Setting) -> Inlines:
+    """“ where θ = 40.0°”, if it is asked at a place."""
+    place = setting.situation.place
+    if place is None:
+        return ()
+    return spoken(setting.said, "ask.place", place=is_given(*place, _notation(setting)))
+
+
+def _notation(setting: Setting):
+    from rbpsym.document.notes_figures import problem_notation
+
+    return problem_notation(setting.said.problem)
+
+
+def label_of(bench: Bench, step: str) -> str:
+    """The label under which the solution shows a step of a problem."""
+    return f"{bench.name}.{step}"
+
+
+def worked(bench: Bench, setting: Setting, target: Target, value: float | None) -> tuple[Block, ...]:
+    """Where the answer comes from, the formula and, if it is a number, the numbers put in."""
+    return tuple(_worked(bench, setting, target, value))
+
+
+def _worked(bench: Bench, setting: Setting, target: Target, value: float | None) -> Iterator[Block]:
+    if target.step:
+        yield Paragraph(spoken(setting.said, "solution.from", step=Ref(label_of(bench, target.step))))
+    formula = formula_of(bench, target)
+    if value is None:
+        yield Display(t.equation(target.left, formula), numbered=False)
+        return
+    yield Display(numeric_line(bench, setting, target, value), numbered=False)
+
+
+def numeric_line(bench: Bench, setting: Setting, target: Target, value: float) -> t.Node:
+    """left = formula = formula with numbers = number with unit."""
+    formula = number_formula(bench, target)
+    given = numbers_at(setting.situation, t.names(formula))
+    left = target.reading.left if target.reading else target.left
+    result = measure_of(bench, target, value)
+    return t.equation(left, formula, with_numbers(formula, given, bench.notation), word(result, bench.notation))
+
+
+def number_formula(bench: Bench, target: Target) -> t.Node:
+    """The formula from which a target's number comes, as a function of the position alone."""
+    along = target.along(bench.study)
+    plain = formula_of(bench, target) if along is None else shown(along, bench.study)
+    return target.reading.node(plain) if target.reading else plain
+
+
+def measure_of(bench: Bench, target: Target, value: float) -> Measure:
+    """The number of a target as it is printed (`value` in SI units, before it is read off)."""
+    value = target.reading.number(value) if target.reading else value
+    return measured(value, asked_unit(bench, target), ASKED_DIGITS)

@@ -1,0 +1,156 @@
+"""Compare: two variants of a problem; which is faster is proved for all values, and the student says why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import UNITY, Scalar, symbol
+from rbpsym.derivation.step import BodyRef
+from rbpsym.document.model import Display, Math, Paragraph
+from rbpsym.equality.signs import sign
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.quantities import LENGTH, MASS
+from rbpsym.teaching.bench import Bench, Prepared, Setting, formula_of
+from rbpsym.teaching.distractors import shown
+from rbpsym.teaching.misconceptions.inertia import ROUND
+from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.model import ComparisonKey, Criterion, Item, Option
+from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.tasks.wish import Wish, wanted
+from rbpsym.teaching.wording import spoken
+
+ASKED = ("frequency", "speed", "acceleration")
+FIRST, SECOND, SAME = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Variant:
+    """Another system than that of the problem: how it is called, and the value of a target in it."""
+
+    phrase: str
+    slots: Mapping[str, Any]
+    value: Callable[[Bench, Target], Scalar | None]
+
+
+def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a quantity for which a variant can be compared for all values of the parameters."""
+    fits = lambda x: x.kind in ASKED  # noqa: E731
+    for target in wanted(bench, wish, fits, "a frequency, a speed or an acceleration can be compared"):
+        found = tuple(_decided(bench, target))
+        if found:
+            yield _prepared(bench, wish, target, found)
+
+
+def _decided(bench: Bench, target: Target) -> Iterator[tuple[Variant, int, Scalar]]:
+    """Variants with the place of the right answer, proved, and their values."""
+    right = target.value(bench.study)
+    for variant in variants(bench):
+        value = _tried(variant, bench, target)
+        answer = None if value is None else _answer(right, value, bench.study)
+        if answer is not None:
+            yield variant, answer, value
+
+
+def _tried(variant: Variant, bench: Bench, target: Target) -> Scalar | None:
+    try:
+        return variant.value(bench, target)
+    except (RbpsymError, ZeroDivisionError, KeyError, ValueError):
+        return None
+
+
+def _answer(right: Scalar, other: Scalar, study: Study) -> int | None:
+    """SAME if they are equal; FIRST or SECOND if one is greater in size for all values; None if that is not proved."""
+    if is_zero(other - right):
+        return SAME
+    ratio = short(other / right)
+    kind = sign(ratio - UNITY, study.assumptions).kind
+    return (
+        {"positive": SECOND, "negative": FIRST}.get(kind) if sign(ratio, study.assumptions).kind == "positive" else None
+    )
+
+
+def variants(bench: Bench) -> Iterator[Variant]:
+    """A constant doubled; another round shape; a bearing for a weld and a weld for a bearing."""
+    for quantity in bench.study.problem.parameters:
+        if quantity.dimension in (MASS, LENGTH) and quantity.sign == "positive":
+            yield Variant("compare.doubled", {"name": t.Sym(quantity.name)}, partial(_doubled, name=quantity.name))
+    for site in MISCONCEPTIONS["moment-of-another-shape"].sites(bench.study):
+        body = site.slots["body"].name
+        slots = {"body": BodyRef(body), "first": _round(bench, body), "second": site.slots["variant"]}
+        yield Variant("compare.shape", slots, lambda bench, target, site=site: target.value(site.wrong()))
+    for name, phrase in (("free-taken-as-welded", "compare.welded"), ("welded-taken-as-free", "compare.free")):
+        for site in MISCONCEPTIONS[name].sites(bench.study):
+            yield Variant(
+                phrase, {"body": site.slots["body"]}, lambda bench, target, site=site: target.value(site.wrong())
+            )
+
+
+def _round(bench: Bench, body: str) -> str:
+    kind = bench.study.problem.body(body).shape.kind
+    return kind if kind in ROUND else "disk"
+
+
+def _doubled(bench: Bench, target: Target, name: str) -> Scalar | None:
+    value = target.value(bench.study)
+    return None if value is None else short(substitute(value, {name: symbol(name) * 2}))
+
+
+def _prepared(bench: Bench, wish: Wish, target: Target, found) -> Prepared:
+    def make(setting: Setting) -> Item:
+        variant, right, value = setting.draws.one_of(found)
+        return _item(bench, setting, wish, target, variant, right, value)
+
+    return Prepared("compare", target, (), make)
+
+
+def _item(bench: Bench, setting: Setting, wish: Wish, target: Target, variant: Variant, right: int, value) -> Item:
+    said = setting.said
+    slots = {k: _shape(said, v) if k in ("first", "second") else v for k, v in variant.slots.items()}
+    change = spoken(said, variant.phrase, **slots)
+    prompt = spoken(said, f"ask.compare.{target.kind}", **{**target.slots, "left": target.left, "change": change})
+    options = tuple(Option(spoken(said, f"compare.{name}")) for name in ("first", "second", "same"))
+    points = wish.points if wish.points is not None else Fraction(3)
+    pair = (formula_of(bench, target), shown(value, bench.study))
+    return Item(
+        setting.id,
+        "compare",
+        (Paragraph(prompt),),
+        ComparisonKey(options, right),
+        bench.asked(target),
+        points,
+        rubric=tuple(_rubric(setting, target, points, pair)),
+        solution=(
+            Paragraph(spoken(said, f"compare.why.{('first', 'second', 'same')[right]}", left=target.left)),
+            *_pair(said, target, pair),
+        ),
+        level=wish.level,
+        space=Fraction(3),
+    )
+
+
+def _shape(said, kind: str):
+    return spoken(said, f"shape.{kind}")
+
+
+def _pair(said, target: Target, pair) -> Iterator[Paragraph | Display]:
+    for name, formula in zip(("one", "other"), pair, strict=True):
+        yield Paragraph(spoken(said, f"compare.{name}"))
+        yield Display(t.equation(target.left, formula), numbered=False)
+
+
+def _rubric(setting: Setting, target: Target, points: Fraction, pair) -> Iterator[Criterion]:
+    """A third for the choice, a third for each of the two formulas or the words that say the same."""
+    yield Criterion(points / 3, spoken(setting.said, "rubric.choice"))
+    for name, formula in zip(("one", "other"), pair, strict=True):
+        relation = t.equation(target.left, formula)
+        yield Criterion(points / 3, (*spoken(setting.said, f"rubric.{name}"), Math(relation)), relation)

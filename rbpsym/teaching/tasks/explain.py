@@ -1,0 +1,72 @@
+"""Explain: an open question about a step, with a rubric of what the derivation uses there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rbpsym.derivation.step import Step
+from rbpsym.document.model import Display, Math, Paragraph
+from rbpsym.notation import tree as t
+from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
+from rbpsym.teaching.model import Asked, Criterion, ExplanationKey, Item
+from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.tasks.wish import Wish
+from rbpsym.teaching.wording import spoken
+
+# rule -> how interesting a “why” it is; others are not asked
+QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1}
+MOST_PREMISES = 3
+
+
+def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a step that has a reason and premises; `about` names ids of steps."""
+    steps = [s for s in bench.derivation.steps if s.rule in QUESTIONS and _premises(bench, s)]
+    named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
+    if not named and wish.at is not None:
+        ids = ", ".join(s.id for s in steps)
+        raise wish.error(
+            f"“{bench.name}” has no step “{', '.join(wish.about)}” to be explained",
+            f"steps that can be asked: {ids}." if ids else "choose another kind of task.",
+        )
+    for step in sorted(named, key=lambda s: -QUESTIONS[s.rule]):
+        yield Prepared("explain", None, (), lambda setting, step=step: _item(bench, setting, wish, step))
+
+
+def _premises(bench: Bench, step: Step) -> list[Step]:
+    """What it stands on, the last first named; at most so many."""
+    return [bench.derivation.step(id) for id in step.premises][:MOST_PREMISES]
+
+
+def _item(bench: Bench, setting: Setting, wish: Wish, step: Step) -> Item:
+    premises = _premises(bench, step)
+    points = wish.points if wish.points is not None else Fraction(1 + len(premises))
+    return Item(
+        setting.id,
+        "explain",
+        (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False)),
+        ExplanationKey(tuple(_sample(setting, step, premises))),
+        Asked(bench.name, step.id, t.Sym("W"), step=step.id),
+        points,
+        rubric=tuple(_rubric(setting, step, premises, points)),
+        solution=tuple(_sample(setting, step, premises)),
+        level=wish.level,
+        space=Fraction(5),
+    )
+
+
+def _sample(setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
+    for premise in premises:
+        yield Display(premise.statement, numbered=False)
+    why = sentence(step, setting.said)
+    if why:
+        yield Paragraph(why)
+    yield Display(step.statement, numbered=False)
+
+
+def _rubric(setting: Setting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
+    """One share for each thing that it stands on, one for putting them together."""
+    share = points / (1 + len(premises))
+    for premise in premises:
+        yield Criterion(share, (*spoken(setting.said, "rubric.uses"), Math(premise.statement)), premise.statement)
+    yield Criterion(share, spoken(setting.said, "rubric.concludes"))

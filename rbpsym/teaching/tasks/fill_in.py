@@ -1,0 +1,129 @@
+"""Fill in: a derivation with blanks at the steps that matter, from much help to none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.derivation.step import Step
+from rbpsym.document.model import Block, Display, Paragraph
+from rbpsym.notation import tree as t
+from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
+from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, lines_to, put
+from rbpsym.teaching.model import Anticipated, Blank, BlanksKey, Item, blank
+from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.tasks.wish import Wish, wanted
+from rbpsym.teaching.wording import spoken
+
+
+@dataclass(frozen=True, slots=True)
+class Help:
+    """How much a level helps: steps shown, blanks at most, single terms rather than sides, reasons told."""
+
+    lines: int
+    blanks: int
+    terms: bool
+    reasons: bool
+
+
+LEVELS: Mapping[int, Help] = {
+    0: Help(5, 2, True, True),
+    1: Help(6, 4, True, True),
+    2: Help(6, 6, False, True),
+    3: Help(7, 12, False, False),
+}
+
+
+def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a result whose derivation has something to leave out."""
+    if wish.level not in LEVELS:
+        raise wish.error(f"there is no level {wish.level}", "levels go from 0 (much help) to 3 (none).")
+    fits = lambda x: bool(x.step) and bool(_blanked(bench, x, wish.level)[1])  # noqa: E731
+    for target in wanted(bench, wish, fits, "its derivation has no step with something to leave out"):
+        yield _prepared(bench, wish, target)
+
+
+def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
+    steps, chosen = _blanked(bench, target, wish.level)
+    statements, answers = _with_blanks(bench, steps, chosen)
+    names = tuple(sorted({n for item in answers for n in t.names(item.value)}))
+
+    def make(setting: Setting) -> Item:
+        prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
+        points = wish.points if wish.points is not None else Fraction(len(answers))
+        each = tuple(Blank(a.number, a.value, points / len(answers), a.step, a.anticipated) for a in answers)
+        return Item(
+            setting.id,
+            "fill-in",
+            (prompt, *_lines(setting, steps, statements, LEVELS[wish.level].reasons)),
+            BlanksKey(each, names),
+            bench.asked(target),
+            points,
+            solution=tuple(Display(step.statement, numbered=False) for step, _ in chosen_steps(chosen, steps)),
+            level=wish.level,
+            space=Fraction(0),
+        )
+
+    return Prepared("fill-in", target, (), make)
+
+
+def chosen_steps(chosen: Mapping[str, list[Gap]], steps: tuple[Step, ...]) -> list[tuple[Step, list[Gap]]]:
+    """The steps with blanks, in order."""
+    return [(step, chosen[step.id]) for step in steps if step.id in chosen]
+
+
+def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:
+    """The steps shown and, by id, what is left out: from the steps that matter most."""
+    how = LEVELS[level]
+    steps = lines_to(bench, target.step, how.lines)
+    ranked = sorted(steps, key=lambda s: (-WEIGHTS.get(s.rule, 0), steps.index(s)))
+    chosen: dict[str, list[Gap]] = {}
+    left = how.blanks
+    for step in ranked:
+        found = _gaps_of(bench, step, how) if WEIGHTS.get(step.rule, 0) else []
+        if found and left:
+            chosen[step.id] = found[:left]
+            left -= len(chosen[step.id])
+    return steps, chosen
+
+
+def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
+    """A term of each sum where there is much help (the last: the spin part, the shift of the axis), else whole sides."""
+    found = [gap for gap in gaps(step.statement) if has_value(bench, gap.node)]
+    terms = [gap for gap in found if gap.is_term]
+    sides = [gap for gap in found if not gap.is_term]
+    if how.terms and terms:
+        return terms[-1:]
+    return sides[-1:] if how.terms else sides
+
+
+def _with_blanks(bench: Bench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
+    """Statements by id, and the answers, numbered in reading order."""
+    statements, answers = {}, []
+    for step in steps:
+        statement = step.statement
+        for gap in chosen.get(step.id, ()):
+            answers.append(Blank(len(answers) + 1, gap.node, step=step.id, anticipated=_anticipated(bench, step, gap)))
+            statement = put(statement, gap.path, blank(len(answers)))
+        statements[step.id] = statement
+    return statements, answers
+
+
+def _anticipated(bench: Bench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
+    """Known slips, where the blank is the whole right side of a quantity that has some."""
+    found = next((x for x in bench.targets.values() if x.step == step.id), None)
+    if found is None or gap.is_term or isinstance(step.statement, t.System):
+        return ()
+    return tuple(Anticipated(d.slip, d.formula) for d in bench.pool.of(found))
+
+
+def _lines(
+    setting: Setting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
+) -> Iterator[Block]:
+    for step in steps:
+        why = sentence(step, setting.said) if reasons else ()
+        if why:
+            yield Paragraph(why)
+        yield Display(statements[step.id], numbered=False)

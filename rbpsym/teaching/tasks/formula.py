@@ -1,0 +1,56 @@
+"""Formula: a result to be entered, in the quantities of the problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rbpsym.document.model import Paragraph
+from rbpsym.notation import tree as t
+from rbpsym.teaching.bench import Bench, Prepared, Setting, formula_of
+from rbpsym.teaching.model import Anticipated, FormulaKey, Item
+from rbpsym.teaching.situations import Scenery, names_in
+from rbpsym.teaching.solving import worked
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.tasks.wish import Wish, wanted
+from rbpsym.teaching.wording import spoken
+
+
+def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a quantity."""
+    for target in wanted(bench, wish, lambda target: True, ""):
+        yield _prepared(bench, wish, target)
+
+
+def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
+    found = bench.pool.of(target)
+    anticipated = tuple(Anticipated(d.slip, d.formula) for d in found)
+    right = formula_of(bench, target)
+    names = in_order(bench, names_in(target.value(bench.study)))
+
+    def make(setting: Setting) -> Item:
+        prompt = spoken(
+            setting.said,
+            f"ask.formula.{target.kind}",
+            **{**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]},
+        )
+        return Item(
+            setting.id,
+            "formula",
+            (Paragraph(prompt),),
+            FormulaKey(right, target.left, names, anticipated),
+            bench.asked(target),
+            wish.points if wish.points is not None else Fraction(3),
+            solution=worked(bench, setting, target, None),
+            level=wish.level,
+            space=Fraction(4),
+        )
+
+    return Prepared("formula", target, (), make)
+
+
+def in_order(bench: Bench, names: set[str]) -> tuple[str, ...]:
+    """Names in the order of the statement: parameters, starts, coordinates, then speeds."""
+    problem = bench.study.problem
+    order = [q.name for q in problem.parameters] + [c.name for c in problem.coordinates]
+    return tuple(sorted(names, key=lambda name: (order.index(name) if name in order else len(order), name)))

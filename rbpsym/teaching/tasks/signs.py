@@ -1,0 +1,151 @@
+"""Signs and arrows: the free-body diagram, the signs of W_T and W_θ of each force over the motion, and what cancels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from rbpsym.algebra.scalar import NOTHING
+from rbpsym.document.figures.free_body import free_body
+from rbpsym.document.model import Block, FigureBlock, Math, Paragraph, Table
+from rbpsym.document.sketches import sketch_of
+from rbpsym.document.words import Words
+from rbpsym.notation import tree as t
+from rbpsym.quantities import ENERGY
+from rbpsym.teaching.bench import Bench, Prepared, Setting, is_given
+from rbpsym.teaching.model import Asked, Item, SignRow, SignsKey
+from rbpsym.teaching.situations import Scenery, names_in
+from rbpsym.teaching.targets import force_symbol
+from rbpsym.teaching.tasks.wish import Wish
+from rbpsym.teaching.wording import spoken
+
+HALVES = ("translational", "rotational")
+SMALL = 1e-6  # of the largest work: too small for a sign that one can see
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A force on a body, and the group of forces with which its works cancel."""
+
+    force: str
+    on: str
+    symbol: t.Node
+    cancels: str
+
+
+def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item for all forces, if their works are known along the motion."""
+    rows, values = _rows(bench), _values(bench)
+    known = set(scenery.ranges) | {scenery.coordinate or ""}
+    if scenery.coordinate is None or any(v is None or not names_in(v) <= known for v in values) or not rows:
+        if wish.at is not None:
+            raise wish.error(
+                f"the works of all forces are not known along the motion of “{bench.name}”",
+                "take a problem that starts somewhere and has one coordinate that moves.",
+            )
+        return
+
+    def make(setting: Setting) -> Item | None:
+        signs = _signs(bench, setting.values)
+        return None if signs is None else _item(bench, setting, wish, rows, signs)
+
+    yield Prepared("signs", None, tuple(values), make, needs_place=True)
+
+
+def _rows(bench: Bench) -> tuple[Row, ...]:
+    workless = bench.study.dynamics.workless
+    return tuple(
+        Row(w.force, w.on, force_symbol(bench.derivation, w.force, w.on), w.force if _cancels(w, workless) else "")
+        for w in bench.study.works
+    )
+
+
+def _cancels(work, workless) -> bool:
+    return bool(workless.get(work.force)) and bool(work.translational.parts or work.rotational.parts)
+
+
+def _values(bench: Bench) -> list:
+    """W_T and W_θ row by row; NOTHING where there is no integrand."""
+    found = []
+    for work in bench.study.works:
+        found += [half.value if half.parts else NOTHING for half in (getattr(work, name) for name in HALVES)]
+    return found
+
+
+def _signs(bench: Bench, values) -> list[str] | None:
+    """The signs; None if a work is too small to see (or has no number)."""
+    largest = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
+    found = []
+    for place, value in enumerate(values):
+        item = bench.study.works[place // 2]
+        if not getattr(item, HALVES[place % 2]).parts:
+            found.append("0")
+        elif not math.isfinite(value):
+            return None
+        elif getattr(item, HALVES[place % 2]).value == NOTHING:
+            found.append("0")
+        elif abs(value) < SMALL * largest:
+            return None
+        else:
+            found.append("+" if value > 0 else "-")
+    return found
+
+
+def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], signs: list[str]) -> Item:
+    key = SignsKey(
+        tuple(
+            SignRow(row.symbol, row.on, _label(bench, row, setting.said), signs[2 * k], signs[2 * k + 1], row.cancels)
+            for k, row in enumerate(rows)
+        )
+    )
+    coordinate = next(c for c in bench.study.problem.coordinates if c.name == setting.scenery.coordinate)
+    start = t.equation(t.Sym(coordinate.name), coordinate.start)
+    end = is_given(*setting.situation.place, bench.notation)
+    prompt = spoken(setting.said, "ask.signs", start=start, end=end)
+    points = wish.points if wish.points is not None else Fraction(len(rows))
+    return Item(
+        setting.id,
+        "signs",
+        (Paragraph(prompt), diagrams(bench, setting.said, with_forces=False)),
+        key,
+        Asked(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole"),
+        points,
+        solution=(diagrams(bench, setting.said, with_forces=True), *_reasons(bench, setting.said)),
+        level=wish.level,
+        space=Fraction(0),
+    )
+
+
+def _label(bench: Bench, row: Row, said: Words):
+    """The force, and on which body if there are several."""
+    from rbpsym.derivation.step import BodyRef
+
+    if len(bench.study.system.bodies) == 1:
+        return (Math(row.symbol),)
+    return spoken(said, "signs.on", force=row.symbol, body=BodyRef(row.on))
+
+
+def diagrams(bench: Bench, said: Words, *, with_forces: bool) -> FigureBlock:
+    """Each body alone, with its forces or without them (for the student to draw)."""
+    sketch = sketch_of(bench.derivation)
+    drawn = sketch if with_forces else replace(sketch, forces=(), couples=())
+    names = [body.name for body in sketch.bodies]
+    scenes = tuple(
+        free_body(drawn, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1]) for name in names
+    )
+    key = "signs.figure" if with_forces else "signs.empty_figure"
+    bodies = ", ".join(said.body(name) for name in names)
+    alt = "".join(getattr(i, "text", "") for i in spoken(said, f"{key}_alt", bodies=bodies))
+    return FigureBlock(scenes, spoken(said, key, count=len(names)), alt)
+
+
+def _reasons(bench: Bench, said: Words) -> Iterator[Block]:
+    """Where the works are known: the table of the derivation."""
+    from rbpsym.document.tables import done_table
+
+    steps = [s for s in bench.derivation.steps if s.rule == "work_done"]
+    if steps:
+        table = done_table(steps, said)
+        yield Table(table.header, table.rows, (), table.align)

@@ -1,0 +1,62 @@
+"""What a worksheet wants of one kind of task, and how its quantities are picked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from fractions import Fraction
+
+from rbpsym.errors import RbpsymError
+from rbpsym.statement.source import Item as Entry
+from rbpsym.statement.source import did_you_mean
+from rbpsym.teaching.bench import Bench, Prepared
+from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.targets import Target
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """One [[problem.task]] of a worksheet.
+
+    about: ids of quantities, or patterns with *; number: how many items; level: 0 (much help) to 3 (none);
+    points: each; options: how many to choose from; answers: "formula" or "number"; `at` tells where it stands in
+    the file, None for a task that nobody wrote.
+    """
+
+    kind: str
+    about: tuple[str, ...] = ()
+    number: int = 1
+    level: int = 1
+    points: Fraction | None = None
+    options: int = 4
+    answers: str = "formula"
+    misconceptions: tuple[str, ...] = ()
+    at: Entry | None = None
+
+    def error(self, what: str, instead: str = "") -> RbpsymError:
+        """An error about the task, told where it stands in the file."""
+        return self.at.error(what, instead) if self.at is not None else RbpsymError(what, instead=instead)
+
+
+Prepare = Callable[[Bench, Scenery, Wish], Iterator[Prepared]]
+
+
+def wanted(bench: Bench, wish: Wish, fits: Callable[[Target], bool], why: str) -> list[Target]:
+    """The targets that a wish names and that fit. Raises an error if it names none, or none that fit (`why`)."""
+    named = [x for x in bench.targets.values() if not wish.about or _is_named(x.id, wish)]
+    if not named:
+        hint = did_you_mean(wish.about[0], bench.targets, "quantities of this problem")
+        raise wish.error(f"“{bench.name}” has no quantity “{', '.join(wish.about)}”", hint)
+    found = [target for target in named if fits(target)]
+    if not found:
+        ids = ", ".join(x.id for x in bench.targets.values() if fits(x))
+        raise wish.error(
+            f"no {wish.kind} task can be made about “{', '.join(wish.about) or bench.name}”: {why}",
+            f"quantities that can be asked so: {ids}." if ids else "choose another kind of task for this problem.",
+        )
+    return found
+
+
+def _is_named(id: str, wish: Wish) -> bool:
+    return any(fnmatchcase(id, pattern) for pattern in wish.about)
