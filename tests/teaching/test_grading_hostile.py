@@ -26,7 +26,7 @@ REFUSED = [
     "m" * 1999, "1" * 500, "sin(" * 300, "-" * 1999 + "m", "\\frac" * 300, "{" * 900, "m_" * 500, "θ̈̈̈̈" * 100, "√" * 900,
 ]  # fmt: skip
 LARGE = [
-    "(m+g+ell+R+M)^60", "(((m+1)^8+1)^8+1)^8", "sin(1000 theta)", "cos(63 theta)^64", 
+    "(m+g+ell+R+M)^60", "(((m+1)^8+1)^8+1)^8", "sin(1000 theta)", "cos(63 theta)^64",
     "*".join(f"(m+{k}*theta+g)" for k in range(1, 60)),
     "+".join(f"sqrt(m+{k})*sqrt(g+{k})" for k in range(1, 30)), "(m+1)^64/(g+1)^64+(ell+1)^64", "exp(exp(exp(exp(m))))",
     f"{KEY}*((m-g+ell-R+k-a)^6+1)/((m-g+ell-R+k-a)^6+1)", f"{KEY}*sqrt((m+g+ell+k+a)^8)/(m+g+ell+k+a)^4",

@@ -1,0 +1,70 @@
+"""Formulas in the infix of other programs (Maxima, sympy), with names that these can read."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterable, Mapping
+
+from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
+from rbpsym.statement.model import Problem
+from rbpsym.teaching.grading.standard import mapped
+
+# names that mean something in Maxima or sympy
+RESERVED = frozenset(
+    {
+        *keyword.kwlist,
+        *[
+            "beta",
+            "gamma",
+            "zeta",
+            "psi",
+            "lambda",
+            "e",
+            "i",
+            "pi",
+            "I",
+            "E",
+            "S",
+            "N",
+            "O",
+            "Q",
+            "C",
+            "D",
+            "diff",
+            "integrate",
+            "ev",
+            "at",
+            "del",
+        ],
+    }
+)
+
+
+def renamed(node: t.Node, names: Mapping[str, str]) -> t.Node:
+    """The tree with other names."""
+    if isinstance(node, t.Sym):
+        return t.Sym(names.get(node.name, node.name))
+    return mapped(node, lambda part: renamed(part, names))
+
+
+def exported_names(names: Iterable[str], problem: Problem, reserved: Iterable[str] = ()) -> dict[str, str]:
+    """Our name -> the name to type there: as the problem prints it (omega for theta_dot), if that is free."""
+    taken: dict[str, str] = {}
+    for name in sorted(set(names) - {"pi"}):
+        shown = problem.notation.get(name, name)
+        shown = shown if re.fullmatch(r"[A-Za-z]\w*", shown) and shown not in taken.values() else name
+        taken[name] = f"{shown}_" if shown in set(reserved) else shown
+    return taken
+
+
+def maxima(node: t.Node, names: Mapping[str, str]) -> str:
+    """A formula for Maxima."""
+    text = to_machine(renamed(node, names)).replace("**", "^")
+    return re.sub(r"\bpi\b", "%pi", text)
+
+
+def sympy_text(node: t.Node, names: Mapping[str, str]) -> str:
+    """A formula for sympy, as text that is data there."""
+    return to_machine(renamed(node, names))

@@ -1,0 +1,146 @@
+"""Blocks of a worksheet as HTML for a learning platform: plain elements, formulas as the platform sets them.
+
+Two ways to set formulas: LaTeX between delimiters (Moodle, Canvas, PrairieLearn, GIFT) or MathML (QTI).
+Figures become SVG files, drawn by Typst: letters are outlines, so that they look the same everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+
+from markupsafe import escape
+
+from rbpsym.document.figures.scene import Scene
+from rbpsym.document.model import (
+    Block,
+    Callout,
+    Display,
+    Emph,
+    FigureBlock,
+    Inlines,
+    ItemList,
+    Math,
+    Paragraph,
+    Ref,
+    Strong,
+    Table,
+    Text,
+)
+from rbpsym.document.pictures import drawings
+from rbpsym.document.writers.page import Page, Print
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.tree import Node
+from rbpsym.teaching.model import BLANK
+
+SQUARE = r"\square "
+SetFormula = Callable[[Node, Notation, bool], str]
+PictureTag = Callable[[str, str], str]
+
+
+def between(opening: str, closing: str, display: tuple[str, str] | None = None) -> SetFormula:
+    """Formulas as LaTeX between delimiters, escaped for HTML."""
+
+    def formula(node: Node, notation: Notation, alone: bool) -> str:
+        first, last = display if alone and display else (opening, closing)
+        return f"{first}{escape(to_latex(node, notation).replace(BLANK, SQUARE))}{last}"
+
+    return formula
+
+
+def mathml(node: Node, notation: Notation, alone: bool) -> str:
+    """Formulas as MathML."""
+    return to_mathml(node, notation)
+
+
+TEX = between(r"\(", r"\)", (r"\[", r"\]"))
+
+
+def image(path: str, alt: str) -> str:
+    """A picture in HTML."""
+    return f'<img src="{escape(path)}" alt="{escape(alt)}" />'
+
+
+@dataclass(frozen=True)
+class Paper:
+    """What a page of a platform is written on: how formulas are set, how pictures are named and shown.
+
+    `pictures` collects the files by name.
+    """
+
+    formula: SetFormula = TEX
+    tag: PictureTag = image
+    folder: str = ""
+    pictures: dict[str, bytes] = field(default_factory=dict)
+    drawn: dict[int, tuple[FigureBlock, bytes]] = field(default_factory=dict)
+
+    def page(self, notation: Notation, language: str) -> Page:
+        """The page on which blocks and inlines are printed."""
+        return Page(_table(self), notation, language)
+
+    def picture(self, block: FigureBlock, notation: Notation) -> str:
+        """A figure as a picture with its file; one that many students get is drawn once."""
+        if id(block) not in self.drawn:
+            self.drawn[id(block)] = (block, svg(block.scenes, notation))
+        data, alt = self.drawn[id(block)][1], block.alt
+        name = f"figure-{sha256(data).hexdigest()[:10]}.svg"
+        self.pictures[name] = data
+        return self.tag(self.folder + name, alt)
+
+
+def svg(scenes: tuple[Scene, ...], notation: Notation) -> bytes:
+    """Scenes side by side as an SVG file of their own."""
+    return drawings([scenes], notation, "svg", 200.0)[0]
+
+
+def _table(paper: Paper) -> Mapping[type, Print]:
+    return {
+        Text: lambda inline, page: str(escape(inline.text)),
+        Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
+        Ref: lambda inline, page: str(escape(inline.mark)),
+        Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
+        Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
+        Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+        Display: lambda block, page: _display(block, page, paper),
+        Table: _table_html,
+        ItemList: _list,
+        Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
+        FigureBlock: lambda block, page: _figure(block, page, paper),
+    }
+
+
+def _display(block: Display, page: Page, paper: Paper) -> str:
+    reason = f" &#160; {page.inlines(block.reason)}" if block.reason else ""
+    return f"<p>{paper.formula(block.node, page.notation, True)}{reason}</p>"
+
+
+def _titled(block: Callout, page: Page) -> str:
+    return f"<p><strong>{page.inlines(block.title)}</strong></p>" if block.title else ""
+
+
+def _row(cells: tuple[Inlines, ...], tag: str, page: Page) -> str:
+    return "<tr>" + "".join(f"<{tag}>{page.inlines(cell)}</{tag}>" for cell in cells) + "</tr>"
+
+
+def _table_html(block: Table, page: Page) -> str:
+    head = f"<thead>{_row(block.header, 'th', page)}</thead>" if any(block.header) else ""
+    rows = "".join(_row(row, "td", page) for row in block.rows)
+    return f"<table>{head}<tbody>{rows}</tbody></table>"
+
+
+def _list(block: ItemList, page: Page) -> str:
+    tag = "ol" if block.ordered else "ul"
+    return f"<{tag}>{''.join(f'<li>{page.inlines(item)}</li>' for item in block.items)}</{tag}>"
+
+
+def _figure(block: FigureBlock, page: Page, paper: Paper) -> str:
+    shown = paper.picture(block, page.notation)
+    return f"<p>{shown}</p>" + (f"<p><em>{page.inlines(block.caption)}</em></p>" if block.caption else "")
+
+
+def blocks_html(blocks: tuple[Block, ...], page: Page) -> str:
+    """Blocks below each other."""
+    return page.blocks(blocks, "\n")

@@ -1,0 +1,64 @@
+"""What exports say: feedback of slips, captions, and the sentences about what a format can't carry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from rbpsym.document.model import Inlines, Math, Text
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.tree import Node
+from rbpsym.teaching.model import Item, Slip, Worksheet
+from rbpsym.teaching.wording import say
+
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "en": {
+        "right": "Right.", "wrong": "Not right.", "line": "Line", "step": "Step", "before": "before",
+        "after": "after", "either": "in either order", "other": "another result", "unit": "unit", "type": "Names to type:",
+        "pair": "Which comes first?", "row": "Force", "translational": "W_T", "rotational": "W_θ", "rubric": "Rubric",
+        "sample": "A full answer", "blank": "Blank", "explain": "Explain", "wrong line": "Which line holds the slip?",
+    },
+    "es": {
+        "right": "Correcto.", "wrong": "No es correcto.", "line": "Línea", "step": "Paso", "before": "antes",
+        "after": "después", "either": "en cualquier orden", "other": "otro resultado", "unit": "unidad",
+        "type": "Nombres que se escriben:", "pair": "¿Qué va primero?", "row": "Fuerza", "translational": "W_T",
+        "rotational": "W_θ", "rubric": "Criterios", "sample": "Una respuesta completa", "blank": "Hueco",
+        "explain": "Explica", "wrong line": "¿En qué línea está el error?",
+    },
+}  # fmt: skip
+
+
+def word(key: str, language: str) -> str:
+    """A word in the language of a worksheet."""
+    return WORDS.get(language, WORDS["en"])[key]
+
+
+def say_slip(slip: Slip, language: str) -> Inlines:
+    """The feedback of a misconception; its name where there is no phrase for it."""
+    try:
+        return say(slip.phrase, language, **slip.slots)
+    except (RbpsymError, KeyError):
+        return (Text(slip.name.replace("-", " ").capitalize() + "."),)
+
+
+def feedback(slip: Slip | None, language: str) -> Inlines:
+    """The feedback of a wrong answer, with the first wrong step as it should be."""
+    if slip is None:
+        return (Text(word("wrong", language)),)
+    first: Inlines = (Text(" "), Math(slip.shown)) if isinstance(slip.shown, Node) else ()
+    return (*say_slip(slip, language), *first)
+
+
+def name_of(item: Item, worksheet: Worksheet) -> str:
+    """The name of a question in a question bank: title, form code, number."""
+    return f"{plain_text(worksheet.title, worksheet.notation, worksheet.language)} {worksheet.code} {item.id}"[:240]
+
+
+def left_out(format_name: str, items: Iterable[tuple[Item, str]]) -> tuple[str, ...]:
+    """A sentence for each thing that a format can't carry, with the items that it concerns."""
+    found: dict[str, list[str]] = {}
+    for item, what in items:
+        places = found.setdefault(what, [])
+        if item.id not in places:
+            places.append(item.id)
+    return tuple(f"{format_name}: {what} (item {', '.join(places)})." for what, places in found.items())
