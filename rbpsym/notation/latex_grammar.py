@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction as Rational
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
-from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
 
-_FUNCTIONS = {
-    **{rf"\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
-    r"\arcsin": "asin", r"\arccos": "acos", r"\arctan": "atan", r"\log": "ln",
-}  # fmt: skip
+SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 _PLAIN_BARS = frozenset({"|", r"\Vert"})
-_INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
 
 
 def expression(reader: Reader) -> t.Node:
@@ -91,9 +87,9 @@ def _product(reader: Reader) -> t.Node:
     factors = [factor(reader)]
     while True:
         if reader.sees_sign("/"):
-            factors = [_slash(reader, factors, start)]
-        elif _begins_factor(reader):
-            _refuse_ambiguity(reader, factors[-1])
+            factors = [_slash(reader, _one(reader, factors, start), start)]
+        elif begins_factor(reader):
+            _refuse_number(reader)
             factors.append(factor(reader))
         else:
             return _one(reader, factors, start)
@@ -105,23 +101,41 @@ def _one(reader: Reader, factors: list[t.Node], start: int) -> t.Node:
     return reader.spanned(t.Mul(tuple(factors)), start)
 
 
-def _slash(reader: Reader, factors: list[t.Node], start: int) -> t.Node:
-    num = _one(reader, factors, start)
-    if _is_bare(factors[-1], reader):
-        raise reader.error("is the function's argument divided here, or its value?",
-                           r"Write \frac{\sin x}{2} or \sin\frac{x}{2}.")  # fmt: skip
+def _slash(reader: Reader, num: t.Node, start: int) -> t.Node:
+    """num / den: what stands side by side behind the slash may belong below it."""
     reader.take()
-    return reader.spanned(t.Div(num, factor(reader)), start)
+    closed, begin = reader.sees_sign("(", "[", "{", r"\{"), reader.token.start
+    below = [factor(reader)]
+    while not closed and begins_factor(reader):
+        _refuse_number(reader)
+        if not _is_below(reader, num, below):
+            break
+        below.append(factor(reader))
+    return reader.spanned(t.Div(num, _one(reader, below, begin)), start)
 
 
-def _begins_factor(reader: Reader) -> bool:
+def _is_below(reader: Reader, num: t.Node, below: list[t.Node]) -> bool:
+    """Does the next factor stand below the slash? In v²/2g it does, in 1/2 m it hardly does; 1/2π can be either."""
+    coefficient = len(below) == 1 and isinstance(below[0], t.Num)
+    half = coefficient and number_of(num) is not None
+    if half and reader.token.text != "π" and reader.table.faults is None:
+        return False
+    question, hint = "is this factor above or below the slash?", "Use parentheses, or \\frac."
+    close = reader.token.kind == "letter" and reader.token.start == reader.previous_end
+    if half:
+        return reader.decide(question, hint, yes=int(reader.token.text != "π"))
+    return reader.decide(question, hint, no=int(coefficient and close))
+
+
+def begins_factor(reader: Reader) -> bool:
+    """Does something that can be multiplied follow?"""
     token = reader.token
     if reader.sees_differential():
         return _sees_derivative(reader)
     if reader.bars and token.text in _PLAIN_BARS:
         return False
     known = token.kind in ("digit", "letter", "text") or begins_name(token)
-    return known or token.text in COMMANDS or token.text in _FUNCTIONS
+    return known or token.text in COMMANDS
 
 
 def _sees_derivative(reader: Reader) -> bool:
@@ -135,44 +149,26 @@ def _sees_derivative(reader: Reader) -> bool:
         reader.position = position
 
 
-def _refuse_ambiguity(reader: Reader, before: t.Node) -> None:
-    """Raise ReadError for a/b c, sin x y and 2 3."""
-    token = reader.token
-    if isinstance(before, t.Div) and number_of(before) is None and _was_slashed(before, reader):
-        raise reader.error("is this factor above or below the slash?", "Use parentheses.")
-    stops = token.text in _FUNCTIONS or token.text in (r"\vec", r"\hat", r"\boldsymbol")
-    if _is_bare(before, reader) and not stops:
-        raise reader.error("does this belong to the function's argument?",
-                           r"Put the argument in parentheses: \sin(x) y, or \sin(x y).")  # fmt: skip
-    if token.kind == "digit":
+def _refuse_number(reader: Reader) -> None:
+    """Raise ReadError for 2 3."""
+    if reader.token.kind == "digit":
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
-
-
-def _was_slashed(node: t.Node, reader: Reader) -> bool:
-    text = reader.source.text[slice(*node.span)] if node.span else ""
-    return "/" in text and not text.endswith((")", "}"))
-
-
-def _is_bare(node: t.Node, reader: Reader) -> bool:
-    """Is it a function whose argument has no parentheses or braces, just read?"""
-    node = node.base if isinstance(node, t.Pow) else node
-    text = reader.source.text[: reader.previous_end]
-    return isinstance(node, t.Fn) and not text.endswith((")", "]", "}"))
 
 
 def factor(reader: Reader) -> t.Node:
     """An atom with its powers."""
     start = reader.token.start
-    base = _atom(reader)
+    base = atom(reader)
     while reader.sees_sign("^"):
         reader.take()
-        base = _power(reader, base, argument(reader), start)
+        base = power_of(reader, base, argument(reader), start)
     if reader.sees_sign("_", "'"):
         raise reader.error("only a symbol can have a subscript or prime")
     return base
 
 
-def _power(reader: Reader, base: t.Node, exponent: t.Node, start: int) -> t.Node:
+def power_of(reader: Reader, base: t.Node, exponent: t.Node, start: int) -> t.Node:
+    """base^exponent. Raises LimitError for an exponent beyond the bounds."""
     try:
         check_exponent(exponent)
     except LimitError as error:
@@ -180,7 +176,8 @@ def _power(reader: Reader, base: t.Node, exponent: t.Node, start: int) -> t.Node
     return reader.spanned(t.Pow(base, exponent), start)
 
 
-def _atom(reader: Reader) -> t.Node:
+def atom(reader: Reader) -> t.Node:
+    """A number, a name, or what a command begins."""
     token = reader.token
     if token.kind == "digit":
         return _number(reader)
@@ -189,11 +186,24 @@ def _atom(reader: Reader) -> t.Node:
             return derivative
         if token.text in COMMANDS and token.kind in ("sign", "command"):
             return COMMANDS[token.text](reader)
-        if token.text in _FUNCTIONS:
-            return _function(reader)
+        if (power := _exponential(reader)) is not None:
+            return power
         if begins_name(token):
             return read_name(reader)
     raise _missing(reader)
+
+
+def _exponential(reader: Reader) -> t.Node | None:
+    """e^{...} where e is no symbol: an upright e, or an exponent that holds symbols; else nothing is passed."""
+    token, begin = reader.token, reader.position
+    if token.text != "e" or token.kind not in ("letter", "text") or reader.ahead().text != "^" or reader.table.has_e:
+        return None
+    reader.position += 2
+    exponent = argument(reader)
+    if token.kind == "text" or t.names(exponent) - {"pi"}:
+        return reader.spanned(t.Fn("exp", exponent), token.start)
+    reader.position = begin
+    return None
 
 
 def _missing(reader: Reader) -> RbpsymError:
@@ -229,7 +239,7 @@ def argument(reader: Reader) -> t.Node:
     if reader.token.kind == "digit":
         token = reader.take()
         return t.Num(int(token.text), span=(token.start, token.end))
-    return _atom(reader)
+    return atom(reader)
 
 
 @begins("{")
@@ -241,6 +251,11 @@ def braced(reader: Reader) -> t.Node:
 @begins("(")
 def _parenthesis(reader: Reader) -> t.Node:
     return between(reader, ")")
+
+
+@begins(r"\{")
+def _curly(reader: Reader) -> t.Node:
+    return between(reader, r"\}")
 
 
 def between(reader: Reader, closing: str) -> t.Node:
@@ -271,34 +286,3 @@ def _root(reader: Reader) -> t.Node:
     if reader.sees_sign("["):
         raise reader.error("only square roots are read", "Write a power with a fraction.")
     return reader.spanned(t.Sqrt(argument(reader)), start)
-
-
-def _function(reader: Reader) -> t.Node:
-    token = reader.take()
-    name = _FUNCTIONS[token.text]
-    exponent = None
-    if reader.pass_sign("^"):
-        exponent = argument(reader)
-        if name in _INVERSE_POWER or not isinstance(exponent, t.Num):
-            raise reader.error(f"this power of {name} can be read in two ways",
-                               rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
-    call = reader.spanned(t.Fn(name, _function_argument(reader, token)), token.start)
-    return _power(reader, call, exponent, token.start) if exponent else call
-
-
-def _function_argument(reader: Reader, head: Token) -> t.Node:
-    """(expression), {expression}, a fraction, or a number and a symbol."""
-    start = reader.token.start
-    if reader.sees_sign("(", "[", "{", r"\frac"):
-        return COMMANDS[reader.token.text](reader)
-    if reader.sees_differential() or not (
-        reader.token.kind == "digit" or begins_name(reader.token) or reader.token.text == r"\Delta"
-    ):
-        raise reader.error(f"{head.text} needs its argument here", "", head)
-    arg = _atom(reader)
-    if isinstance(arg, t.Num) and begins_name(reader.token) and not reader.sees_differential():
-        arg = reader.spanned(t.Mul((arg, _atom(reader))), start)
-    if reader.sees_sign("^"):
-        raise reader.error("is the argument or the function raised to this power?",
-                           f"Write {head.text}^2 x or {head.text}(x^2).")  # fmt: skip
-    return arg

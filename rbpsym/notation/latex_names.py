@@ -136,7 +136,7 @@ def _label_part(reader: Reader) -> str:
         return token.text
     if token.text in ("'", r"\prime"):
         return "'"
-    if token.text in (",", "_", "{,}", *_PLAIN):
+    if token.text in (",", "_", "{,}", r"\rm", r"\it", *_PLAIN):
         return ""
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
 

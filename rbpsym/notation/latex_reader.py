@@ -11,9 +11,10 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place
-from rbpsym.notation import latex_calculus
+from rbpsym.notation import latex_calculus, latex_functions
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.latex_readings import best_reading
 from rbpsym.notation.latex_relations import SIGNS, chained, relation
 from rbpsym.notation.latex_table import Reader
 from rbpsym.notation.latex_tokens import Token, tokenize
@@ -21,7 +22,7 @@ from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import SymbolTable, symbol_table
 
-GRAMMAR = (latex_calculus,)  # enters its commands into the table when it is imported
+GRAMMAR = (latex_calculus, latex_functions)  # enter their commands into the table when they are imported
 
 
 def read_latex(
@@ -41,9 +42,8 @@ def read_latex(
     if not isinstance(symbols, SymbolTable):
         symbols = symbol_table(symbols, notation, spellings)
     source = Source(text, place)
-    reader = Reader(source, _formula_tokens(tokenize(Source(_unbroken(text), place))), table=symbols)
-    node = _rows(reader)
-    return _checked(node, source)
+    tokens = _formula_tokens(tokenize(Source(_unbroken(text), place)))
+    return _checked(best_reading(source, tokens, symbols, _rows), source)
 
 
 _FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.cursor import Cursor
 from rbpsym.notation.latex_tokens import Token
@@ -15,12 +16,29 @@ from rbpsym.notation.symbol_table import SymbolTable
 class Reader(Cursor[Token]):
     """A cursor with the symbols; `integrals` counts the integrals that wait for their dx.
 
-    `bars` tells if a plain | would close.
+    `bars` tells if a plain | would close. `script` says what to choose at the places that can be read in
+    two ways (False at those behind its end), `met` their errors, `cost` how unusual what was chosen is.
     """
 
     table: SymbolTable | None = None
     integrals: int = 0
     bars: bool = False
+    script: tuple[bool, ...] = ()
+    met: list[RbpsymError] = field(default_factory=list)
+    cost: int = 0
+
+    def decide(self, what: str, instead: str, *, yes: int = 0, no: int = 0) -> bool:
+        """Which of two readings to take here; each costs what it is unusual.
+
+        Raises ReadError with the question if nothing is known by which to choose.
+        """
+        error = self.error(what, instead)
+        if self.table.faults is None:
+            raise error
+        chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
+        self.met.append(error)
+        self.cost += yes if chosen else no
+        return chosen
 
     def sees_sign(self, *texts: str) -> bool:
         """Is the next token one of these signs or commands?"""

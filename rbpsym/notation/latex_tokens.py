@@ -26,7 +26,7 @@ _PATTERNS = re.compile(
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|bigl|bigr|big|Big)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
-    r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d(?![A-Za-z])|\\partial(?![A-Za-z]))"
+    r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname|rm)\s*\{[^{}]*\})"
     r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\{[lcr]*\})?)"
     r"|(?P<row>\\\\(?:\[[^\]]*\])?)"

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, glyph
 from rbpsym.notation.latex_tokens import Token, tokenize
 from rbpsym.notation.source import Source
+from rbpsym.notation.tree import Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,15 +27,25 @@ class Drawn:
 
 @dataclass(frozen=True, slots=True)
 class SymbolTable:
-    """Names by their drawn form, and names by a row of tokens (`spellings`)."""
+    """Names by their drawn form, and names by a row of tokens (`spellings`).
+
+    `faults` counts where the dimensions of a formula do not fit; by it a reader chooses between two readings
+    (None: it refuses what can be read in two ways).
+    """
 
     names: Mapping[Drawn, tuple[str, ...]]
     spellings: Mapping[tuple[str, ...], str] = field(default_factory=lambda: MappingProxyType({}))
+    faults: Callable[[Node], int] | None = None
 
     @property
     def has_d(self) -> bool:
         """Is a plain d a symbol, so that only an upright d is a differential?"""
         return any(drawn.base == "d" for drawn in self.names)
+
+    @property
+    def has_e(self) -> bool:
+        """Is e a symbol, so that it is not the base of the exponential function?"""
+        return any(drawn.base == "e" for drawn in self.names) or any("e" in row[:1] for row in self.spellings)
 
     def draws_prefix(self, drawn: Drawn) -> bool:
         """Is Δ before `drawn` part of a name?"""
@@ -58,11 +69,12 @@ def symbol_table(
     names: Iterable[str] | Mapping[str, str],
     notation: Notation = DEFAULT,
     spellings: Mapping[str, str] = MappingProxyType({}),
+    faults: Callable[[Node], int] | None = None,
 ) -> SymbolTable:
     """The table of some names as `notation` draws them; `pi` is always known.
 
     `spellings` adds other LaTeX for a name, read exactly as written (spaces apart):
-    `{r"\\mathcal{W}^{nc}_T": "W_T_nc"}`. A mapping in place of `names` gives only spellings.
+    `{r"\\mathcal{W}^{nc}_T": "W_T_nc"}`; `faults` is that of the table. A mapping in place of `names` gives only spellings.
     Raises ReadError if a spelling can't be split into tokens.
     """
     if isinstance(names, Mapping):
@@ -72,7 +84,7 @@ def symbol_table(
         for drawing in dict.fromkeys((notation.glyph(name), glyph(name))):
             _enter(found, drawn_glyph(drawing), name, notation.aliases)
     spelled = {spelling(tokenize(Source(latex))[:-1]): name for latex, name in spellings.items()}
-    return SymbolTable(MappingProxyType(found), MappingProxyType(spelled))
+    return SymbolTable(MappingProxyType(found), MappingProxyType(spelled), faults)
 
 
 def _enter(found: dict[Drawn, tuple[str, ...]], drawn: Drawn, name: str, aliases: Mapping[str, str]) -> None:

@@ -13,6 +13,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
+from rbpsym.quantities import Dimension
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,10 +96,14 @@ class Motion:
 
 
 class World(Protocol):
-    """A problem or a theory as claims see it; `symbols`: what its own names are printed as, with the names."""
+    """A problem or a theory as claims see it; `symbols`: what its own names are printed as, with the names.
+
+    `dimensions` are those of the generators of its values.
+    """
 
     motion: Motion
     symbols: Mapping[str, str]
+    dimensions: Mapping[str, Dimension]
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError with what is known for one that means nothing."""

@@ -17,6 +17,7 @@ from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
 from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_bound import World
+from rbpsym.verify.claims_dimensions import with_dimensions
 from rbpsym.verify.claims_ground import Ground, grounded
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
@@ -78,6 +79,7 @@ class Checker:
             return blank
         claim = replace(claim, setting=with_own_symbols(claim.setting, self.world(claim.setting)))
         words = glossary(claim.setting.symbols)
+        words = self.reading(words, claim.setting)
         node = read(printed, words)
         right = read(claim.right, words) if claim.right else None
         ground = self.ground(claim.setting, words, *filter(None, (node, right)))
@@ -86,6 +88,10 @@ class Checker:
         form = claim.right.latex if claim.right else ""
         outcome = worst([link.outcome for link in links])
         return replace(blank, outcome=outcome, links=links, right=right, right_latex=form)
+
+    def reading(self, words: Glossary, setting: Setting) -> Glossary:
+        """The glossary with the dimensions of its symbols, by which an ambiguous formula is read."""
+        return replace(words, table=with_dimensions(words, setting, self.world(setting)))
 
     def ground(self, setting: Setting, words: Glossary, *nodes: t.Node) -> Ground:
         """The ground of some formulas, with what earlier claims of their setting defined."""

@@ -20,6 +20,8 @@ from rbpsym.notation.glyphs import notation_for
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.tree import Sym
+from rbpsym.quantities import TIME, Dimension
+from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import Bound, Motion, number
@@ -130,6 +132,18 @@ class ProblemWorld:
         known = self.names
         drawn = {to_latex(Sym(name), notation_for(known, self.study.problem.notation)): name for name in known}
         return {to_latex(Sym(name), notation_for(known)): name for name in known} | drawn
+
+    @cached_property
+    def dimensions(self) -> dict[str, Dimension]:
+        """The dimensions of all names that values hold."""
+        problem = self.study.problem
+        found = {q.name: q.dimension for q in problem.parameters}
+        for coordinate in problem.coordinates:
+            for order, tail in enumerate(("", "_dot", "_ddot")):
+                found[f"{coordinate.name}{tail}"] = coordinate.quantity.dimension / TIME**order
+        for element in problem.constraints:
+            found |= unknowns_of(element)
+        return {"t": TIME, **found}
 
     def body(self, name: str) -> BodyState:
         """A body. Raises StatementError for an unknown name."""

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from rbpsym import quantities as dimensions
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, space_derivative
@@ -29,6 +30,21 @@ COUNT = 3
 POSITIVE = Assumptions({"M": "positive", "I_cm": "positive"})
 
 
+DIMENSIONS = {
+    "M": dimensions.MASS,
+    "I_cm": dimensions.MASS * dimensions.LENGTH**2,
+    "E_p": dimensions.ENERGY,
+    "theta": dimensions.NUMBER,
+    "omega": dimensions.TIME**-1,
+    "alpha": dimensions.TIME**-2,
+    **dict.fromkeys(
+        ("X", "Y", "xi", "eta", *(f"s{k}_{a}" for k in range(1, COUNT + 1) for a in "xy")), dimensions.LENGTH
+    ),
+    **dict.fromkeys(("X_dot", "Y_dot"), dimensions.SPEED),
+    **dict.fromkeys(("X_ddot", "Y_ddot"), dimensions.ACCELERATION),
+    **dict.fromkeys((f"F{k}_{a}" for k in range(1, COUNT + 1) for a in "xy"), dimensions.FORCE),
+}
+DIMENSIONS |= {f"{name}_start": found for name, found in DIMENSIONS.items()}
 LAWLESS = frozenset({"alpha", "X_ddot", "Y_ddot", *(f"F{k}_{axis}" for k in range(1, COUNT + 1) for axis in "xy")})
 
 
@@ -48,6 +64,7 @@ class TheoryWorld:
     particles: bool = False
     shared: dict[str, Bound] = field(default_factory=dict)
     symbols: Mapping[str, str] = field(default_factory=dict)
+    dimensions: Mapping[str, dimensions.Dimension] = field(default_factory=lambda: DIMENSIONS)
 
     @cached_property
     def rates(self) -> Mapping[str, Scalar]:

@@ -1,0 +1,89 @@
+"""A formula that can be read in several ways: the one in which the dimensions fit, or an error.
+
+Among the readings with the fewest faults of dimension, the usual one is taken; if two remain that differ, the
+formula is refused at the place where they part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex_table import Reader
+from rbpsym.notation.latex_tokens import Token
+from rbpsym.notation.source import Source
+from rbpsym.notation.symbol_table import SymbolTable
+
+MOST_READINGS = 128
+Read = Callable[[Reader], t.Node]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A formula as it was read with some choices: the tree or the error, the questions met, how unusual it is."""
+
+    script: tuple[bool, ...]
+    met: tuple[RbpsymError, ...]
+    cost: int
+    node: t.Node | None
+    error: RbpsymError | None
+
+
+def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> t.Node:
+    """The tree that is meant. Raises ReadError if none or more than one can be meant."""
+    first = _reading(source, tokens, table, read, ())
+    if not first.met:
+        return _tree(first)
+    readings = _all(source, tokens, table, read, first)
+    sound = [reading for reading in readings if reading.node is not None]
+    if not sound:
+        raise first.error
+    faults = {reading.script: table.faults(reading.node) for reading in sound}
+    ranked = sorted(sound, key=lambda reading: (faults[reading.script], reading.cost))
+    best = ranked[0]
+    rank = (faults[best.script], best.cost)
+    rivals = [r for r in ranked if (faults[r.script], r.cost) == rank and r.node != best.node]
+    if rivals:
+        raise _parting(best, rivals[0])
+    return best.node
+
+
+def _tree(reading: Reading) -> t.Node:
+    if reading.node is None:
+        raise reading.error
+    return reading.node
+
+
+def _reading(
+    source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
+) -> Reading:
+    reader = Reader(source, tokens, table=table, script=script)
+    try:
+        node, error = read(reader), None
+    except RbpsymError as found:
+        node, error = None, found
+    chosen = (*script, *(False,) * (len(reader.met) - len(script)))
+    return Reading(chosen, tuple(reader.met), reader.cost, node, error)
+
+
+def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, first: Reading) -> list[Reading]:
+    """Every reading: of each, those that choose otherwise at one of the questions behind its script."""
+    found, waiting = [first], [(first, 0)]
+    while waiting:
+        reading, fixed = waiting.pop()
+        for place in range(fixed, len(reading.met)):
+            if len(found) >= MOST_READINGS:
+                raise reading.met[place]
+            other = _reading(source, tokens, table, read, (*reading.script[:place], True))
+            found.append(other)
+            waiting.append((other, place + 1))
+    return found
+
+
+def _parting(one: Reading, other: Reading) -> RbpsymError:
+    """The question that the two readings answer differently."""
+    pairs = zip(one.script, other.script, strict=False)
+    place = next((k for k, (a, b) in enumerate(pairs) if a != b), 0)
+    return one.met[place]
