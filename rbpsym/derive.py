@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Derivation
+from rbpsym.derivation.step import Derivation, DerivedPhase
 from rbpsym.equality.verdict import Verdict
-from rbpsym.errors import LimitError
+from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
@@ -27,13 +28,32 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     With `simulation`, the numerical oracle is run as well. Raises StatementError if the
     statement does not determine the motion.
     """
-    draft = Draft(Study(problem))
+    first = _derived(Study(problem), simulation)
+    return replace(first, phases=_phases(problem)) if problem.phases else first
+
+
+def _derived(study: Study, simulation: bool) -> Derivation:
+    """The derivation of one phase."""
+    draft = Draft(study)
     for write in BEFORE:
         write(draft)
     found = {name: _carried_out(draft, name, method) for name, method in METHODS.items()}
     for write in AFTER:
         write(draft)
     return _with_oracles(draft, found, simulation)
+
+
+def _phases(problem: Problem) -> tuple[DerivedPhase, ...]:
+    """The later phases; none where the end of one has no closed form."""
+    from rbpsym.derivation.phases import hand_overs
+
+    try:
+        return tuple(
+            DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False))
+            for phase, stage, draft in hand_overs(problem)
+        )
+    except NotApplicable:
+        return ()
 
 
 def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scalar] | None:
@@ -53,22 +73,16 @@ def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None]
 
     study = draft.study
     report = _simulated(study) if simulation else None
-    lagrange: Verdict = lagrange_verdict(study.system, study.dynamics)
+    lagrange: Verdict = lagrange_verdict(study.system, study.dynamics, study.assumptions)
     return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreement(study, found), report, lagrange)
 
 
 def _simulated(study: Study):
     """The report of the numerical oracle; None where it does not know a kind of the statement."""
     from rbpsym.errors import NotApplicable
-    from rbpsym.verify.simulation import simulate
+    from rbpsym.verify.simulation_phases import simulate_problem
 
     try:
-        return simulate(
-            study.system,
-            study.dynamics,
-            integral=study.first_integral,
-            squares=study.squares,
-            along=study.reactions_along_motion,
-        )
+        return simulate_problem(study)
     except NotApplicable:
         return None

@@ -98,10 +98,14 @@ def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]]) -> tupl
     if coefficient > 0:
         return coefficient, pieces
     for k, (node, moving) in enumerate(pieces):
-        if isinstance(node, t.Add) and len(node.terms) == 2 and isinstance(node.terms[1], t.Neg):
-            turned = t.Add((node.terms[1].arg, t.Neg(node.terms[0])))
+        if isinstance(node, t.Add) and len(node.terms) == 2 and _is_taken_off(node.terms[1]):
+            turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
             return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
     return coefficient, pieces
+
+
+def _is_taken_off(node: t.Node) -> bool:
+    return isinstance(node, t.Neg) or (isinstance(node, t.Num) and node.value < 0)
 
 
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:

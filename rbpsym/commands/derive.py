@@ -12,6 +12,7 @@ from rbpsym.commands.arguments import detail_option, name_argument
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation
     from rbpsym.document.model import Document
+    from rbpsym.equality.verdict import Verdict
 
 METHODS = ("all", "torque", "newton-euler", "work-energy", "energy")
 CHAPTERS = {
@@ -58,22 +59,33 @@ def lines(derivation: Derivation, detail: str, method: str, language: str) -> It
     from rbpsym.commands.terminal import terminal_lines
 
     document = document_of(derivation, detail, method, language)
-    yield from terminal_lines(document, {step.id: step.certificate.verdict for step in derivation.steps})
+    yield from terminal_lines(document, verdicts(derivation))
     yield ""
     yield from reasons(derivation, method, language)
     yield verdict_line(derivation.summary())
+
+
+def verdicts(derivation: Derivation) -> dict[str, Verdict]:
+    """What became of the checks of each step, by the label of its formula."""
+    found = {step.id: step.certificate.verdict for step in derivation.steps}
+    for number, phase in enumerate(derivation.phases, 2):
+        steps = (*phase.begins, *phase.derivation.steps)
+        found |= {f"phase{number}.{step.id}": step.certificate.verdict for step in steps}
+    return found
 
 
 def document_of(derivation: Derivation, detail: str, method: str, language: str) -> Document:
     """The chapters of one road, or of all of them, as a document."""
     from rbpsym.document.chapters import chapter_sections
     from rbpsym.document.model import Document, words
-    from rbpsym.document.notes import notation_of, shown_steps, words_of
+    from rbpsym.document.notes import notation_of, phase_words, shown_steps, words_of
+    from rbpsym.document.notes_phases import phase_sections
 
     problem = derivation.study.problem
     of_method = {step.id for step in derivation.steps if method == "all" or step.chapter in CHAPTERS[method]}
     said = words_of(derivation, shown_steps(derivation, detail) & of_method, language)
-    sections = tuple(chapter_sections(derivation, said, 1))
+    later = phase_sections(derivation, said, 1, phase_words(detail, language)) if method == "all" else ()
+    sections = (*chapter_sections(derivation, said, 1), *later)
     return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation))
 
 

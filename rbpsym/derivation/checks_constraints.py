@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.checks import same, weakest
 from rbpsym.derivation.context import Context
@@ -17,6 +17,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.rates import rate_conditions
 from rbpsym.mechanics.system import System, at_point
 from rbpsym.statement.curves import curve_body, toucher
+from rbpsym.statement.model import Element
 
 LOCAL = ("x_fixed_in_the_body", "y_fixed_in_the_body")
 
@@ -31,14 +32,18 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
 
 
 def no_slip(context: Context, step: Step) -> Verdict:
-    """The two material points at the contact have the same velocity along it (`data`: "element").
+    """The two material points at the contact have the same velocity along it (`data`: "element")."""
+    return same(context, slip_at(context.study.system, step.data["element"]), NOTHING)
 
-    Each is followed as a point that is fixed in its body, whose position is differentiated.
+
+def slip_at(system: System, element: Element) -> Scalar:
+    """Speed of what touches over what it touches, forward positive.
+
+    Each point is followed as one that is fixed in its body, and its position is differentiated.
     """
-    system, element = context.study.system, step.data["element"]
     met = meeting(element, geometry_of(system))
     apart = _velocity(system, toucher(element), met.place) - _velocity(system, curve_body(element), met.place)
-    return same(context, met.forward.dot(apart), NOTHING)
+    return met.forward.dot(apart)
 
 
 def _velocity(system: System, body: str | None, place: Vector) -> Vector:

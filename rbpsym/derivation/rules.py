@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
+from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
 
@@ -45,6 +46,13 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "normal_modes": (c.identity, c.characteristic),
     "vanishing": (c.vanishing, c.holds_there),
     "inequality": (c.identity,),
+    "slip": (c.identity, p.slip),
+    "event_time": (c.identity, p.reached_then),
+    "event_place": (c.identity, p.reached_there),
+    "end_state": (c.identity, p.state_then),
+    "impulse": (c.identity, p.momentum_jump),
+    "restitution": (c.identity, p.parting),
+    "energy_jump": (c.identity, p.energy_jump),
 }
 
 

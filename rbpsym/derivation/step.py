@@ -84,7 +84,7 @@ class Derivation(Shown):
     """The steps of a problem in reading order; ids are unique, premises come before.
 
     `agreement`: verdicts on the independent roads by name; `simulation`: the oracle's report
-    or None.
+    or None; `phases`: those that follow the first.
     """
 
     study: Study
@@ -93,6 +93,13 @@ class Derivation(Shown):
     agreement: Mapping[str, Verdict] = field(default_factory=dict)
     simulation: Any = None
     lagrange: Verdict | None = None
+    phases: tuple[DerivedPhase, ...] = ()
+
+    @property
+    def all_steps(self) -> tuple[Step, ...]:
+        """The steps of all phases."""
+        later = (step for phase in self.phases for step in (*phase.begins, *phase.derivation.steps))
+        return (*self.steps, *later)
 
     def step(self, id: str) -> Step:
         """The step of an id (KeyError if there is none)."""
@@ -108,20 +115,34 @@ class Derivation(Shown):
         """The steps of a chapter."""
         return tuple(step for step in self.steps if step.chapter == name)
 
+    def _agreements(self) -> tuple[Verdict, ...]:
+        """Whether the methods agree, phase by phase."""
+        return (*self.agreement.values(), *(v for phase in self.phases for v in phase.derivation.agreement.values()))
+
     def summary(self) -> dict[str, Any]:
         """Counts of verdicts and the outcome of the independent roads."""
-        kinds = Counter(str(step.certificate.verdict.kind) for step in self.steps)
+        kinds = Counter(str(step.certificate.verdict.kind) for step in self.all_steps)
         error = None if self.simulation is None else self.simulation.max_relative_error
         return {
-            "steps": len(self.steps),
+            "steps": len(self.all_steps),
             "proved": kinds["PROVED"],
             "refuted": kinds["REFUTED"],
             "undecided": kinds["UNDECIDED"],
             "methods": {name: str(verdict.kind) for name, verdict in self.agreement.items()},
-            "methods_agree": all(verdict.kind is PROVED for verdict in self.agreement.values()),
+            "methods_agree": all(verdict.kind is PROVED for verdict in self._agreements()),
             "lagrange": None if self.lagrange is None else str(self.lagrange.kind),
             "simulation": None if error is None else {"max_relative_error": error},
         }
+
+
+@dataclass(frozen=True)
+class DerivedPhase:
+    """A later phase: its name, the steps from the end of the one before to its start, its own derivation."""
+
+    name: str
+    event: str
+    begins: tuple[Step, ...]
+    derivation: Derivation
 
 
 @dataclass(frozen=True)

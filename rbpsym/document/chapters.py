@@ -28,9 +28,11 @@ ORDER = (
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
-def chapter_sections(derivation: Derivation, said: Words, level: int) -> Iterator[Section]:
+def chapter_sections(
+    derivation: Derivation, said: Words, level: int, chapters: tuple[str, ...] = ORDER
+) -> Iterator[Section]:
     """One section a chapter, in the order of a lecture; chapters without shown steps are left out."""
-    for name in ORDER:
+    for name in chapters:
         steps = [step for step in derivation.chapter(name) if step.id in said.shown or step.id in said.same]
         if steps:
             blocks = BLOCKS.get(name, _plain)(steps, derivation, said)

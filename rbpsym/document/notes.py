@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
@@ -11,6 +11,7 @@ from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
+from rbpsym.document.notes_phases import new_steps, phase_sections
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation, notation_for
@@ -61,9 +62,19 @@ def problem_sections(
     return [
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
+        *phase_sections(derivation, said, level, phase_words(detail, language)),
         results_section(derivation, said, level),
         checks_section(derivation, said, level, checks or (None if detail == "brief" else "")),
     ]
+
+
+def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words]:
+    """How notes speak of a later phase: of what is new in it."""
+
+    def speaker(derivation: Derivation, prefix: str) -> Words:
+        return words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
+
+    return speaker
 
 
 def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:

@@ -80,7 +80,7 @@ def _all_speeds(moment: _Moment, values: Values) -> dict[str, Scalar]:
 def _balances(moment: _Moment, name: str, impulses: tuple[Element, ...]) -> list[Scalar]:
     """m ΔV - Σ Ĵ (x and y) and I Δω - Σ moments of one body."""
     new, old = moment.after.bodies[name], moment.before.bodies[name]
-    forces = [f for f in (*moment.after.forces, *_given(moment, impulses)) if f.on == name and _is_impulsive(f)]
+    forces = [force for force in impulsive(moment.after, impulses) if force.on == name]
     push = sum((f.vector for f in forces), ORIGIN)
     turn = sum((torque_about_center(f, new) for f in forces), NOTHING)
     return [
@@ -90,13 +90,14 @@ def _balances(moment: _Moment, name: str, impulses: tuple[Element, ...]) -> list
     ]
 
 
-def _is_impulsive(force: Force) -> bool:
-    return bool(force.unknowns) or force.law == "impulse"
+def impulsive(system: System, impulses: tuple[Element, ...]) -> tuple[Force, ...]:
+    """What can change velocities in no time: the forces of constraints, blows and collisions, on all bodies."""
+    return (*(force for force in system.forces if force.unknowns), *_given(system, impulses))
 
 
-def _given(moment: _Moment, impulses: tuple[Element, ...]) -> list[Force]:
+def _given(system: System, impulses: tuple[Element, ...]) -> list[Force]:
     """Blows and the impulses of collisions as forces (of the dimension of an impulse)."""
-    found, where = [], geometry_of(moment.after).where
+    found, where = [], geometry_of(system).where
     for element in impulses:
         ends = _ends(element)
         found += [
@@ -119,12 +120,13 @@ def _parting(moment: _Moment, element: Element) -> Scalar:
     """n·(v₂' - v₁') + e n·(v₂ - v₁)."""
     along, speeds = pair(element["along"]), []
     for system, value in ((moment.after, moment.new), (moment.before, moment.old)):
-        first, second = (_velocity(system, ref) for ref in element["points"])
+        first, second = (point_velocity(system, ref) for ref in element["points"])
         speeds.append(value(along.dot(second - first)))
     return speeds[0] + scalar(element["restitution"]) * speeds[1]
 
 
-def _velocity(system: System, ref: PointRef) -> Vector:
+def point_velocity(system: System, ref: PointRef) -> Vector:
+    """Velocity of a point of a body (0 for a fixed one)."""
     if ref.body is None:
         return ORIGIN
     geometry = geometry_of(system)

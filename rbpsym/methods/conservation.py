@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
@@ -233,12 +232,8 @@ def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
     start = draft.context.scope.start.get(f"{name}_dot", NOTHING)
     if not start or start.number() is not None:
         return draft.show(value, factor=True)
-    gained = substitute(value, dict.fromkeys(_symbols(start), NOTHING))
+    gained = short(value - start * start)
     return t.add(draft.show(short(value - gained), factor=True), *([draft.show(gained, factor=True)] if gained else []))
-
-
-def _symbols(value: Scalar) -> list[str]:
-    return [n for i in value.atoms() if (n := atoms.symbol_name(i))]
 
 
 def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:

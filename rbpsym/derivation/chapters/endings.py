@@ -1,0 +1,211 @@
+"""How a phase of the motion ends: when or where, and the state at that moment.
+
+Where the accelerations are constant, the moment is found first; else the place, and the speed there
+from the first integral.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.endings import State, at_start
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.notation import tree as t
+from rbpsym.statement.curves import curve_body, toucher
+from rbpsym.statement.model import Phase
+
+
+@dataclass(frozen=True)
+class Ending:
+    """The end of the phase number `number` (counted from 1) that begins `phase`."""
+
+    phase: Phase
+    number: int
+    state: State
+
+
+def write(draft: Draft, ending: Ending) -> None:
+    """Steps that lead to the state at the end; none where the next phase begins at once."""
+    if ending.phase.event == "at once":
+        return
+    state = ending.state
+    if state.time is not None:
+        _condition(draft, ending)
+        _moment(draft, ending)
+    else:
+        _place(draft, ending)
+    for what, values in (("place", state.places), ("speed", state.speeds)):
+        _state(draft, ending, what, values)
+    _energy(draft, ending)
+
+
+def place_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1: the coordinate at the end of phase 1."""
+    return draft.free(f"{coordinate}_{number}")
+
+
+def speed_name(draft: Draft, coordinate: str, number: int) -> str:
+    """x_1_dot, or v_1 where the speed is called v."""
+    alias = draft.study.problem.notation.get(f"{coordinate}_dot")
+    return draft.free(f"{alias}_{number}" if alias else f"{coordinate}_{number}_dot")
+
+
+# --- when
+
+
+def _condition(draft: Draft, ending: Ending) -> None:
+    """For a slip that goes: its speed, and the rate at which that changes."""
+    if ending.phase.event != "no slip":
+        return
+    study, element = draft.study, draft.study.system.element(ending.phase.subject)
+    geometry = geometry_of(study.system)
+    value = short(substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent))
+    letter = draft.define(draft.free("u"), value)
+    on, by = toucher(element), curve_body(element)
+    draft.add(
+        "slip.speed",
+        "slip",
+        t.equation(letter, draft.show(value)),
+        "phases.slip",
+        letter=letter,
+        body=BodyRef(on or by),
+        data={"element": element, "value": value},
+    )
+    rate = short(study.on_motion(time_derivative(value, study.system.scope)))
+    draft.add(
+        "slip.rate",
+        "balance",
+        t.equation(t.Deriv(letter), draft.show(rate, factor=True)),
+        "phases.slip_rate",
+        premises=["slip.speed"],
+        letter=letter,
+    )
+
+
+def _moment(draft: Draft, ending: Ending) -> None:
+    """t_1."""
+    time = ending.state.time
+    letter = draft.define(draft.free(f"t_{ending.number}"), time)
+    draft.add(
+        "moment",
+        "event_time",
+        t.equation(letter, draft.show(time, factor=True)),
+        f"phases.moment.{'slip' if ending.phase.event == 'no slip' else 'value'}",
+        premises=["slip.speed", "slip.rate"],
+        letter=letter,
+        coordinate=t.Sym(ending.phase.subject or ""),
+        is_result=True,
+        obligations=(t.relation(letter, ">", t.ZERO),),
+        data={"ending": ending, "time": time},
+    )
+
+
+# --- where
+
+
+def _place(draft: Draft, ending: Ending) -> None:
+    """The place at which the force vanishes, friction reaches its limit, or a coordinate its value."""
+    [name] = _mover(draft, ending)
+    value = ending.state.places[name]
+    letter = draft.define(place_name(draft, name, ending.number), value)
+    draft.add(
+        "place",
+        "event_place",
+        t.equation(letter, draft.show(value)),
+        f"phases.place.{PLACES[ending.phase.event]}",
+        letter=letter,
+        force=t.Sym(ending.phase.subject or ""),
+        coordinate=t.Sym(name),
+        is_result=True,
+        data={"ending": ending, "name": name, "value": value},
+    )
+
+
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value"}
+
+
+def _mover(draft: Draft, ending: Ending) -> list[str]:
+    """The independent coordinate that moved."""
+    start, names = at_start(draft.study), draft.study.system.independent
+    moved = [n for n in names if n in draft.study.squares and not is_zero(ending.state.places[n] - start.places[n])]
+    return moved[:1] or list(names[:1])
+
+
+# --- the state then
+
+
+def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]) -> None:
+    """All places (or speeds) that were not named yet."""
+    rows, letters, start = [], {}, at_start(draft.study)
+    begun = start.places if what == "place" else start.speeds
+    name_of: Callable[[Draft, str, int], str] = place_name if what == "place" else speed_name
+    for name, value in values.items():
+        letter = name_of(draft, name, ending.number)
+        known = letter in draft.context.scalars
+        draft.context.scalars[letter] = value
+        if not known and not is_zero(value - begun[name]):
+            rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True)))
+            letters[letter] = name
+    if rows:
+        draft.add(
+            f"state.{what}",
+            "end_state",
+            rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+            f"phases.state.{what}",
+            premises=["moment", "place"],
+            count=len(rows),
+            is_result=True,
+            data={"ending": ending, "what": what, "letters": letters},
+        )
+
+
+def _energy(draft: Draft, ending: Ending) -> None:
+    """What kinetic friction has taken by then."""
+    study, start = draft.study, at_start(draft.study)
+    if ending.phase.event != "no slip":
+        return
+    before, after = (kinetic(draft, s.places, s.speeds) for s in (start, ending.state))
+    lost = short(before - after)
+    letters = [draft.define(draft.free(f"K_{k}"), v) for k, v in ((ending.number - 1, before), (ending.number, after))]
+    states = ((study.system, start.places, start.speeds), (study.system, ending.state.places, ending.state.speeds))
+    draft.add(
+        "energy.taken",
+        "energy_jump",
+        t.equation(t.add(letters[0], t.neg(letters[1])), draft.show(lost, factor=True)),
+        "phases.taken",
+        premises=["state.speed"],
+        is_result=True,
+        data={"states": states},
+    )
+
+
+def kinetic(draft: Draft, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
+    """The kinetic energy of the draft's system in a state."""
+    total = sum(draft.study.kinetic, NOTHING)
+    return short(substitute(substitute(total, {f"{n}_dot": v for n, v in speeds.items()}), places))
+
+
+def is_plain(value: Scalar) -> bool:
+    """Zero, a number or a single name: there is no need for a name of its own."""
+    return value.number() is not None or isinstance(_shown(value), t.Sym)
+
+
+def _shown(value: Scalar) -> t.Node:
+    from rbpsym.algebra.present import present
+
+    return present(value)
+
+
+def speed_symbol(draft: Draft, coordinate: str, number: int, value: Scalar) -> Scalar:
+    """The speed at the end of a phase as it is written in an equation: its value if that is plain, else its letter."""
+    name = speed_name(draft, coordinate, number)
+    return value if is_plain(value) or name not in draft.context.scalars else symbol(name)

@@ -1,0 +1,217 @@
+"""Impulses at an instant: for each body the change of its momentum and spin, restitution, and the state after.
+
+m ΔV = Σ Ĵ, I_cm Δω = Σ r × Ĵ. Only forces that can grow without bound count: those of constraints, and
+the impulses that the statement names. Kleppner & Kolenkow 4.4; Meriam & Kraige, Dynamics, 6/8.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.derivation.chapters.endings import kinetic, speed_symbol
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import BodyRef, StepRef
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.impulse import impulsive, point_velocity
+from rbpsym.mechanics.phases import HandOver
+from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.system import Force, System
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Phase
+
+
+@dataclass(frozen=True)
+class Blow:
+    """The systems before and after, the state at the instant, what is found; `number` of the phase that ends."""
+
+    before: System
+    after: System
+    phase: Phase
+    began: HandOver
+    number: int
+
+    @property
+    def state(self) -> State:
+        """Places and speeds just before."""
+        return self.began.before
+
+    @property
+    def forces(self) -> tuple[Force, ...]:
+        """The impulses on all bodies, as forces."""
+        return impulsive(self.after, self.phase.impulses)
+
+
+def write(draft: Draft, blow: Blow) -> None:
+    """The chapter, on the draft of the phase that ends."""
+    _define(draft, blow)
+    steps = [step for name in blow.after.bodies if (step := _balance(draft, blow, name)) is not None]
+    steps += [_restitution(draft, blow, element) for element in blow.phase.impulses if element.kind == "collision"]
+    _solved(draft, blow, steps)
+    _lost(draft, blow)
+
+
+def has_impulses(blow: Blow) -> bool:
+    """Whether anything jumps, or any impulse is not zero."""
+    jumps = (blow.began.speeds[name] - blow.state.speeds[name] for name in blow.state.speeds)
+    return bool(blow.phase.impulses) or any(not is_zero(value) for value in jumps)
+
+
+def after_name(draft: Draft, coordinate: str) -> str:
+    """θ̇′, or ω′ where the speed is called ω."""
+    alias = draft.study.problem.notation.get(f"{coordinate}_dot", f"{coordinate}_dot")
+    return draft.free(f"{alias}_prime")
+
+
+def impulse_name(name: str, blow: Blow) -> str:
+    """P̂_x for the impulse of the force P_x; a collision's impulse has its own name."""
+    if any(element.name == name for element in blow.phase.impulses):
+        return name
+    first, _, rest = name.partition("_")
+    return f"{first}_hat_{rest}" if rest else f"{first}_hat"
+
+
+def _define(draft: Draft, blow: Blow) -> None:
+    for name in blow.after.independent:
+        draft.context.scalars[after_name(draft, name)] = blow.began.speeds[name]
+    for name, value in blow.began.impulses.items():
+        draft.context.scalars[impulse_name(name, blow)] = value
+
+
+def _new(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
+    """A value after the impulse: its speeds and impulses as letters, at the place where it happens."""
+    images = {f"{name}_dot": symbol(after_name(draft, name)) for name in blow.after.independent}
+    images |= {name: symbol(impulse_name(name, blow)) for name in blow.after.unknowns}
+    return short(substitute(substitute(value, images), blow.state.places))
+
+
+def _old(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
+    """A value just before."""
+    speeds = {f"{n}_dot": speed_symbol(draft, n, blow.number, v) for n, v in blow.state.speeds.items()}
+    return short(substitute(substitute(value, speeds), blow.state.places))
+
+
+def _balance(draft: Draft, blow: Blow, name: str):
+    """m ΔV (x and y) and I Δω of one body."""
+    new, old = blow.after.bodies[name], blow.before.bodies[name]
+    own = [force for force in blow.forces if force.on == name]
+    pairs = [
+        (new.velocity.x * new.mass, old.velocity.x * old.mass, [force.vector.x for force in own]),
+        (new.velocity.y * new.mass, old.velocity.y * old.mass, [force.vector.y for force in own]),
+        (new.omega * new.moment, old.omega * old.moment, [torque_about_center(force, new) for force in own]),
+    ]
+    rows = [row for after, before, parts in pairs if (row := _row(draft, blow, after, before, parts)) is not None]
+    if not rows:
+        return None
+    return draft.add(
+        f"impulse.{name}",
+        "impulse",
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        "phases.impulse",
+        premises=["state.speed", "state.place"],
+        body=BodyRef(name),
+        data={"body": name, "blow": blow},
+    )
+
+
+def _row(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Scalar]) -> t.Node | None:
+    """(new) - (old) = Σ impulses; None where nothing happens."""
+    new, old = _new(draft, blow, after), _old(draft, blow, before)
+    sums = [shown for part in parts if (shown := draft.show(_new(draft, blow, part))) != t.ZERO]
+    if not sums and is_zero(new - old):
+        return None
+    left = [draft.show(new)] if new else []
+    left += [_minus(draft.show(old))] if old else []
+    return t.equation(t.add(*left), t.add(*sums))
+
+
+def _minus(node: t.Node) -> t.Node:
+    return t.neg(t.Group(node)) if isinstance(node, t.Add) else t.neg(node)
+
+
+def _restitution(draft: Draft, blow: Blow, element):
+    """n·(v₂' - v₁') = -e n·(v₂ - v₁)."""
+    along = pair(element["along"])
+    speeds = []
+    for system, seen in ((blow.after, _new), (blow.before, _old)):
+        first, second = (point_velocity(system, ref) for ref in element["points"])
+        speeds.append(draft.show(seen(draft, blow, along.dot(second - first))))
+    factor, approach = element["restitution"], speeds[1]
+    around = t.Group(approach) if isinstance(approach, t.Add) else approach
+    right = t.ZERO if factor == t.ZERO else t.neg(t.mul(factor, around)) if approach != t.ZERO else t.ZERO
+    return draft.add(
+        f"restitution.{element.name}",
+        "restitution",
+        t.equation(speeds[0], _positive(right)),
+        f"phases.restitution.{'sticks' if scalar(factor).number() == 0 else 'parts'}",
+        coefficient=factor,
+        data={"element": element, "blow": blow},
+    )
+
+
+def _positive(node: t.Node) -> t.Node:
+    """-(e (-v)) as e v."""
+    if isinstance(node, t.Neg) and isinstance(node.arg, t.Mul) and isinstance(node.arg.factors[-1], t.Neg):
+        return t.mul(*node.arg.factors[:-1], node.arg.factors[-1].arg)
+    return node
+
+
+def _solved(draft: Draft, blow: Blow, steps: list) -> None:
+    """The speeds just after, then the impulses."""
+    values = {after_name(draft, name): blow.began.speeds[name] for name in blow.after.independent}
+    found = {impulse_name(name, blow): value for name, value in blow.began.impulses.items()}
+    scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in {**values, **found}})
+    rows = [row for step in steps for row in _equations(step.statement, scope)]
+    used = {n: v for n, v in {**values, **found}.items() if any(depends_on(row, n) for row in rows)}
+    for kind, group in (("speeds", values), ("impulses", found)):
+        shown = [
+            t.equation(t.Sym(n), draft.show(v, factor=True)) for n, v in group.items() if n in used or kind == "speeds"
+        ]
+        shown = [row for row in shown if kind == "speeds" or row.items[-1] != t.ZERO]
+        if shown:
+            draft.add(
+                f"after.{kind}",
+                "solution",
+                shown[0] if len(shown) == 1 else t.System(tuple(shown)),
+                f"phases.after.{kind}",
+                premises=[step.id for step in steps],
+                sources=[StepRef(step.id) for step in steps],
+                count=len(shown),
+                is_result=True,
+                data={"rows": rows, "values": used},
+            )
+
+
+def _equations(statement: t.Node, scope: Scope) -> list[Scalar]:
+    """Left minus right of each row, with the letters of what is unknown."""
+    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    return [scalar(row.items[0], scope) - scalar(row.items[-1], scope) for row in rows]
+
+
+def _lost(draft: Draft, blow: Blow) -> None:
+    """The kinetic energy before less that after."""
+    value, before = blow.began.energy_lost, kinetic(draft, blow.state.places, blow.state.speeds)
+    first = draft.define(draft.free("K"), before)
+    second = draft.define(draft.free("K_prime"), before - value)
+    states = (
+        (blow.before, blow.state.places, blow.state.speeds),
+        (blow.after, blow.state.places, blow.began.speeds),
+    )
+    gained = sign(value, draft.study.assumptions).kind == "negative"
+    draft.add(
+        "energy.lost",
+        "energy_jump",
+        t.equation(t.add(second, t.neg(first)), draft.show(-value, factor=True))
+        if gained
+        else t.equation(t.add(first, t.neg(second)), draft.show(value, factor=True)),
+        f"phases.lost.{'none' if is_zero(value) else 'gained' if gained else 'some'}",
+        premises=["after.speeds"],
+        is_result=True,
+        data={"states": states[::-1] if gained else states},
+    )

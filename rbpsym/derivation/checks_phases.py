@@ -1,0 +1,142 @@
+"""Checks of how a phase of the motion ends and how the next begins.
+
+Moments are put into a motion that is integrated twice from the start; momenta and energies are
+summed over the mass itself; points are followed as points fixed in their bodies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.vector import ORIGIN
+from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks_constraints import slip_at
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
+from rbpsym.derivation.step import Step
+from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.mechanics.assemble import vector_rate
+from rbpsym.mechanics.endings import at_start
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.system import System
+
+Values = Mapping[str, Scalar]
+
+
+def slip(context: Context, step: Step) -> Verdict:
+    """The stated speed is that of the two material points at the contact (`data`: "element")."""
+    found = slip_at(context.study.system, step.data["element"])
+    return weakest(same(context, context.value(right), found) for _, _, right in relations(step.statement))
+
+
+def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
+    """A value with constant acceleration, and its rate, as functions of the time t."""
+    start, scope = context.scope.start, context.study.system.scope
+    rate = time_derivative(value, scope)
+    gain = context.study.on_motion(time_derivative(rate, scope))
+    speed = antiderivative(gain, "t") + substitute(rate, start)
+    return antiderivative(speed, "t") + substitute(value, start), speed
+
+
+def _of(context: Context, name: str) -> Scalar:
+    return context.study.system.dependent.get(name, symbol(name))
+
+
+def _at(time: Scalar, value: Scalar) -> Scalar:
+    return substitute(value, {"t": time})
+
+
+def reached_then(context: Context, step: Step) -> Verdict:
+    """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending", "time")."""
+    [(_, _, right)] = list(relations(step.statement))
+    phase, time = step.data["ending"].phase, context.value(right)
+    if phase.event == "reaches":
+        return same(context, _at(time, _course(context, _of(context, phase.subject))[0]), scalar(phase.value))
+    slip = slip_at(context.study.system, context.study.system.element(phase.subject))
+    gain = context.study.on_motion(time_derivative(slip, context.study.system.scope))
+    return same(context, substitute(slip, context.scope.start) + gain * time, NOTHING)
+
+
+def reached_there(context: Context, step: Step) -> Verdict:
+    """At the stated place the force vanishes, friction is at its limit, or the value is there (`data`: "ending", "name")."""
+    [(_, _, right)] = list(relations(step.statement))
+    phase, place = step.data["ending"].phase, {step.data["name"]: context.value(right)}
+    if phase.event == "reaches":
+        return same(context, substitute(_of(context, phase.subject), place), scalar(phase.value))
+    along = context.study.reactions_along_motion
+    if phase.event == "lost":
+        return same(context, substitute(along[phase.subject], place), NOTHING)
+    element = context.study.system.element(phase.subject)
+    grip, most = along[element["friction"]], along[element.name] * scalar(element["limit"])
+    return same(context, substitute(grip * grip - most * most, place), NOTHING)
+
+
+def state_then(context: Context, step: Step) -> Verdict:
+    """Places and speeds at the end, from a motion integrated anew (`data`: "ending", "what", "letters")."""
+    ending, letters, found = step.data["ending"], step.data["letters"], []
+    see = _uniform if ending.state.time is not None else _placed
+    for left, _, right in relations(step.statement):
+        name = letters.get(getattr(left, "name", ""))
+        if name is None:
+            return Verdict(UNDECIDED, reason="the step does not say of what it gives the value")
+        found.append(see(context, ending, step.data["what"], name, context.value(right)))
+    return weakest(found)
+
+
+def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+    place, speed = _course(context, _of(context, name))
+    return same(context, _at(ending.state.time, place if what == "place" else speed), stated)
+
+
+def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+    """By the first integral: the square of the stated speed is that of the motion at the stated place."""
+    here = {n: v for n, v in ending.state.places.items() if n in context.study.system.independent}
+    value = _of(context, name)
+    if what == "place":
+        return same(context, substitute(value, here), stated)
+    rate = time_derivative(value, context.study.system.scope)
+    return same(context, substitute(context.along(rate * rate), here), stated * stated)
+
+
+def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:
+    return substitute(substitute(value, {f"{name}_dot": v for name, v in speeds.items()}), places)
+
+
+def momentum_jump(context: Context, step: Step) -> Verdict:
+    """The angular momentum about O, summed over the mass, grows by the torque of the impulses (`data`: "blow", "body")."""
+    blow, body = step.data["blow"], step.data["body"]
+    places = blow.state.places
+    after = _seen(angular_momentum(blow.after, body, ORIGIN), places, blow.began.speeds)
+    before = _seen(angular_momentum(blow.before, body, ORIGIN), places, blow.state.speeds)
+    push = substitute(torque([f for f in blow.forces if f.on == body], ORIGIN), blow.began.impulses)
+    return same(context, after - before, _seen(push, places, blow.began.speeds))
+
+
+def parting(context: Context, step: Step) -> Verdict:
+    """The points part at e times the speed of their approach, their positions differentiated (`data`: "blow", "element")."""
+    blow, element = step.data["blow"], step.data["element"]
+    after = _seen(_approach(blow.after, element), blow.state.places, blow.began.speeds)
+    before = _seen(_approach(blow.before, element), blow.state.places, blow.state.speeds)
+    return same(context, after + scalar(element["restitution"]) * before, NOTHING)
+
+
+def _approach(system: System, element) -> Scalar:
+    where = geometry_of(system).where
+    first, second = (where(ref) for ref in element["points"])
+    return pair(element["along"]).dot(vector_rate(second - first, system.scope))
+
+
+def energy_jump(context: Context, step: Step) -> Verdict:
+    """The difference of the kinetic energies of both states, summed over the mass (`data`: "states")."""
+    first, second = (_energy(*state) for state in step.data["states"])
+    [(_, _, right)] = list(relations(step.statement))
+    return same(context, first - second, context.value(right))
+
+
+def _energy(system: System, places: Values, speeds: Values) -> Scalar:
+    return _seen(sum((kinetic_energy(system, body) for body in system.bodies), NOTHING), places, speeds)

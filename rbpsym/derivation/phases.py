@@ -1,0 +1,27 @@
+"""The later phases of a motion: for each the steps by which it begins."""
+
+from __future__ import annotations
+
+from rbpsym.derivation.chapters import endings, impulses
+from rbpsym.derivation.chapters.endings import Ending
+from rbpsym.derivation.chapters.impulses import Blow
+from rbpsym.derivation.draft import Draft
+from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.statement.model import Phase, Problem
+
+
+def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
+    """Each later phase, its mechanics, and the draft of the steps from the end of the one before to its start.
+
+    Raises NotApplicable where the end of a phase has no closed form.
+    """
+    found, all_stages = [], stages(problem)
+    for number, (phase, before, stage) in enumerate(zip(problem.phases, all_stages, all_stages[1:], strict=False), 1):
+        draft = Draft(before.study)
+        draft.chapter = "phase"
+        endings.write(draft, Ending(phase, number, stage.began.before))
+        blow = Blow(before.study.system, stage.study.system, phase, stage.began, number)
+        if impulses.has_impulses(blow):
+            impulses.write(draft, blow)
+        found.append((phase, stage, draft))
+    return found
