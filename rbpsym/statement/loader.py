@@ -32,12 +32,22 @@ def load_problem(path_or_text: str | Path) -> Problem:
 
 def load_text(text: str, file: str = "", name: str = "") -> Problem:
     """The problem in a TOML text; `file` is what errors call it."""
+    table = table_of(text, file)
+    return replace(assemble(table, name or Path(file).stem or "problem"), text=table.source.index.text)
+
+
+def table_of(text: str, file: str = "") -> Table:
+    """A TOML text as a table that knows its places, within the bounds of size and depth."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n")
     _check_size(len(text.encode("utf-8", "surrogatepass")), file)
     data = _parse(text, file)
     _check_depth(data, file)
-    source = Source(file, index_positions(text))
-    return replace(assemble(Table(source, (), data), name or Path(file).stem or "problem"), text=text)
+    return Table(Source(file, index_positions(text)), (), data)
+
+
+def load_table(path: Path) -> Table:
+    """The table in a TOML file."""
+    return table_of(_content(path), str(path))
 
 
 def _content(path: Path) -> str:
