@@ -9,57 +9,18 @@ state, and along the motion from the declared start.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
 
-import numpy as np
-
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.friction import slip_senses
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.work import ForceWork
-from rbpsym.verify.simulation_bodies import Mechanism
-from rbpsym.verify.simulation_forces import laws
-from rbpsym.verify.simulation_joints import conditions
-from rbpsym.verify.simulation_motion import Equations, duration, trajectory
-from rbpsym.verify.simulation_numbers import Numbers
-from rbpsym.verify.simulation_placement import Placement
-from rbpsym.verify.simulation_start import Conditions, Start, idle_angles, start_state
+from rbpsym.verify.simulation_bench import Bench, Derived, SimulationReport
 
-GENERIC_STATES = 8
-GENERIC_TIME = 0.3
-FAINT = 1e-2  # of the largest value of its kind: what a small quantity is compared with at least
-NOISE = 1e-3  # the same where all of a kind vanish (a body that stays at rest); sample numbers are near 1
-
-
-@dataclass(frozen=True)
-class SimulationReport:
-    """Largest relative differences; `errors` by quantity, `drift` of the first integral (None: none).
-
-    A difference is relative to the largest value of the quantity along the motion (or to a
-    hundredth of the largest of its kind, or to 0.001 where all vanish). `freedom` is the number of degrees of
-    freedom that the numerical conditions leave.
-    """
-
-    max_relative_error: float
-    errors: Mapping[str, float] = field(default_factory=dict)
-    drift: float | None = None
-    states: int = 0
-    freedom: int = 0
-
-
-@dataclass(frozen=True)
-class Derived:
-    """The symbolic results that are put to the test."""
-
-    system: System
-    dynamics: Dynamics
-    integral: Scalar | None
-    squares: Mapping[str, Scalar]
-    along: Mapping[str, Scalar]
-    works: Mapping[tuple[str, str, bool], Scalar]
+Momenta = Mapping[str, tuple[Vector, Scalar]]
 
 
 def simulate(
@@ -70,11 +31,14 @@ def simulate(
     squares: Mapping[str, Scalar] | None = None,
     along: Mapping[str, Scalar] | None = None,
     works: Iterable[ForceWork] = (),
+    momenta: Momenta | None = None,
+    numbers: Mapping[str, float] | None = None,
 ) -> SimulationReport:
-    """Runs the simulation and compares. Raises NotApplicable, with a sentence, for a kind of
+    """Runs the simulation and compares. `momenta`: fixed points with the angular momentum about them;
+    `numbers`: for parameters, instead of sample numbers. Raises NotApplicable, with a sentence, for a kind of
     constraint or interaction that the simulation does not know, or a start that can't be found."""
-    derived = Derived(system, dynamics, integral, squares or {}, along or {}, _known_works(works))
-    bench = _Bench(derived)
+    derived = Derived(system, dynamics, integral, squares or {}, along or {}, known_works(works), momenta or {})
+    bench = Bench(derived, numbers)
     bench.compare_generic_states()
     bench.compare_motion(bench.generic, from_start=False)
     bench.placement.mechanism.clock = 0.0
@@ -84,7 +48,29 @@ def simulate(
     return bench.report()
 
 
-def _known_works(works: Iterable[ForceWork]) -> dict[tuple[str, str, bool], Scalar]:
+def simulate_study(study: Study, numbers: Mapping[str, float] | None = None) -> SimulationReport:
+    """Everything that a study derives, put to the test. Raises as `simulate`."""
+    return simulate(
+        study.system,
+        study.dynamics,
+        integral=study.first_integral,
+        squares=study.squares,
+        along=study.reactions_along_motion,
+        momenta=angular_momenta(study),
+        numbers=numbers,
+    )
+
+
+def angular_momenta(study: Study) -> dict[str, tuple[Vector, Scalar]]:
+    """By origin: where it is, and the derived angular momentum of the whole system about it."""
+    states = study.system.bodies.values()
+    return {
+        name: (origin, sum((energy.orbital_momentum(s, origin) + energy.spin_momentum(s) for s in states), NOTHING))
+        for name, origin in study.origins.items()
+    }
+
+
+def known_works(works: Iterable[ForceWork]) -> dict[tuple[str, str, bool], Scalar]:
     """Values of works that are known, by (force, body, whether rotational)."""
     halves = [
         ((item.force, item.on, turning), half.value)
@@ -92,175 +78,3 @@ def _known_works(works: Iterable[ForceWork]) -> dict[tuple[str, str, bool], Scal
         for turning, half in ((False, item.translational), (True, item.rotational))
     ]
     return {key: value for key, value in halves if value is not None}
-
-
-class _Errors:
-    """Largest differences and largest values of quantities, by kind and name."""
-
-    def __init__(self) -> None:
-        self.difference: dict[tuple[str, str], float] = {}
-        self.scale: dict[tuple[str, str], float] = {}
-
-    def note(self, kind: str, name: str, derived: float, simulated: float) -> None:
-        """One comparison (a value that is no number counts as infinitely wrong)."""
-        key, gap = (kind, name), abs(derived - simulated)
-        self.difference[key] = max(self.difference.get(key, 0.0), gap if gap == gap else np.inf)
-        self.scale[key] = max(self.scale.get(key, 0.0), abs(simulated))
-
-    def relative(self) -> dict[str, float]:
-        """Relative difference by quantity."""
-        largest: dict[str, float] = {}
-        for (kind, _), scale in self.scale.items():
-            largest[kind] = max(largest.get(kind, 0.0), scale)
-        return {
-            f"{kind} {name}": float(gap / max(self.scale[kind, name], FAINT * largest[kind], NOISE))
-            for (kind, name), gap in self.difference.items()
-        }
-
-
-class _Bench:
-    """A mechanism, states to try it at, and the comparison with what was derived."""
-
-    def __init__(self, derived: Derived) -> None:
-        self.derived, self.errors, self.drifts, self.states = derived, _Errors(), [], 0
-        problem = derived.system.problem
-        self.sample = sample(problem)
-        mechanism = Mechanism(problem, self.sample, slip_senses(derived.system))
-        self.placement, idle = Placement(mechanism), idle_angles(mechanism)
-        guess = self._coordinates({})
-        kept = conditions(mechanism, self._poses(guess).tolist())
-        self.conditions = Conditions(self.placement, kept, idle)
-        mechanism.clock = GENERIC_TIME
-        self.generic = self._start({}, _speeds(derived.system, 0.7))
-        reader = self.placement.reader(self.generic.q)
-        self.equations = Equations(mechanism, laws(mechanism, reader), kept, idle)
-        self.account = {key: k for k, key in enumerate(derived.works)}
-
-    # --- states
-
-    def _coordinates(self, changed: Mapping[str, float]) -> dict[str, float]:
-        """Numbers for the coordinates; dependent ones as the system has them (a first guess)."""
-        names = {**self.sample, "t": self.placement.mechanism.clock, **changed}
-        names |= {n: number(v, names) for n, v in self.derived.system.dependent.items() if n not in changed}
-        return names
-
-    def _poses(self, names: Mapping[str, float]) -> np.ndarray:
-        """A first guess of the places of the bodies; the conditions then correct it."""
-        known, bodies = Numbers(names), self.derived.system.bodies.values()
-        return np.array(known.row(v for b in bodies for v in (b.center.x, b.center.y, b.pose.angle)))
-
-    def _start(self, changed: Mapping[str, float], rates: Mapping[str, float], held: Iterable[str] = ()) -> Start:
-        names = self._coordinates(changed)
-        return start_state(self.conditions, names, rates, self._poses(names), tuple(held))
-
-    def declared_start(self) -> Start | None:
-        """The state from which the author lets it start, None if it is not declared in full."""
-        known, system = self.derived.system.scope.start, self.derived.system
-        if not all(name in known and f"{name}_dot" in known for name in system.independent):
-            return None
-        places = {name: number(known[name], self.sample) for name in system.coordinates if name in known}
-        rates = {name: number(known[f"{name}_dot"], self.sample) for name in system.independent}
-        return self._start(places, rates, places)
-
-    def compare_generic_states(self) -> None:
-        """Accelerations and unknown forces at states all over the place."""
-        source, system = np.random.default_rng(20201), self.derived.system
-        for _ in range(GENERIC_STATES):
-            shift = {n: self.sample[n] + 0.2 * source.uniform(-1, 1) for n in system.independent}
-            self._compare_start(self._start(shift, {n: source.uniform(-1.5, 1.5) for n in system.independent}))
-
-    def _compare_start(self, start: Start) -> None:
-        self._compare(start.where, start.speed, start.q)
-
-    # --- comparison
-
-    def compare_motion(self, start: Start, *, from_start: bool) -> None:
-        """Along the motion from a state; from the declared start also what depends on position alone."""
-        gained = self.equations.at(start.where, start.speed).gained
-        time = duration(start.speed, gained, self.placement.mechanism.reach())
-        account = self.account if from_start else {}
-        mechanism, began = self.placement.mechanism, self.placement.mechanism.clock
-        first = np.concatenate([start.where, start.speed, np.zeros(len(account)), [began]])
-        done = trajectory(self._rate(account), first, time)
-        q, energies, size = start.q, [], self.equations.size
-        for state in done:
-            mechanism.clock = float(state[-1])
-            q, known, values = self._compare(state[:size], state[size : 2 * size], q)
-            if self.derived.integral is not None:
-                energies.append(
-                    (known.of(self.derived.integral), self.equations.kinetic_energy(state[size : 2 * size]))
-                )
-            if from_start:
-                self._compare_positions(known, values, state[2 * size : -1])
-        self.drifts.append(_drift(energies))
-        mechanism.clock = began
-
-    def _rate(self, account: Mapping[tuple[str, str, bool], int]):
-        """d/dt of (X, V, works, t)."""
-        size, equations = self.equations.size, self.equations
-
-        def rate(time: float, state: np.ndarray) -> np.ndarray:
-            where, speed = state[:size], state[size : 2 * size]
-            equations.mechanism.clock = float(state[-1])
-            balance = equations.at(where, speed)
-            return np.concatenate([speed, balance.gained, equations.powers(speed, balance, account), [1.0]])
-
-        return rate
-
-    def _compare(self, where: np.ndarray, speed: np.ndarray, near: Sequence[float]):
-        """q̈ and the unknown forces at one state; returns (q, derived numbers, simulated forces)."""
-        balance, placement = self.equations.at(where, speed), self.placement
-        x, v = where.tolist(), speed.tolist()
-        q, rates = placement.state(x, v, near)
-        gained = dict(zip(placement.names, placement.accelerations(q, rates, x, v, balance.gained), strict=True))
-        known = self._derived_numbers(placement.numbers(q, rates))
-        for name in self.derived.system.independent:
-            self.errors.note("acceleration", name, known.names[f"{name}_ddot"], gained[name])
-        forces = dict(zip((item.multiplier for item in self.equations.kept), balance.multipliers, strict=True))
-        for name, value in self.derived.dynamics.reactions.items():
-            self.errors.note("force", name, known.of(value), forces[name])
-        self.states += 1
-        return q, known, forces
-
-    def _derived_numbers(self, names: dict[str, float]) -> Numbers:
-        """Coordinates, speeds and the derived accelerations, from M q̈ = f where there are no formulas."""
-        known, dynamics = Numbers(names), self.derived.dynamics
-        wanted = self.derived.system.accelerations
-        if dynamics.accelerations is not None:
-            found = known.row(dynamics.accelerations[name] for name in wanted)
-        else:
-            matrix = np.array([known.row(row) for row in dynamics.mass_matrix])
-            found = np.linalg.solve(matrix, np.array(known.row(dynamics.forcing))).tolist()
-        return Numbers({**names, **dict(zip(wanted, found, strict=True))})
-
-    def _compare_positions(self, known: Numbers, forces: Mapping[str, float], works: np.ndarray) -> None:
-        """Squares of speeds, unknown forces and works as functions of position."""
-        for name, value in self.derived.squares.items():
-            self.errors.note("square of speed", name, known.of(value), known.names[f"{name}_dot"] ** 2)
-        for name, value in self.derived.along.items():
-            self.errors.note("force along the motion", name, known.of(value), forces[name])
-        for key, done in zip(self.account, works, strict=True):
-            name, body, turning = key
-            half = "rotational" if turning else "translational"
-            self.errors.note("work", f"{name} on {body}, {half}", known.of(self.derived.works[key]), float(done))
-
-    def report(self) -> SimulationReport:
-        """All of it. A number of degrees of freedom other than the derived one counts as infinitely wrong."""
-        found = self.errors.relative()
-        if self.generic.freedom != len(self.derived.system.independent):
-            found["degrees of freedom"] = np.inf
-        drift = max(self.drifts, default=0.0) if self.derived.integral is not None else None
-        worst = max([*found.values(), drift or 0.0], default=0.0)
-        return SimulationReport(float(worst), found, drift, self.states, self.generic.freedom)
-
-
-def _speeds(system: System, first: float) -> dict[str, float]:
-    """Generic speeds of both signs, none of them zero."""
-    return {name: first * (-0.8) ** k for k, name in enumerate(system.independent)}
-
-
-def _drift(energies: Sequence[tuple[float, float]]) -> float:
-    """How much the first integral varies, relative to its size or to the kinetic energy."""
-    values = [value for value, _ in energies]
-    scale = max((max(abs(value), kinetic) for value, kinetic in energies), default=0.0) or 1.0
-    return float((max(values) - min(values)) / scale) if values else 0.0

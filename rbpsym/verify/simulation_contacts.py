@@ -222,3 +222,8 @@ def holding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     if element["line"] is not None and bend.bearer < 0:
         sign = -1 if -bend.normal(list(map(complex, start)))[0].real < -1e-9 else 1
     return [_normal(element, bend), kept_by(element.name, element["friction"], _forward(bend, sign))]
+
+
+def slipping(element: Element, mechanism: Mechanism, start: State) -> Kept:
+    """Its row times V is the speed with which what touches slips forward over the curve."""
+    return kept_by(element.name, element.name, _forward(curve(element, mechanism, start)))

@@ -86,6 +86,20 @@ class Equations:
                 found[account[key]] += push * speed[column]
         return found
 
+    def momentum(self, speed: np.ndarray) -> float:
+        """The largest of M |V| and I_cm |ω|: a size to compare momenta with."""
+        return float(np.abs(self.masses * speed).max(initial=0.0))
+
+    def torques(self, balance: Balance, levers: list[tuple[float, float]]) -> np.ndarray:
+        """Torque of all forces on all bodies about each of the fixed places."""
+        found = np.zeros(len(levers))
+        for _, column, push in self._pushes(balance) if levers else ():
+            k, axis = 3 * (column // 3), column % 3
+            for j, (x, y) in enumerate(levers):
+                lever = (y - balance.where[k + 1], balance.where[k] - x, 1.0)[axis]
+                found[j] += lever * push
+        return found
+
     def _pushes(self, balance: Balance) -> Iterator[tuple[str, int, float]]:
         """(force, column of X, its component there)."""
         for load in balance.loads:

@@ -1,0 +1,250 @@
+"""The phases followed in numbers: events located on the simulated motion, impulses in maximal coordinates.
+
+Each phase is simulated from its start until its end is seen (slip gone, normal force or grip used up, a
+coordinate at its value); time, places and speeds there must be those that were derived. Then the
+impulses are solved for all bodies at once, M (V' - V) = Gᵀ Ĵ + given ones with G V' = 0 and
+n·(v₂' - v₁') = -e n·(v₂ - v₁), and speeds, impulses and the loss of energy are compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.model import Element, Phase, Problem
+from rbpsym.verify.simulation import simulate_study
+from rbpsym.verify.simulation_bench import Bench, Derived, Errors, SimulationReport
+from rbpsym.verify.simulation_bodies import placed
+from rbpsym.verify.simulation_contacts import slipping
+from rbpsym.verify.simulation_placement import dotted
+
+LONGEST = 200.0  # lengths of the usual motion in which an event must have come
+SMALL = 1e-9  # what counts as nothing at the start of a phase
+Watch = Callable[[np.ndarray, np.ndarray], float]
+
+
+@dataclass(frozen=True)
+class _End:
+    """The simulated state at an event: time since the start of the phase, X, V."""
+
+    time: float
+    where: np.ndarray
+    speed: np.ndarray
+
+
+def simulate_problem(study: Study) -> SimulationReport:
+    """The report on a problem and all its phases. Raises NotApplicable as `simulate`."""
+    first = simulate_study(study)
+    if not study.problem.phases:
+        return first
+    parts = stages(study.problem)
+    numbers = _parameters(study.problem)
+    reports = [simulate_study(stage.study, numbers) for stage in parts[1:]]
+    errors = dict(first.errors)
+    for stage, report in zip(parts[1:], reports, strict=True):
+        errors |= {f"{stage.name}: {name}": error for name, error in report.errors.items()}
+    errors |= followed(study.problem, parts)
+    worst = max([first.max_relative_error, *errors.values(), *(r.max_relative_error for r in reports)])
+    return replace(first, max_relative_error=float(worst), errors=errors)
+
+
+def _parameters(problem: Problem) -> dict[str, float]:
+    numbers = sample(problem)
+    return {q.name: numbers[q.name] for q in problem.parameters}
+
+
+def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
+    """Relative differences between derived and simulated events and impulses, by phase and quantity."""
+    numbers, found = _parameters(problem), {}
+    for phase, before, after in zip(problem.phases, parts, parts[1:], strict=False):
+        errors = Errors()
+        _compare(phase, before.study, after, numbers, errors)
+        found |= {f"{phase.name}: {name}": error for name, error in errors.relative().items()}
+    return found
+
+
+def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
+    derived = Derived(study.system, study.dynamics, None, study.squares, {}, {})
+    return Bench(derived, numbers)
+
+
+def _compare(phase: Phase, study: Study, after: Stage, numbers: Mapping[str, float], errors: Errors) -> None:
+    bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), after.began
+    derived = {name: number(value, numbers) for name, value in began.before.places.items()}
+    end = _end(bench, phase, study, derived, numbers)
+    if began.before.time is not None:
+        errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
+    guess = [derived[name] for name in bench.placement.names]
+    q, rates = bench.placement.state(end.where.tolist(), end.speed.tolist(), guess)
+    speed, impulses = _struck(bench, next_bench, end, phase.impulses)
+    after_rates = next_bench.placement.speeds(q, end.where.tolist(), speed.tolist())
+    _note(errors, "place", bench, began.before.places, numbers, q)
+    _note(errors, "speed before", bench, began.before.speeds, numbers, rates)
+    _note(errors, "speed after", bench, began.speeds, numbers, after_rates)
+    for name, value in began.impulses.items():
+        errors.note("impulse", name, number(value, numbers), impulses[name])
+    lost = bench.equations.kinetic_energy(end.speed) - bench.equations.kinetic_energy(speed)
+    errors.note("energy", "lost", number(began.energy_lost, numbers), lost)
+
+
+def _note(errors: Errors, kind: str, bench: Bench, derived: Mapping[str, Scalar], numbers, seen: np.ndarray) -> None:
+    for name, value in zip(bench.placement.names, seen, strict=True):
+        errors.note(kind, name, number(derived[name], numbers), float(value))
+
+
+# --- the event
+
+
+def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers) -> _End:
+    """The simulated state at the event. Raises NotApplicable if it does not come."""
+    bench.placement.mechanism.clock = 0.0
+    start = bench.declared_start()
+    if start is None:
+        raise NotApplicable("the phases need a start and a start speed of every coordinate")
+    if phase.event == "at once":
+        return _End(0.0, start.where, start.speed)
+    if _is_idle(bench, start):
+        start = _on_the_way(bench, study, derived)
+    return _seen(bench, start, WATCHES[phase.event](bench, phase, start))
+
+
+def _is_idle(bench: Bench, start) -> bool:
+    """At rest where nothing moves it: on top of a sphere, say, which it leaves in no finite time."""
+    gained = bench.equations.at(start.where, start.speed).gained
+    return max(np.abs(gained).max(), np.abs(start.speed).max()) < 1e-9
+
+
+def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
+    """Half-way to the event, with the speed from the first integral."""
+    [name] = study.squares
+    known = {**bench.sample, **derived}
+    begin = number(study.system.scope.start[name], known)
+    here = (begin + derived[name]) / 2
+    rate = number(study.squares[name], {**known, name: here}) ** 0.5
+    return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
+
+
+def _seen(bench: Bench, start, watch: Watch) -> _End:
+    """The first change of sign along the motion, found between two steps by a root of the dense output."""
+    from scipy.integrate import DOP853
+    from scipy.optimize import brentq
+
+    size = bench.equations.size
+    first = np.concatenate([start.where, start.speed, [0.0]])
+    step = bench.usual_time(start)
+    solver = DOP853(bench.rate(), 0.0, first, LONGEST * step, rtol=1e-12, atol=1e-13, max_step=step / 10)
+
+    def value(state: np.ndarray) -> float:
+        return watch(state[:size], state[size : 2 * size])
+
+    last = value(first)
+    while solver.status == "running":
+        solver.step()
+        now = value(solver.y)
+        if last * now <= 0 and abs(last) > SMALL:
+            dense = solver.dense_output()
+            time = brentq(lambda t, at=dense: value(at(t)), solver.t_old, solver.t, xtol=1e-14, rtol=1e-14)
+            state = dense(time)
+            return _End(float(time), state[:size], state[size : 2 * size])
+        last = now
+    raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
+
+
+def _watch_slip(bench: Bench, phase: Phase, start) -> Watch:
+    element = _element(bench, phase.subject)
+    row = slipping(element, bench.placement.mechanism, start.where.tolist())
+    return lambda where, speed: dotted(row.at(where.tolist(), speed.tolist()).entries, speed.tolist())
+
+
+def _watch_push(bench: Bench, phase: Phase, start) -> Watch:
+    return lambda where, speed: bench.multipliers(where, speed)[phase.subject]
+
+
+def _watch_grip(bench: Bench, phase: Phase, start) -> Watch:
+    element = _element(bench, phase.subject)
+    limit = bench.placement.mechanism.number(element["limit"])
+
+    def left(where: np.ndarray, speed: np.ndarray) -> float:
+        forces = bench.multipliers(where, speed)
+        return limit * forces[element.name] - abs(forces[element["friction"]])
+
+    return left
+
+
+def _watch_value(bench: Bench, phase: Phase, start) -> Watch:
+    target = bench.placement.mechanism.number(phase.value)
+    place, near = bench.placement.names.index(phase.subject), [start.q]
+
+    def ahead(where: np.ndarray, speed: np.ndarray) -> float:
+        near[0] = bench.placement.coordinates(where.tolist(), near[0])
+        return float(near[0][place]) - target
+
+    return ahead
+
+
+WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
+    "no slip": _watch_slip,
+    "slips": _watch_grip,
+    "lost": _watch_push,
+    "reaches": _watch_value,
+}
+
+
+def _element(bench: Bench, name: str) -> Element:
+    return next(e for e in bench.placement.mechanism.problem.constraints if e.name == name)
+
+
+# --- impulses
+
+
+def _struck(
+    before: Bench, after: Bench, end: _End, impulses: tuple[Element, ...]
+) -> tuple[np.ndarray, dict[str, float]]:
+    """V after, and the impulses by the name of their force."""
+    where, size = end.where.tolist(), before.equations.size
+    rows = [item.at(where, end.speed.tolist()) for item in after.equations.kept]
+    names = [item.multiplier for item in after.equations.kept]
+    matrix = [_dense(row.entries, size) for row in rows]
+    wanted = [-row.drift for row in rows]
+    momentum = before.equations.masses * end.speed
+    for element in impulses:
+        line = _direction(before, element, where)
+        if element.kind == "blow":
+            momentum = momentum + line
+            continue
+        restitution = before.placement.mechanism.number(element["restitution"])
+        matrix.append(line)
+        wanted.append(-restitution * float(line @ end.speed))
+        names.append(element.name)
+    g = np.array(matrix).reshape(len(matrix), size)
+    full = np.block([[np.diag(before.equations.masses), -g.T], [g, np.zeros((len(g), len(g)))]])
+    found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
+    return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
+
+
+def _dense(entries, size: int) -> np.ndarray:
+    row = np.zeros(size)
+    for column, entry in entries:
+        row[column] += entry
+    return row
+
+
+def _direction(bench: Bench, element: Element, where: list[float]) -> np.ndarray:
+    """Of a blow: its generalized impulse; of a collision: that of a unit impulse on the second body."""
+    mechanism, size = bench.placement.mechanism, bench.equations.size
+    still = [0.0] * size
+    if element.kind == "blow":
+        ends = [(element["on"], mechanism.pair(element["impulse"]))]
+    else:
+        (x, y), (first, second) = mechanism.pair(element["along"]), element["points"]
+        ends = [(first, (-x, -y)), (second, (x, y))]
+    return sum(
+        (_dense(placed(mechanism.spot(ref), where, still).along(*way), size) for ref, way in ends), np.zeros(size)
+    )
