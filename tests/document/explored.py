@@ -8,17 +8,18 @@ import subprocess
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy as np
+
 from rbpsym.document.explorer.model import Model, model
 from rbpsym.document.explorer.page import FOLDER
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 
 ASK = """
-const asked = TIMES.flatMap((share) => MODELS.map((model) => {
-  const motion = new Motion(model, model.data.numbers.map((one) => one.value));
+const MOTIONS = MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => one.value)));
+const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
   const moment = motion.at(share * motion.duration), out = moment.out, data = moment.data;
   const named = (places) => Object.fromEntries(Object.entries(places).map(([name, place]) => [name, out[place]]));
   const momenta = Object.keys(data.origins).flatMap((o) => data.bodies.map((b) => [b.name, o, ...momentum(moment, b.name, o)]));
@@ -63,9 +64,9 @@ def state_numbers(found: Model, moment: Mapping[str, Any]) -> dict[str, float]:
 def derived(study: Study, numbers: Mapping[str, float]) -> Iterator[tuple[str, float]]:
     """(what, number) of everything that the page shows at a state, from the derivation."""
     known = dict(numbers)
-    for name, value in (study.dynamics.accelerations or {}).items():
-        known[name] = number(value, known)
-        yield f"a {name.removesuffix('_ddot')}", known[name]
+    for name, value in accelerations(study, known).items():
+        known[name] = value
+        yield f"a {name.removesuffix('_ddot')}", value
     for name, value in study.dynamics.reactions.items():
         yield f"R {name}", number(value, known)
     for place, value in enumerate(study.kinetic):
@@ -74,6 +75,16 @@ def derived(study: Study, numbers: Mapping[str, float]) -> Iterator[tuple[str, f
         for body, state in study.system.bodies.items():
             yield f"L_orbital {body} {name}", number(energy.orbital_momentum(state, origin), known)
             yield f"L_spin {body} {name}", number(energy.spin_momentum(state), known)
+
+
+def accelerations(study: Study, known: Mapping[str, float]) -> dict[str, float]:
+    """From the closed formulas, or from M q̈ = f where there are none."""
+    dynamics = study.dynamics
+    if dynamics.accelerations is not None:
+        return {name: number(value, known) for name, value in dynamics.accelerations.items()}
+    matrix = [[number(entry, known) for entry in row] for row in dynamics.mass_matrix]
+    found = np.linalg.solve(matrix, [number(value, known) for value in dynamics.forcing])
+    return dict(zip(study.system.accelerations, found.tolist(), strict=True))
 
 
 def told(moment: Mapping[str, Any]) -> dict[str, float]:
@@ -89,6 +100,3 @@ def told(moment: Mapping[str, Any]) -> dict[str, float]:
 def close(one: float, other: float, scale: float = 1.0) -> bool:
     """Equal to 1e-6 of their size (or of a scale for what is zero)."""
     return math.isclose(one, other, rel_tol=1e-6, abs_tol=1e-7 * max(1.0, scale))
-
-
-__all__ = ["close", "derived", "explored", "run", "state_numbers", "told", "torque_about_center"]

@@ -19,6 +19,7 @@ from rbpsym.document.explorer.javascript import Program, function
 from rbpsym.document.explorer.scenery import scenery
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.numbers import sample
@@ -41,7 +42,8 @@ def phase(study: Study, names: tuple[str, ...], ends_at: Scalar | None = None, e
 
     It ends at the time `ends_at` (counted from its start), or when an event of `ends_with` comes.
     """
-    look, data = _look(study, names)
+    solved = is_lighter_solved_here(study, names)
+    look, data = _look(study, names, solved)
     data["endsWith"] = ends_with
     starts = _program(study, names, moving=False)
     state = [starts.output_again(value) for value in _start(study)]
@@ -49,7 +51,7 @@ def phase(study: Study, names: tuple[str, ...], ends_at: Scalar | None = None, e
     data["start"] = state
     gaps, data["gaps"] = _gaps(study, names)
     data["nudge"] = _nudge(study)
-    code = {"start": starts.text, "rates": _rates(study, names), "look": look.text, "gaps": gaps}
+    code = {"start": starts.text, "rates": _rates(study, names, solved), "look": look.text, "gaps": gaps}
     return Phase({name: function(ARGUMENTS, text) for name, text in code.items()}, data)
 
 
@@ -61,7 +63,7 @@ def start_name(coordinate: str) -> str:
     return f"{coordinate}(0)"
 
 
-def _program(study: Study, names: tuple[str, ...], *, moving: bool = True) -> Program:
+def _program(study: Study, names: tuple[str, ...], *, moving: bool = True, solved: bool = True) -> Program:
     """A program that knows parameters, the state and all that the dynamics says."""
     system, dynamics = study.system, study.dynamics
     inputs = {name: f"p[{k}]" for k, name in enumerate(names)} | {"t": "t"}
@@ -71,11 +73,34 @@ def _program(study: Study, names: tuple[str, ...], *, moving: bool = True) -> Pr
     inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
     rates = {f"{name}_dot": rate for name, rate in system.scope.rates.items() if name in system.coordinates}
     tied = {name: rate for name, rate in rates.items() if name not in inputs}
-    defined = {**dict(system.dependent), **tied, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})}
-    program = Program(inputs, {**defined, **_dependent_rates(study)})
+    defined = {**dict(system.dependent), **tied, **_dependent_rates(study)}
+    if not solved:
+        return _eliminating(study, Program(inputs, defined))
+    program = Program(inputs, {**defined, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
     if dynamics.accelerations is None:
         program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
     return program
+
+
+def _eliminating(study: Study, program: Program) -> Program:
+    """Accelerations and unknown forces from the equations of the single bodies, solved in the browser."""
+    wanted = (*study.system.accelerations, *study.system.unknowns)
+    rows = [linear_row(value, wanted) for value in study.newton_euler_rows]
+    rows = [row for row in rows if len(row) > 1]
+    matrix = [[row.get(name, NOTHING) for name in wanted] for row in rows]
+    program.solve_for(wanted, matrix, [-row[CONSTANT] for row in rows])
+    return program
+
+
+def is_lighter_solved_here(study: Study, names: tuple[str, ...]) -> bool:
+    """Whether the closed formulas are short enough; else the browser solves the linear equations at every step."""
+    if study.dynamics.accelerations is None:
+        return False
+    long = len(_rates(study, names, solved=True))
+    return long < LONG or long < len(_rates(study, names, solved=False))
+
+
+LONG = 12_000  # characters
 
 
 def _dependent_rates(study: Study) -> dict[str, Scalar]:
@@ -115,9 +140,9 @@ def _rough(value: float) -> Scalar:
     return lift(Fraction(value).limit_denominator(10**6))
 
 
-def _rates(study: Study, names: tuple[str, ...]) -> str:
+def _rates(study: Study, names: tuple[str, ...], solved: bool) -> str:
     """d/dt of the state and of the two works of each force on each body."""
-    program, system = _program(study, names), study.system
+    program, system = _program(study, names, solved=solved), study.system
     values = [system.scope.rates[name] for name in system.coordinates]
     values += [symbol(name) for name in system.accelerations]
     for force in system.forces:
@@ -139,9 +164,9 @@ def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     return program.text, {"rows": rows, "held": held}
 
 
-def _look(study: Study, names: tuple[str, ...]) -> tuple[Program, dict[str, Any]]:
+def _look(study: Study, names: tuple[str, ...], solved: bool) -> tuple[Program, dict[str, Any]]:
     """The program of all numbers that are shown, and where each stands."""
-    program, system = _program(study, names), study.system
+    program, system = _program(study, names, solved=solved), study.system
     put = program.output
     seen = [c.name for c in study.problem.coordinates]
     data = {

@@ -1,18 +1,17 @@
 // Numerical mathematics: linear equations, a step of Dormand and Prince, Newton's method for conditions.
 
-/** The solution of matrix · x = right, by elimination with pivots. */
+/** The solution of matrix · x = right, by elimination with pivots; rows beyond those needed must agree. */
 function solve(matrix, right) {
-  const n = right.length, rows = matrix.map((row, k) => [...row, right[k]]);
+  const n = matrix[0].length, rows = matrix.map((row, k) => [...row, right[k]]), found = new Array(n);
   for (let k = 0; k < n; k++) {
     let best = k;
-    for (let i = k + 1; i < n; i++) if (Math.abs(rows[i][k]) > Math.abs(rows[best][k])) best = i;
+    for (let i = k + 1; i < rows.length; i++) if (Math.abs(rows[i][k]) > Math.abs(rows[best][k])) best = i;
     [rows[k], rows[best]] = [rows[best], rows[k]];
-    for (let i = k + 1; i < n; i++) {
+    for (let i = k + 1; i < rows.length; i++) {
       const share = rows[i][k] / rows[k][k];
-      for (let j = k; j <= n; j++) rows[i][j] -= share * rows[k][j];
+      if (share) for (let j = k; j <= n; j++) rows[i][j] -= share * rows[k][j];
     }
   }
-  const found = new Array(n);
   for (let k = n - 1; k >= 0; k--) {
     let rest = rows[k][n];
     for (let j = k + 1; j < n; j++) rest -= rows[k][j] * found[j];
@@ -53,15 +52,23 @@ function advance(rate, y, from, span) {
 
 /** [the state after a step, its error over the tolerance]. */
 function oneStep(rate, y, t, h) {
-  const slopes = [];
+  const slopes = [], size = y.length;
   let state = y;
   for (let k = 0; k < 7; k++) {
-    if (k) state = y.map((value, i) => STAGES[k].reduce((sum, a, j) => sum + h * a * slopes[j][i], value));
+    if (k) {
+      state = new Array(size);
+      for (let i = 0; i < size; i++) {
+        let sum = y[i];
+        for (let j = 0; j < k; j++) sum += h * STAGES[k][j] * slopes[j][i];
+        state[i] = sum;
+      }
+    }
     slopes.push(rate(state, t + NODES[k] * h));
   }
   let worst = 0;
-  for (let i = 0; i < y.length; i++) {
-    const gap = h * DIFFERENCE.reduce((sum, e, k) => sum + e * slopes[k][i], 0);
+  for (let i = 0; i < size; i++) {
+    let gap = 0;
+    for (let k = 0; k < 7; k++) gap += h * DIFFERENCE[k] * slopes[k][i];
     const share = Math.abs(gap) / (ABSOLUTE + RELATIVE * Math.max(Math.abs(y[i]), Math.abs(state[i])));
     worst = Number.isNaN(share) ? NaN : Math.max(worst, share);
   }
