@@ -12,34 +12,9 @@ from rbpsym.statement.model import Problem
 from rbpsym.teaching.grading.standard import mapped
 
 # names that mean something in Maxima or sympy
-RESERVED = frozenset(
-    {
-        *keyword.kwlist,
-        *[
-            "beta",
-            "gamma",
-            "zeta",
-            "psi",
-            "lambda",
-            "e",
-            "i",
-            "pi",
-            "I",
-            "E",
-            "S",
-            "N",
-            "O",
-            "Q",
-            "C",
-            "D",
-            "diff",
-            "integrate",
-            "ev",
-            "at",
-            "del",
-        ],
-    }
-)
+_WORDS = ("beta", "gamma", "zeta", "psi", "lambda", "e", "i", "pi", "I", "E", "S", "N", "O", "Q", "C", "D")
+_CALLS = ("diff", "integrate", "ev", "at", "del")
+RESERVED = frozenset({*keyword.kwlist, *_WORDS, *_CALLS})
 
 
 def renamed(node: t.Node, names: Mapping[str, str]) -> t.Node:
