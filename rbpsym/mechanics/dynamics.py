@@ -13,9 +13,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import derivative, names_in, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, total
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.elimination import (
@@ -62,21 +62,23 @@ def torque_about_center(force: Force, state: BodyState) -> Scalar:
 
 def partials(system: System) -> dict[str, tuple[tuple[Vector, Scalar], ...]]:
     """For each body and each speed: (∂V/∂q̇, ∂ω/∂q̇)."""
-    from rbpsym.algebra.calculus import derivative
+    return {name: _partials(state, system.speeds) for name, state in system.bodies.items()}
 
-    return {
-        name: tuple((state.velocity.derivative(speed), derivative(state.omega, speed)) for speed in system.speeds)
-        for name, state in system.bodies.items()
-    }
+
+def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[tuple[Vector, Scalar], ...]:
+    moving: dict[str, Vector] = dict.fromkeys(speeds, Vector({}))
+    for angle, length in state.velocity.parts.items():  # a direction depends on the position alone
+        for speed in names_in(length) & moving.keys():
+            moving[speed] = moving[speed] + Vector({angle: derivative(length, speed)})
+    return tuple((moving[speed], derivative(state.omega, speed)) for speed in speeds)
 
 
 def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dict[str, bool]]:
     """(M, f, which forces of constraints are ideal). Raises StatementError if a force needs M q̈ = f to be known."""
     along = partials(system)
     resting = dict.fromkeys(system.accelerations, NOTHING)
-    mass = tuple(
-        tuple(_mass(system, along, r, s) for s in range(len(system.speeds))) for r in range(len(system.speeds))
-    )
+    lower = [[_mass(system, along, r, s) for s in range(r + 1)] for r in range(len(system.speeds))]
+    mass = tuple(tuple(lower[max(r, s)][min(r, s)] for s in range(len(lower))) for r in range(len(lower)))
     forcing, unknown = [], dict.fromkeys((f.name for f in system.forces if f.unknowns), True)
     still = {
         name: (state.acceleration.substitute(resting), substitute(state.alpha, resting))
@@ -90,43 +92,41 @@ def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dic
 
 
 def _mass(system: System, along, r: int, s: int) -> Scalar:
-    if s < r:
-        return _mass(system, along, s, r)
-    total = NOTHING
+    parts = []
     for name, state in system.bodies.items():
         (v_r, w_r), (v_s, w_s) = along[name][r], along[name][s]
         if v_r and v_s:
-            total = total + state.mass * v_r.dot(v_s)
+            parts.append(state.mass * v_r.dot(v_s))
         if w_r and w_s:
-            total = total + state.moment * w_r * w_s
-    return short(total)
+            parts.append(state.moment * w_r * w_s)
+    return short(total(parts))
 
 
 def _force_along(force: Force, state: BodyState, along: tuple[Vector, Scalar]) -> Scalar:
     direction, turn = along
-    total = direction.dot(force.vector) if direction and force.vector else NOTHING
-    return total + turn * torque_about_center(force, state) if turn else total
+    push = direction.dot(force.vector) if direction and force.vector else NOTHING
+    return push + turn * torque_about_center(force, state) if turn else push
 
 
 def _known(system: System, along, r: int) -> Scalar:
     forces = (f for f in system.forces if not f.unknowns)
-    return sum((_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces), NOTHING)
+    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces)
 
 
 def _power(system: System, along, r: int, name: str) -> Scalar:
     forces = (f for f in system.forces if f.name == name)
-    return sum((_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces), NOTHING)
+    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces)
 
 
 def _inertial(system: System, along, still, r: int) -> Scalar:
-    total = NOTHING
+    parts = []
     for name, state in system.bodies.items():
         (direction, turn), (acceleration, alpha) = along[name][r], still[name]
         if direction and acceleration:
-            total = total + state.mass * direction.dot(acceleration)
+            parts.append(state.mass * direction.dot(acceleration))
         if turn and alpha:
-            total = total + state.moment * turn * alpha
-    return total
+            parts.append(state.moment * turn * alpha)
+    return total(parts)
 
 
 def solve(system: System) -> Dynamics:
@@ -190,12 +190,30 @@ def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
     return rows
 
 
+def _along_forces(system: System) -> list[Scalar]:
+    """m A - F = 0 along the unknown forces that are neither level nor upright.
+
+    They say nothing new, but a string's tension has the coefficient 1 there: it need not be divided by a sine
+    that may vanish.
+    """
+    rows = []
+    for force in system.forces:
+        state = system.bodies[force.on]
+        for name in force.unknowns:
+            along = force.vector.derivative(name)
+            if along.x and along.y:
+                pushes = (other.vector.dot(along) for other in system.on(force.on))
+                rows.append(state.mass * state.acceleration.dot(along) - total(pushes))
+    return rows
+
+
 def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
     """Solved with the accelerations as symbols, which are put in at the end."""
     unknowns = system.unknowns
     if not unknowns:
         return {}
-    solution = solve_linear([value for _, _, value in newton_euler_rows(system)], unknowns)
+    rows = [value for _, _, value in newton_euler_rows(system)]
+    solution = solve_linear([*rows, *_along_forces(system)], unknowns)
     if solution.free:
         raise _indistinct(system, solution.free)
     images = accelerations or {}
