@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation, Step
@@ -26,6 +27,7 @@ from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measure_text, unit_of
 
 ASKED_DIGITS = 3
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,13 @@ class Bench:
     targets: Mapping[str, Target]
     pool: Pool
     wishes: Mapping[str, Range] = field(default_factory=dict)
+    memo: dict[Hashable, object] = field(default_factory=dict, compare=False, repr=False)
+
+    def once(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What does not depend on the student, made when it is first asked for."""
+        if key not in self.memo:
+            self.memo[key] = make()
+        return self.memo[key]
 
     @property
     def study(self) -> Study:
@@ -132,6 +141,10 @@ def generic_state(bench: Bench) -> dict[str, float]:
 
 def formula_of(bench: Bench, target: Target) -> t.Node:
     """The right value of a target as it is printed in answers."""
+    return bench.once(("formula", target.id), lambda: _formula(bench, target))
+
+
+def _formula(bench: Bench, target: Target) -> t.Node:
     value = target.value(bench.study)
     if value is None:
         raise RbpsymError(f"“{target.id}” has no value in “{bench.name}”")
@@ -160,8 +173,12 @@ def asked_unit(bench: Bench, target: Target) -> str:
     return unit_of(dimension, name)
 
 
-def sentence(step: Step, said: Words) -> Inlines:
+def sentence(bench: Bench, step: Step, said: Words) -> Inlines:
     """Why a step is made, in the words of the notes; () where they say nothing."""
+    return bench.once(("sentence", step.id, said.language), lambda: _sentence(step, said))
+
+
+def _sentence(step: Step, said: Words) -> Inlines:
     key = known_key(step.phrase, said)
     return () if key is None else said.say(key, **step.slots)
 

@@ -78,7 +78,7 @@ class Gap:
 
 
 def gaps(statement: t.Node) -> list[Gap]:
-    """Right sides of a statement that have a scalar value, and the terms of sums in them."""
+    """Right sides of a statement that have a scalar value, and the terms of sums on both sides."""
     rows = (
         [((("rows", k),), row) for k, row in enumerate(statement.rows)]
         if isinstance(statement, t.System)
@@ -87,6 +87,8 @@ def gaps(statement: t.Node) -> list[Gap]:
     found: list[Gap] = []
     for path, row in rows:
         if isinstance(row, t.Chain) and set(row.ops) == {"="} and len(row.items) > 1:
+            left = _in_side((*path, ("items", 0)), row.items[0])
+            found += [gap for gap in left if gap.is_term]  # I α beside M R² α: the spin part of a balance
             found += _in_side((*path, ("items", len(row.items) - 1)), row.items[-1])
     return found
 

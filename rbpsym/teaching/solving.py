@@ -69,6 +69,10 @@ def numeric_line(bench: Bench, setting: Setting, target: Target, value: float) -
 
 def number_formula(bench: Bench, target: Target) -> t.Node:
     """The formula from which a target's number comes, as a function of the position alone."""
+    return bench.once(("number", target.id), lambda: _number_formula(bench, target))
+
+
+def _number_formula(bench: Bench, target: Target) -> t.Node:
     along = target.along(bench.study)
     plain = formula_of(bench, target) if along is None else shown(along, bench.study)
     return target.reading.node(plain) if target.reading else plain

@@ -41,24 +41,25 @@ def _premises(bench: Bench, step: Step) -> list[Step]:
 def _item(bench: Bench, setting: Setting, wish: Wish, step: Step) -> Item:
     premises = _premises(bench, step)
     points = wish.points if wish.points is not None else Fraction(1 + len(premises))
+    sample = tuple(_sample(bench, setting, step, premises))
     return Item(
         setting.id,
         "explain",
         (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False)),
-        ExplanationKey(tuple(_sample(setting, step, premises))),
+        ExplanationKey(sample),
         Asked(bench.name, step.id, t.Sym("W"), step=step.id),
         points,
         rubric=tuple(_rubric(setting, step, premises, points)),
-        solution=tuple(_sample(setting, step, premises)),
+        solution=sample,
         level=wish.level,
         space=Fraction(5),
     )
 
 
-def _sample(setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
+def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
     for premise in premises:
         yield Display(premise.statement, numbered=False)
-    why = sentence(step, setting.said)
+    why = sentence(bench, step, setting.said)
     if why:
         yield Paragraph(why)
     yield Display(step.statement, numbered=False)

@@ -49,6 +49,10 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
     steps, chosen = _blanked(bench, target, wish.level)
     statements, answers = _with_blanks(bench, steps, chosen)
     names = tuple(sorted({n for item in answers for n in t.names(item.value)}))
+    how = LEVELS[wish.level]
+
+    def key_of(setting: Setting) -> tuple[str, ...]:
+        return ("fill-in", target.id, str(wish.level), setting.language)
 
     def make(setting: Setting) -> Item:
         prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
@@ -57,7 +61,10 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
         return Item(
             setting.id,
             "fill-in",
-            (prompt, *_lines(setting, steps, statements, LEVELS[wish.level].reasons)),
+            (
+                prompt,
+                *bench.once(key_of(setting), lambda: tuple(_lines(bench, setting, steps, statements, how.reasons))),
+            ),
             BlanksKey(each, names),
             bench.asked(target),
             points,
@@ -78,7 +85,7 @@ def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...]
     """The steps shown and, by id, what is left out: from the steps that matter most."""
     how = LEVELS[level]
     steps = lines_to(bench, target.step, how.lines)
-    ranked = sorted(steps, key=lambda s: (-WEIGHTS.get(s.rule, 0), steps.index(s)))
+    ranked = _ranked(steps)
     chosen: dict[str, list[Gap]] = {}
     left = how.blanks
     for step in ranked:
@@ -87,6 +94,12 @@ def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...]
             chosen[step.id] = found[:left]
             left -= len(chosen[step.id])
     return steps, chosen
+
+
+def _ranked(steps: tuple[Step, ...]) -> list[Step]:
+    """What matters most first, and one step of each kind before a second one of a kind."""
+    again = {s.id: sum(other.rule == s.rule for other in steps[:place]) for place, s in enumerate(steps)}
+    return sorted(steps, key=lambda s: (again[s.id], -WEIGHTS.get(s.rule, 0)))
 
 
 def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
@@ -120,10 +133,10 @@ def _anticipated(bench: Bench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
 
 
 def _lines(
-    setting: Setting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
+    bench: Bench, setting: Setting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
 ) -> Iterator[Block]:
     for step in steps:
-        why = sentence(step, setting.said) if reasons else ()
+        why = sentence(bench, step, setting.said) if reasons else ()
         if why:
             yield Paragraph(why)
         yield Display(statements[step.id], numbered=False)

@@ -59,12 +59,12 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
         anticipated=tuple(_anticipated(bench, setting, target, measure, found)),
         follows=tuple(_follows(bench, setting, target)),
     )
-    prompt = spoken(setting.said, f"ask.number.{target.kind}", **{**target.slots, "left": left})
-    is_placed = setting.scenery.coordinate in t.names(formula)
+    place = where_text(setting) if setting.scenery.coordinate in t.names(formula) else ()
+    prompt = spoken(setting.said, f"ask.number.{target.kind}", **{**target.slots, "left": left, "place": place})
     return Item(
         setting.id,
         "number",
-        (Paragraph((*prompt, *(where_text(setting) if is_placed else ()))),),
+        (Paragraph(prompt),),
         key,
         bench.asked(target),
         wish.points if wish.points is not None else Fraction(3),
@@ -84,8 +84,15 @@ def _anticipated(bench: Bench, setting: Setting, target: Target, right: Measure,
             continue
         if all(apart(measure, other) for other in kept):
             kept.append(measure)
-            formula = shown(distractor.along, bench.study)
-            yield Anticipated(distractor.slip, target.reading.node(formula) if target.reading else formula, measure)
+            formula = bench.once(
+                ("along", target.id, distractor.formula), lambda d=distractor: _formula(bench, target, d)
+            )
+            yield Anticipated(distractor.slip, formula, measure)
+
+
+def _formula(bench: Bench, target: Target, distractor: Distractor) -> t.Node:
+    formula = shown(distractor.along, bench.study)
+    return target.reading.node(formula) if target.reading else formula
 
 
 def _follows(bench: Bench, setting: Setting, target: Target) -> Iterator[FollowOn]:
@@ -99,7 +106,16 @@ def _follows(bench: Bench, setting: Setting, target: Target) -> Iterator[FollowO
         if item.kind == "number" and item.asked.problem == bench.name and item.asked.quantity.startswith("speed."):
             name = f"{item.asked.quantity[6:]}_dot"
             if name in names_in(value) and is_even(value, name):
-                yield FollowOn(item.id, name, shown(value, bench.study))
+                yield FollowOn(item.id, name, bench.once(("follow", target.id), lambda: shown(value, bench.study)))
+
+
+def _in_the_state(bench: Bench, target: Target) -> Scalar | None:
+    """The value in terms of the speeds too; None where the number is read off it."""
+    if target.reading is not None:
+        return None
+    if target.kind == "reaction":
+        return bench.study.dynamics.reactions.get(target.id.removeprefix("reaction."))
+    return target.value(bench.study)
 
 
 def is_even(value: Scalar, name: str) -> bool:

@@ -112,10 +112,14 @@ def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], sig
         key,
         Asked(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole"),
         points,
-        solution=(diagrams(bench, setting.said, with_forces=True), *_reasons(bench, setting.said)),
+        solution=bench.once(("signs", setting.language), lambda: _solution(bench, setting.said)),
         level=wish.level,
         space=Fraction(0),
     )
+
+
+def _solution(bench: Bench, said: Words) -> tuple[Block, ...]:
+    return (diagrams(bench, said, with_forces=True), *_reasons(bench, said))
 
 
 def _label(bench: Bench, row: Row, said: Words):
@@ -129,6 +133,10 @@ def _label(bench: Bench, row: Row, said: Words):
 
 def diagrams(bench: Bench, said: Words, *, with_forces: bool) -> FigureBlock:
     """Each body alone, with its forces or without them (for the student to draw)."""
+    return bench.once(("diagrams", said.language, with_forces), lambda: _diagrams(bench, said, with_forces))
+
+
+def _diagrams(bench: Bench, said: Words, with_forces: bool) -> FigureBlock:
     sketch = sketch_of(bench.derivation)
     drawn = sketch if with_forces else replace(sketch, forces=(), couples=())
     names = [body.name for body in sketch.bodies]

@@ -1,0 +1,265 @@
+"""From a worksheet file or a problem to papers: the plan works all out once, then each student's variant is quick.
+
+    plan = plan_of("rod-and-disk...")                 # a worksheet, a problem, or a file of one
+    sheet = plan.worksheet(Student("ana", "Ana"), secret="...")
+
+The variant of a student comes from SHA-256(secret, worksheet, student) and from nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from pathlib import Path
+
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.model import Block, Paragraph, words
+from rbpsym.document.words import Words
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.glyphs import Notation, notation_for
+from rbpsym.statement.library import find_problem, problem_files
+from rbpsym.statement.loader import load_problem, load_table
+from rbpsym.statement.model import Problem
+from rbpsym.teaching import codes
+from rbpsym.teaching.bench import Bench, Prepared, Setting, evaluator, generic_state
+from rbpsym.teaching.distractors import pool
+from rbpsym.teaching.draws import Draws
+from rbpsym.teaching.model import Item, Part, Student, Worksheet
+from rbpsym.teaching.papers.statement import given_table, statement_blocks
+from rbpsym.teaching.ranges import Range
+from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of, worksheet_files
+from rbpsym.teaching.situations import Scenery, Situation, scenery
+from rbpsym.teaching.standard_sheet import bare_sheet, standard_sheet
+from rbpsym.teaching.targets import targets
+from rbpsym.teaching.tasks.registry import TASKS
+from rbpsym.teaching.tasks.wish import Wish
+from rbpsym.teaching.wording import languages
+
+SPARE = 2  # tasks that are prepared beyond the number wanted, to draw from
+
+
+@dataclass(frozen=True)
+class PlannedPart:
+    """One problem of a plan: its bench, its numbers, and the prepared tasks of each wish."""
+
+    bench: Bench
+    scenery: Scenery
+    wishes: tuple[tuple[Wish, tuple[Prepared, ...]], ...]
+    evaluate: Callable = field(compare=False, repr=False)
+    statements: dict[str, tuple[Block, ...]] = field(default_factory=dict, compare=False, repr=False)
+
+    def tasks(self, draws: Draws) -> list[tuple[int, int]]:
+        """(wish, task) for each item of a student: as many as wished, drawn from what was prepared."""
+        found = []
+        for place, (wish, prepared) in enumerate(self.wishes):
+            order = range(len(prepared))
+            picked = sorted(draws.shuffled(order)[: wish.number]) if len(prepared) > wish.number else order
+            found += [(place, task) for task in picked]
+        return found
+
+    def statement(self, said: Words) -> tuple[Block, ...]:
+        """The statement in a language, the same for all students."""
+        if said.language not in self.statements:
+            self.statements[said.language] = statement_blocks(self.bench.derivation, said)
+        return self.statements[said.language]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A worksheet with everything worked out that does not depend on the student."""
+
+    sheet: Sheet
+    parts: tuple[PlannedPart, ...]
+
+    @property
+    def fingerprint(self) -> str:
+        """Stands for the text of the worksheet and its problems: a form code holds for this text only."""
+        return sha256(self.sheet.text.encode()).hexdigest()
+
+    @property
+    def notation(self) -> Notation:
+        """How the names of all its problems are printed."""
+        problems = [part.bench.study.problem for part in self.parts]
+        names = {q.name for p in problems for q in (*p.parameters, *(c.quantity for c in p.coordinates))}
+        return notation_for(names, {name: glyph for p in problems for name, glyph in p.notation.items()})
+
+    def worksheet(self, student: Student | None = None, secret: str = "", language: str = "") -> Worksheet:
+        """The paper of a student (of nobody in particular if None), with its key."""
+        seed = codes.seed_of(secret, self.sheet.name, "" if student is None else student.id)
+        return self._made(codes.FormCode(self.sheet.name, self._language(language), seed), student, secret)
+
+    def from_code(self, text: str, secret: str = "", student: Student | None = None) -> Worksheet:
+        """The paper with this form code. Raises RbpsymError if the code does not fit."""
+        code = codes.read(text, secret, self.fingerprint)
+        if code.worksheet != self.sheet.name:
+            raise RbpsymError(
+                f"the form code is of the worksheet “{code.worksheet}”, not of “{self.sheet.name}”",
+                instead=f"give the file of “{code.worksheet}”.",
+            )
+        return self._made(code, student, secret)
+
+    def _language(self, language: str) -> str:
+        found = language or self.sheet.language
+        if found not in languages():
+            raise RbpsymError(f"there are no worksheets in “{found}”", instead=f"languages: {', '.join(languages())}.")
+        return found
+
+    def _made(self, code: codes.FormCode, student: Student | None, secret: str) -> Worksheet:
+        said = Words(code.language)
+        parts: list[Part] = []
+        for place, part in enumerate(self.parts):
+            before = tuple(item for made in parts for item in made.items)
+            parts.append(_part(part, place, code, before))
+        introduction = said.title(self.sheet.introduction) if self.sheet.introduction else ""
+        return Worksheet(
+            self.sheet.name,
+            words(said.title(self.sheet.title)),
+            code.language,
+            codes.written(code, secret, self.fingerprint),
+            tuple(parts),
+            {part.bench.name: part.bench.study.problem for part in self.parts},
+            self.notation,
+            student,
+            (Paragraph(words(introduction)),) if introduction else (),
+        )
+
+    @property
+    def derivations(self) -> Mapping[str, Derivation]:
+        """The derivations of its problems by name, for solutions."""
+        return {part.bench.name: part.bench.derivation for part in self.parts}
+
+
+def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Item, ...]) -> Part:
+    """The first numbers at which every item can be made."""
+    seed, problem = code.seed.to_bytes(8, "big"), part.bench.study.problem
+    said = Words(code.language, problem, f"{problem.name}.")
+    chosen = part.tasks(Draws(seed, f"tasks {place}"))
+    for trial, situation in enumerate(part.scenery.situations(Draws(seed, f"numbers {place}"))):
+        items = _items(part, chosen, situation, said, Draws(seed, f"items {place} {trial}"), before)
+        if items is not None:
+            table = given_table(part.bench.derivation, situation, said)
+            title = words(said.title(problem.title))
+            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items)
+    raise AssertionError("situations end with an error")
+
+
+def _items(
+    part: PlannedPart, chosen, situation: Situation, said: Words, draws: Draws, before
+) -> tuple[Item, ...] | None:
+    values = part.evaluate({**generic_state(part.bench), **situation.numbers})
+    found: list[Item] = []
+    for wish, task in chosen:
+        prepared = part.wishes[wish][1][task]
+        own = values[_place(part, wish, task)]
+        id = str(len(before) + len(found) + 1)
+        item = prepared.make(Setting(said, situation, part.scenery, draws, id, own, (*before, *found)))
+        if item is None:
+            return None
+        found.append(item)
+    return tuple(found)
+
+
+def _place(part: PlannedPart, wish: int, task: int) -> int:
+    """Where the values of a task stand among those of all tasks."""
+    return sum(len(prepared) for _, prepared in part.wishes[:wish]) + task
+
+
+# --- making a plan
+
+
+def plan_of(source: str | Path | Problem | Sheet, progress: Callable[[], None] | None = None) -> Plan:
+    """The plan of a worksheet or of a problem: a name that ships, a file, a `Problem` or a `Sheet`.
+
+    `progress` is called after each problem. Raises RbpsymError with the place of what is wrong.
+    """
+    sheet = source if isinstance(source, Sheet) else _sheet(source)
+    parts = []
+    for part in sheet.parts:
+        bench = bench_of(part.problem, part.numbers)
+        sight = _scenery(bench, part.wishes)
+        if not part.wishes:
+            sheet = standard_sheet(bench, sight)
+            part = sheet.parts[0]
+        parts.append(_planned(bench, sight, part))
+        if progress is not None:
+            progress()
+    return Plan(sheet, tuple(parts))
+
+
+def _sheet(source: str | Path | Problem) -> Sheet:
+    if isinstance(source, Problem):
+        return bare_sheet(source)
+    name = str(source)
+    if name in worksheet_files():
+        path = worksheet_files()[name]
+    elif name in problem_files() or not Path(name).is_file():
+        return bare_sheet(load_problem(_found(name)))
+    else:
+        path = Path(name)
+    table = load_table(path)
+    return sheet_of(table, path.stem, path.parent) if is_sheet(table) else bare_sheet(load_problem(path))
+
+
+def _found(name: str) -> Path:
+    """A problem of the library; the hint of the error names worksheets too."""
+    from rbpsym.errors import Place, ReadError
+    from rbpsym.statement.source import did_you_mean
+
+    try:
+        return find_problem(name)
+    except ReadError:
+        known = [*worksheet_files(), *problem_files()]
+        raise ReadError(
+            f"there is no worksheet, no problem and no file “{name}”",
+            instead=did_you_mean(name, known, "worksheets and problems that ship"),
+            place=Place(name),
+        ) from None
+
+
+def bench_of(problem: Problem, numbers: Mapping[str, Range] | None = None) -> Bench:
+    """A problem derived, with its targets and its wrong studies."""
+    from rbpsym.derive import derive
+
+    derivation = derive(problem, simulation=False)
+    return Bench(derivation, {x.id: x for x in targets(derivation)}, pool(derivation), dict(numbers or {}))
+
+
+def _scenery(bench: Bench, wishes: tuple[Wish, ...]) -> Scenery:
+    """An oscillation is timed if a frequency may be asked for."""
+    is_timed = not wishes or any(not w.about or any(a.startswith(("frequency", "*")) for a in w.about) for w in wishes)
+    return scenery(bench.study, bench.wishes, is_timed)
+
+
+def _planned(bench: Bench, sight: Scenery, part: SheetPart) -> PlannedPart:
+    prepared, used = [], set()
+    for wish in part.wishes:
+        found = _prepared(bench, sight, wish, used)
+        if len(found) < wish.number:
+            raise wish.error(
+                f"“{bench.name}” has only {len(found)} such tasks, {wish.number} are wanted",
+                f"write number = {len(found)}, or widen “about”." if found else "ask for another kind of task.",
+            )
+        used |= {f"{task.kind} {task.target.id}" for task in found[: wish.number] if task.target}
+        prepared.append((wish, tuple(found)))
+    return PlannedPart(bench, sight, tuple(prepared), evaluator(task for _, tasks in prepared for task in tasks))
+
+
+def _prepared(bench: Bench, sight: Scenery, wish: Wish, used: set[str]) -> list[Prepared]:
+    """As many as wished and some to spare; what was asked so already comes last."""
+    fresh, again = [], []
+    for task in _made(bench, sight, wish):
+        (again if task.target and f"{task.kind} {task.target.id}" in used else fresh).append(task)
+        if len(fresh) >= wish.number + SPARE:
+            break
+    found = fresh if len(fresh) >= wish.number else [*fresh, *again]
+    return found if _may_vary(wish) else found[: wish.number]
+
+
+def _made(bench: Bench, sight: Scenery, wish: Wish) -> Iterator[Prepared]:
+    return TASKS[wish.kind](bench, sight, wish)
+
+
+def _may_vary(wish: Wish) -> bool:
+    """Whether a wish leaves open which quantity is asked."""
+    return len(wish.about) != 1 or any(mark in wish.about[0] for mark in "*?[")
