@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
@@ -14,22 +14,41 @@ from rbpsym.statement.loader import load_problem
 
 
 def derive_course(
-    course: Course, *, simulation: bool = True, progress: Callable[[str], None] = lambda name: None
+    course: Course,
+    *,
+    simulation: bool = True,
+    progress: Callable[[str], None] = lambda name: None,
+    derived: Callable[[Path], Derivation] | None = None,
 ) -> DerivedCourse:
-    """Derives all that a course needs; `progress` is told what comes next."""
+    """Derives all that a course needs; `progress` is told what comes next.
+
+    `derived` gives the derivation of a problem file, if not every one is to be made anew.
+    """
     derivations: dict[str, Derivation] = {}
+    made = derived or (lambda path: derive(load_problem(path), simulation=simulation))
 
     def problem(name: str) -> Derivation:
         if name not in derivations:
             progress(name)
-            derivations[name] = derive(load_problem(_path(name, course)), simulation=simulation)
+            derivations[name] = made(_path(name, course))
         return derivations[name]
 
-    for part in course.parts:
-        for name in filter(None, (part.name if part.kind == "problem" else "", part.first, part.second)):
-            problem(name)
+    for name in _problem_names(course):
+        problem(name)
     lessons = {part: LESSONS[part.kind](part, problem) for part in course.parts if part.kind in LESSONS}
     return DerivedCourse(course, derivations, lessons)
+
+
+def _problem_names(course: Course) -> Iterator[str]:
+    """Names of the problems that a course needs, some of them more than once."""
+    for part in course.parts:
+        yield from filter(None, (part.name if part.kind == "problem" else "", part.first, part.second))
+
+
+def sources(course: Course) -> list[Path]:
+    """The files that a course is made of."""
+    own = [Path(course.file)] if course.file else []
+    return own + [_path(name, course) for name in dict.fromkeys(_problem_names(course))]
 
 
 def _path(name: str, course: Course) -> Path:

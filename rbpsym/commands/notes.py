@@ -1,19 +1,39 @@
-"""`rbpsym notes`: lecture notes of a problem or a course, in one or several formats."""
+"""`rbpsym notes`: lecture notes of a problem, a course or the whole library, in one or several formats."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import Listed, detail_option, name_argument, output_option
+from rbpsym.commands.arguments import Listed, ShelfName, detail_option, output_option
+
+if TYPE_CHECKING:
+    from rbpsym.commands.warm import Kept
+    from rbpsym.document.model import Document
 
 FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
 ENGINES = ("typst", "pdflatex")
 
 
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What is to be written: formats, language, level of detail, whether plots and the simulation are wanted."""
+
+    formats: tuple[str, ...]
+    engine: str
+    language: str
+    detail: str
+    simulation: bool
+    plots: bool
+    output: Path
+
+
 @click.command("notes")
-@name_argument
+@click.argument("name", metavar="NAME|FILE", type=ShelfName(), required=False)
+@click.option("--all", "is_all", is_flag=True, help="The whole library: a book and a site.")
 @click.option(
     "--format",
     "formats",
@@ -25,10 +45,21 @@ ENGINES = ("typst", "pdflatex")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
 @detail_option
-@click.option("--simulation/--no-simulation", default=True, show_default=True, help="Run the numerical oracle too.")
+@click.option("--plots/--no-plots", default=True, show_default=True, help="Works, energies, speeds, forces, motion.")
+@click.option("--simulation/--no-simulation", default=None, help="Run the numerical oracle too (not by --watch).")
+@click.option("--watch", "is_watched", is_flag=True, help="Write again at each change, until Ctrl-C.")
 @output_option(".", "Folder of the files.")
 def command(
-    name: str, formats: tuple[str, ...], engine: str, lang: str, detail: str, simulation: bool, output: Path
+    name: str | None,
+    is_all: bool,
+    formats: tuple[str, ...],
+    engine: str,
+    lang: str,
+    detail: str,
+    plots: bool,
+    simulation: bool | None,
+    is_watched: bool,
+    output: Path,
 ) -> int:
     """Write lecture notes of a problem or a course: every step derived, with its reason.
 
@@ -39,33 +70,72 @@ def command(
       rbpsym notes my-problem.toml --format tex,html --detail full
       rbpsym notes paper --engine pdflatex
       rbpsym notes sliding-ladder --format beamer,ipynb,docx
+      rbpsym notes my-problem.toml --watch
+      rbpsym notes --all -o library
 
     The files are called as the problem or course, slides NAME-slides; the drawings of Markdown lie
     beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]'.
+    With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
+    simulated = simulation if simulation is not None else not is_watched
+    wish = Wish(formats, engine, lang, detail, simulated, plots, output)
+    if is_all:
+        return _library(name, is_watched, wish)
+    if name is None:
+        raise click.UsageError("say which problem or course: rbpsym notes NAME; “rbpsym list” names them.")
     from rbpsym.commands.shelf import found
 
     kind, path = found(name)
-    document, fine = {"course": _course, "problem": _problem}[kind](path, lang, detail, simulation)
-    for file in _written(document, path.stem, formats, engine, output):
+    return _watched(kind, path, wish) if is_watched else _once(kind, path, wish)
+
+
+def _once(kind: str, path: Path, wish: Wish) -> int:
+    """Write, tell the files; 1 if not all is proved."""
+    from rbpsym.commands.warm import Kept
+
+    document, fine = DOCUMENTS[kind](path, wish, Kept(wish.simulation))
+    for file in _written(document, path.stem, wish):
         click.echo(str(file))
     return 0 if fine else 1
 
 
-def _problem(path: Path, lang: str, detail: str, simulation: bool):
+def _watched(kind: str, path: Path, wish: Wish) -> int:
+    """Write again at each change."""
+    from rbpsym.commands.warm import Kept
+    from rbpsym.commands.watching import watch
+
+    kept = Kept(wish.simulation)
+    return watch(
+        lambda: _written(DOCUMENTS[kind](path, wish, kept)[0], path.stem, wish),
+        lambda: _sources(kind, path),
+        lambda: False,
+    )
+
+
+def _sources(kind: str, path: Path) -> list[Path]:
+    """The files that the notes are made of; the file alone while it can't be read."""
+    from rbpsym.courses import sources
+    from rbpsym.errors import RbpsymError
+    from rbpsym.statement.course import load_course
+
+    try:
+        return [path, *sources(load_course(path))] if kind == "course" else [path]
+    except (RbpsymError, OSError):
+        return [path]
+
+
+def _problem(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
     """The document of a problem, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.solve import exit_code
-    from rbpsym.derive import derive
     from rbpsym.document.notes import notes
-    from rbpsym.statement.loader import load_problem
 
     with Progress(f"deriving {path.stem}"):
-        derivation = derive(load_problem(path), simulation=simulation)
-        return notes(derivation, lang, detail), exit_code(derivation.summary()) == 0
+        derivation = kept.derivation(path)
+        return notes(derivation, wish.language, wish.detail), exit_code(derivation.summary()) == 0
 
 
-def _course(path: Path, lang: str, detail: str, simulation: bool):
+def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
     """The document of a course, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.solve import exit_code
@@ -75,17 +145,29 @@ def _course(path: Path, lang: str, detail: str, simulation: bool):
 
     course = load_course(path)
     with Progress(f"deriving {path.stem}", len(course.parts)) as progress:
-        derived = derive_course(course, simulation=simulation, progress=progress.step)
-        document = course_notes(derived, lang, detail)
+        derived = derive_course(course, progress=progress.step, derived=kept.derivation)
+        document = course_notes(derived, wish.language, wish.detail)
     steps = [step for lesson in derived.lessons.values() for step in lesson.steps]
     fine = all(step.certificate.verdict.is_proved for step in steps)
     return document, fine and all(exit_code(d.summary()) == 0 for d in derived.derivations.values())
 
 
-def _written(document, stem: str, formats: tuple[str, ...], engine: str, output: Path) -> list[Path]:
+DOCUMENTS = {"problem": _problem, "course": _course}
+
+
+def _library(name: str | None, is_watched: bool, wish: Wish) -> int:
+    """The book and the site."""
+    if name is not None or is_watched:
+        raise click.UsageError("--all writes the whole library: it takes no name and no --watch.")
+    from rbpsym.commands.library_notes import write_library
+
+    return write_library(wish)
+
+
+def _written(document: Document, stem: str, wish: Wish) -> list[Path]:
     """All formats are made before the first file is written."""
     from rbpsym.document.files import write_all
     from rbpsym.document.writers import files
 
-    made = {name: content for f in formats for name, content in files(document, f, stem, engine).items()}
-    return write_all(output, made)
+    made = {name: content for f in wish.formats for name, content in files(document, f, stem, wish.engine).items()}
+    return write_all(wish.output, made)

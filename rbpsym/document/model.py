@@ -141,13 +141,17 @@ Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A section (level 1), subsection (2) or unnumbered heading (3)."""
+    """A part (level 0, unnumbered), section (1), subsection (2) or unnumbered heading (3).
+
+    `notation` is that of the document if None.
+    """
 
     title: Inlines
     blocks: tuple[Block, ...]
     label: str = ""
     level: int = 1
     number: str = ""
+    notation: Notation | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +168,10 @@ class Live:
 
 @dataclass(frozen=True, slots=True)
 class Document(Shown):
-    """A whole text. `notation` is handed to the formula printers as it is."""
+    """A whole text. `notation` is handed to the formula printers as it is.
+
+    A book begins with its contents, and numbers equations, figures and tables by section: (3.12).
+    """
 
     title: Inlines
     sections: tuple[Section, ...]
@@ -173,3 +180,4 @@ class Document(Shown):
     language: str = "en"
     notation: Notation = DEFAULT
     live: tuple[Live, ...] = ()
+    is_book: bool = False

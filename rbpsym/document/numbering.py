@@ -18,19 +18,28 @@ from rbpsym.document.model import (
 )
 from rbpsym.notation.tree import Node
 
+WITHIN = ("equation", "figure", "table")
+
 
 class Counters:
     """How many equations, figures, tables and sections have been numbered so far."""
 
-    def __init__(self) -> None:
+    def __init__(self, by_section: bool = False) -> None:
+        self.by_section = by_section
         self.counts: Counter[str] = Counter()
         self.marks: dict[str, str] = {}
         self.targets: dict[str, str] = {}
 
     def next(self, kind: str) -> str:
-        """The next number of a kind."""
+        """The next number of a kind; in a book after that of its section."""
         self.counts[kind] += 1
-        return str(self.counts[kind])
+        inside = self.by_section and kind in WITHIN
+        return f"{self.counts['level 1']}.{self.counts[kind]}" if inside else str(self.counts[kind])
+
+    def begin_section(self) -> None:
+        """What is numbered within a section begins with 1 again."""
+        for kind in ("level 2", *(WITHIN if self.by_section else ())):
+            self.counts[kind] = 0
 
     def label(self, label: str, mark: str) -> None:
         """Remember what a reference to `label` prints."""
@@ -90,11 +99,11 @@ def number_blocks(blocks: tuple, counters: Counters) -> tuple:
 
 def section_number(level: int, counters: Counters) -> str:
     """ "3" for a section, "3.2" for a subsection, "" below."""
-    if level > 2:
+    if level not in (1, 2):
         return ""
     own = counters.next(f"level {level}")
     if level == 1:
-        counters.counts["level 2"] = 0
+        counters.begin_section()
         return own
     return f"{counters.counts['level 1']}.{own}"
 
@@ -127,7 +136,7 @@ def resolve_ref(ref: Ref, counters: Counters) -> Ref:
 
 def numbered(document: Document) -> Document:
     """The document with all numbers given and all references resolved."""
-    counters = Counters()
+    counters = Counters(document.is_book)
     sections = tuple(number_section(section, counters) for section in document.sections)
     return resolve(replace(document, sections=sections), counters)
 

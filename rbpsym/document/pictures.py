@@ -24,25 +24,31 @@ class Picture:
     height: float = 0.0
 
 
-def figures_of(document: Document) -> tuple[FigureBlock, ...]:
-    """The figures of a numbered document that show something."""
-    return tuple(part for part in parts(document.sections) if isinstance(part, FigureBlock) and part.scenes)
+def figures_of(document: Document) -> list[tuple[FigureBlock, Notation]]:
+    """The figures of a numbered document that show something, with the notation of their section."""
+    return [
+        (part, section.notation or document.notation)
+        for section in document.sections
+        for part in parts(section.blocks)
+        if isinstance(part, FigureBlock) and part.scenes
+    ]
 
 
 def pictures(document: Document, kind: str = "png", resolution: float = RESOLUTION) -> dict[str, Picture]:
     """The figures of a numbered document by number; `kind` is "png" or "svg"."""
     figures = figures_of(document)
-    drawn = drawings(tuple(figure.scenes for figure in figures), document.notation, kind, resolution)
-    return {f.number: picture(f.number, content, kind, resolution) for f, content in zip(figures, drawn, strict=True)}
+    drawn = drawings([(figure.scenes, notation) for figure, notation in figures], kind, resolution)
+    numbers = (figure.number for figure, _ in figures)
+    return {n: picture(n, content, kind, resolution) for n, content in zip(numbers, drawn, strict=True)}
 
 
-def drawings(scenes: Sequence[tuple], notation: Notation, kind: str, resolution: float) -> list[bytes]:
+def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: float) -> list[bytes]:
     """Each group of scenes side by side, all of them drawn in one run."""
     if not scenes:
         return []
     import typst
 
-    groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group in scenes]
+    groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group, notation in scenes]
     source = shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups))
     found = typst.compile(source.encode(), format=kind, ppi=resolution)
     return found if isinstance(found, list) else [found]

@@ -34,8 +34,8 @@ from rbpsym.document.writers.plain_text import plain_text
 COLUMN = 34.0
 
 
-def write_html(document: Document) -> str:
-    """The document as one HTML file."""
+def write_html(document: Document, home: str = "") -> str:
+    """The document as one HTML file; `home` is the address of the page that it belongs to."""
     document = numbered(document)
     page = page_for(document, HTML, COLUMN)
     return shell(
@@ -46,6 +46,8 @@ def write_html(document: Document) -> str:
         subtitle=Markup(page.inlines(document.subtitle)),
         source=Markup(page.inlines(document.source)),
         language=document.language,
+        home=home,
+        home_name=page.word("library.home"),
         contents=page.word("block.contents"),
         sections=[contents_entry(part, page) for part in document.sections if part.level == 1],
         style=Markup(style()),
@@ -82,7 +84,7 @@ def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
     if not part.title:
         return page.blocks(part.blocks, "\n")
-    rank = min(part.level, 3) + 1
+    rank = min(max(part.level, 1), 3) + 1
     number = f'<span class="section-number">{escape(part.number)}</span> ' if part.number else ""
     name = identity(section_id(part) if part.number else part.label)
     heading = f"<h{rank}{name}>{number}{page.inlines(part.title)}</h{rank}>"
@@ -110,7 +112,7 @@ def display(block: Display, page: Page) -> str:
 
 
 def shrinking(block: Display, page: Page) -> str:
-    """How much room the widest piece takes that does not fold, if a phone has less: it is set smaller there, and scrolls by keyboard."""
+    """How wide the widest piece is that does not fold, if a phone has less room: it is set smaller there and scrolls."""
     widest = widest_piece(block, page)
     return f' tabindex="0" style="--wide:{widest:.1f}"' if widest > PHONE else ""
 

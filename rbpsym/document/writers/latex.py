@@ -40,6 +40,7 @@ def write_latex(document: Document) -> str:
         plain_title=latex_text(plain_text(document.title, document.notation)),
         subtitle=page.inlines(document.subtitle),
         source=page.inlines(document.source),
+        is_book=document.is_book,
         language=BABEL.get(document.language, document.language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
         body=body(document, page),
@@ -47,7 +48,7 @@ def write_latex(document: Document) -> str:
 
 
 BABEL = {"en": "english", "es": "spanish"}
-HEADINGS = {1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
+HEADINGS = {0: r"\part*", 1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
 
 
 def section(part: Section, page: Page) -> str:

@@ -11,6 +11,7 @@ from rbpsym.document.model import Block, Callout, Display, Document, FigureBlock
 from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers.markdown import MarkdownPage, head, markdown_page
+from rbpsym.document.writers.page import page_of
 from rbpsym.document.writers.plain_text import plain_text
 
 SCREEN = 110.0  # dots an inch
@@ -62,7 +63,7 @@ def cells_of(document: Document, page: MarkdownPage, drawn: dict[str, bytes]) ->
     for section in document.sections:
         live = owner(section, document.live)
         begins = live in waiting
-        heading, *rest = section_cells(section, live, page, drawn)
+        heading, *rest = section_cells(section, live, page_of(section, page), drawn)
         yield heading
         if begins:
             waiting.remove(live)

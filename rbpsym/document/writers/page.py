@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from rbpsym.document.model import (
@@ -66,7 +66,12 @@ def page_for(document: Document, table: Mapping[type, Print], column: float) -> 
 
 def body(document: Document, page: Page) -> str:
     """All sections."""
-    return "\n\n".join(page.table[Section](section, page) for section in document.sections)
+    return "\n\n".join(page.table[Section](section, page_of(section, page)) for section in document.sections)
+
+
+def page_of(section: Section, page: Page) -> Page:
+    """The page with the notation of a section."""
+    return page if section.notation is None else replace(page, notation=section.notation)
 
 
 @cache

@@ -24,7 +24,7 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import BABEL, LATEX, anchor, blocks
-from rbpsym.document.writers.page import Page, page_for, shell
+from rbpsym.document.writers.page import Page, page_for, page_of, shell
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.latex import PREAMBLE
@@ -48,9 +48,10 @@ def write_slides(document: Document) -> str:
         source=page.inlines(document.source),
         language=BABEL.get(document.language, document.language),
         contents=latex_text(page.word("block.contents")),
+        is_book=document.is_book,
         columns=2 if len(tops) > 9 else 1,
         styles=f"{PREAMBLE}\n{tikz_styles()}",
-        body="\n\n".join(section(part, page) for part in document.sections),
+        body="\n\n".join(section(part, page_of(part, page)) for part in document.sections),
     )
 
 
@@ -64,7 +65,7 @@ def slides_files(document: Document, stem: str) -> dict[str, str | bytes]:
 def section(part: Section, page: Page) -> str:
     """The frames of a section; one without text of its own is a frame with its title."""
     title = page.inlines(part.title)
-    command = {1: r"\section", 2: r"\subsection"}.get(part.level)
+    command = {0: r"\part", 1: r"\section", 2: r"\subsection"}.get(part.level)
     heading = f"{command}{{{title}}}{anchor(part.label)}\n" if command else ""
     if not part.blocks:
         return f"{heading}\\partframe{{{title}}}"

@@ -43,6 +43,8 @@ def write_typst(document: Document) -> str:
         subtitle=page.inlines(document.subtitle),
         source=page.inlines(document.source),
         language=document.language,
+        is_book=document.is_book,
+        contents=typst_string(page.word("block.contents")),
         body=body(document, page),
     )
 

@@ -66,7 +66,7 @@ def head(document: Document, page: Page) -> str:
 def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
     number = text_run(f"{part.number}\u2002") if part.number else ""
-    heading = paragraph(number + page.inlines(part.title), f"Heading{min(part.level, 3)}", part.label)
+    heading = paragraph(number + page.inlines(part.title), f"Heading{min(max(part.level, 1), 3)}", part.label)
     return heading + page.blocks(part.blocks, "")
 
 

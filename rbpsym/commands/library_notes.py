@@ -1,0 +1,98 @@
+"""The whole library: a book in each format, and a site with a page for each problem and course."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import click
+
+from rbpsym.commands.listing import place
+from rbpsym.commands.shelf import Entry, shelf
+from rbpsym.commands.warm import Kept
+from rbpsym.errors import RbpsymError
+
+if TYPE_CHECKING:
+    from rbpsym.commands.notes import Wish
+    from rbpsym.document.book import Chapter
+
+STEM = "library"
+
+
+def write_library(wish: Wish) -> int:
+    """Writes all; tells the files. 1 if a problem can't be derived or not all of it is proved."""
+    from rbpsym.document.files import write_all
+
+    kept = Kept(wish.simulation)
+    problems, failed = derived(wish, kept)
+    made = dict(book_files(problems, wish))
+    if "html" in wish.formats:
+        made |= site_files(problems, wish, kept)
+    for file in write_all(wish.output, made):
+        click.echo(str(file))
+    for error in failed:
+        click.echo(error, err=True)
+    return 0 if not failed and all(is_fine(chapter) for chapter in problems) else 1
+
+
+def derived(wish: Wish, kept: Kept) -> tuple[list[Chapter], list[str]]:
+    """The problems by topic and from easy to hard, and the sentences of those that can't be derived."""
+    from rbpsym.commands.progress import Progress
+    from rbpsym.document.book import Chapter
+
+    entries = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
+    found, failed = [], []
+    with Progress("deriving", len(entries)) as progress:
+        for entry in entries:
+            progress.step(entry.name)
+            try:
+                found.append(Chapter(entry.name, entry.topic(wish.language), kept.derivation(entry.path)))
+            except RbpsymError as error:
+                failed.append(f"{entry.name} is left out: {error}")
+    return found, failed
+
+
+def is_fine(chapter: Chapter) -> bool:
+    """Is all of a problem proved?"""
+    from rbpsym.commands.solve import exit_code
+
+    return exit_code(chapter.derivation.summary()) == 0
+
+
+def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str | bytes]]:
+    """The book in all formats but HTML, which is the site."""
+    from rbpsym.document.book import book
+    from rbpsym.document.writers import files
+
+    document = book(problems, wish.language, wish.detail)
+    for name in wish.formats:
+        if name != "html":
+            yield from files(document, name, STEM, wish.engine).items()
+
+
+def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str | bytes]:
+    """The index page, and a page for each problem and course."""
+    from rbpsym.courses import derive_course
+    from rbpsym.document.notes import course_notes, notes
+    from rbpsym.document.site import Card, index_page, page, problem_card
+    from rbpsym.statement.course import load_course
+
+    courses: list[tuple[Card, str]] = []
+    for entry in (entry for entry in shelf() if entry.kind == "course"):
+        document = course_notes(derive_course(load_course(entry.path), derived=kept.derivation), wish.language)
+        courses.append((card(entry, wish.language), page(document)))
+    levels = {entry.name: entry.level(wish.language) for entry in shelf()}
+    cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
+    book = f"{STEM}.pdf" if "pdf" in wish.formats else ""
+    found: dict[str, str | bytes] = {"index.html": index_page([c for c, _ in courses], cards, wish.language, book)}
+    found |= {f"{card.name}.html": content for card, content in courses}
+    for chapter in problems:
+        found[f"{chapter.name}.html"] = page(notes(chapter.derivation, wish.language, wish.detail))
+    return found
+
+
+def card(entry: Entry, language: str):
+    """A course on the index page."""
+    from rbpsym.document.site import Card
+
+    return Card(entry.name, entry.title(language), "", entry.source)

@@ -1,0 +1,60 @@
+"""Files that are watched: something is done again each time one of them has changed."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+import click
+
+from rbpsym.errors import RbpsymError
+
+PAUSE = 0.08  # seconds between two looks
+
+Stamp = tuple[int, int]
+
+
+def stamps(paths: Iterable[Path]) -> dict[Path, Stamp | None]:
+    """When each file was written and its size; None if it is not there."""
+    return {path: stamp(path) for path in paths}
+
+
+def stamp(path: Path) -> Stamp | None:
+    """Time of writing and size."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
+
+
+def watch(write: Callable[[], list[Path]], sources: Callable[[], list[Path]], until: Callable[[], bool]) -> int:
+    """Writes, then again after each change of the sources, until told to stop (Ctrl-C stops it too).
+
+    Returns 0. An error of the input is told, and the next change waited for.
+    """
+    click.echo("watching; Ctrl-C ends it.", err=True)
+    try:
+        while True:
+            seen = stamps(sources())
+            told(write)
+            while stamps(sources()) == seen:
+                if until():
+                    return 0
+                time.sleep(PAUSE)
+    except KeyboardInterrupt:
+        click.echo("ended.", err=True)
+        return 0
+
+
+def told(write: Callable[[], list[Path]]) -> None:
+    """Write once; tell which files and how long it took, or what is wrong."""
+    begun = time.perf_counter()
+    try:
+        files = write()
+    except RbpsymError as error:
+        click.echo(str(error), err=True)
+        return
+    names = ", ".join(path.name for path in files)
+    click.echo(f"{time.strftime('%H:%M:%S')}  {names}  ({time.perf_counter() - begun:.2f} s)")

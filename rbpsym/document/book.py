@@ -1,0 +1,112 @@
+"""The whole library as a book: topics, problems, their chapters, and an index of what occurs in which problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.model import Document, Inlines, ItemList, Paragraph, Ref, Section, Text, words
+from rbpsym.document.notes import CHECKS, notation_of, problem_sections
+from rbpsym.document.notes_checks import checks_table
+from rbpsym.document.phrases import has_phrase, phrase
+from rbpsym.document.words import Words, capital
+from rbpsym.mechanics.study import Study
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A problem of the library: its name, topic and derivation."""
+
+    name: str
+    topic: str
+    derivation: Derivation
+
+    def title(self, language: str) -> str:
+        """The title of the problem."""
+        problem = self.derivation.study.problem
+        return Words(language, problem).title(problem.title) or self.name
+
+
+def book(chapters: Sequence[Chapter], language: str = "en", detail: str = "standard") -> Document:
+    """The chapters in their order as one document, with contents, the checks of all steps, and an index."""
+    sections: list[Section] = []
+    place = 0
+    for topic, group in groupby(chapters, key=lambda chapter: chapter.topic):
+        sections.append(Section(topic_words(topic, language), (), level=0))
+        for chapter in group:
+            place += 1
+            sections += chapter_sections(chapter, place, language, detail)
+    sections += [checks(chapters, language), index(chapters, language)]
+    return Document(
+        phrase("library.title", language),
+        tuple(sections),
+        phrase("library.subtitle", language),
+        language=language,
+        is_book=True,
+    )
+
+
+def topic_words(topic: str, language: str) -> Inlines:
+    """The heading of a topic."""
+    return capital(words(topic)) if topic else phrase("library.other", language)
+
+
+def chapter_sections(chapter: Chapter, place: int, language: str, detail: str) -> Iterator[Section]:
+    """A problem: its title, then its sections, all in its own notation."""
+    notation = notation_of(chapter.derivation)
+    yield Section(words(chapter.title(language)), (), label(place), 1, notation=notation)
+    for section in problem_sections(chapter.derivation, language, detail, f"p{place}.", 2, CHECKS):
+        yield Section(section.title, section.blocks, section.label, section.level, notation=notation)
+
+
+def label(place: int) -> str:
+    """The label of a problem by its place in the book."""
+    return f"p{place}.part"
+
+
+def checks(chapters: Sequence[Chapter], language: str) -> Section:
+    """In which ways the steps of all problems were checked."""
+    steps = [step for chapter in chapters for step in chapter.derivation.steps]
+    table = checks_table(steps, Words(language))
+    text = Paragraph(phrase("library.count", language, problems=len(chapters), steps=len(steps)))
+    return Section(phrase("section.checks", language), (text, table), "section.checks", 1)
+
+
+def index(chapters: Sequence[Chapter], language: str) -> Section:
+    """What occurs in which problem: shapes, forces, constraints and phenomena, each with links."""
+    found: dict[str, list[str]] = {}
+    for place, chapter in enumerate(chapters, 1):
+        for kind in subjects(chapter.derivation.study):
+            if has_phrase(f"index.{kind}", language):
+                found.setdefault(kind, []).append(label(place))
+    entries = [(phrase(f"index.{kind}", language), marks) for kind, marks in found.items()]
+    items = tuple((*term, *references(marks)) for term, marks in sorted(entries, key=lambda pair: pair[0][0].text))
+    blocks = (Paragraph(phrase("library.index_intro", language)), ItemList(items))
+    return Section(phrase("library.index", language), blocks, "section.index", 1)
+
+
+def references(labels: Sequence[str]) -> Inlines:
+    """Links with commas before them."""
+    return tuple(part for label in labels for part in (Text(", "), Ref(label)))
+
+
+def subjects(study: Study) -> set[str]:
+    """The kinds of bodies, forces and constraints of a problem, and what happens in it."""
+    problem = study.problem
+    elements = (*problem.interactions, *problem.constraints)
+    kinds = {body.shape.kind for body in problem.bodies} | {element.kind for element in elements}
+    kinds |= {impulse.kind for phase in problem.phases for impulse in phase.impulses}
+    slips = any(element.values.get("coefficient") is not None for element in elements)
+    return kinds | {name for name, holds in (*happenings(study).items(), ("slipping", slips)) if holds}
+
+
+def happenings(study: Study) -> Mapping[str, bool]:
+    """Phenomena by name, and whether they occur."""
+    return {
+        "loss": bool(study.losses),
+        "need": bool(study.friction_needs),
+        "oscillation": any(found.frequencies_squared and found.stable for found in study.equilibria),
+        "phases": bool(study.problem.phases),
+    }

@@ -1,0 +1,194 @@
+"""Notes that are written again at each change, and notes of the whole library."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import time
+from functools import cache
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from rbpsym.cli import main
+from rbpsym.commands import watching
+from rbpsym.commands.warm import Kept
+from rbpsym.courses import derive_course, sources
+from rbpsym.document.book import Chapter, book
+from rbpsym.document.model import Display, Ref
+from rbpsym.document.notes import notes
+from rbpsym.document.numbering import numbered, parts
+from rbpsym.document.site import index_page, page, problem_card
+from rbpsym.document.writers import writer
+from rbpsym.errors import RbpsymError
+from rbpsym.statement.course import load_course
+from rbpsym.statement.library import course_files, find_problem
+
+NAMES = ("sliding-ladder", "rod-and-disk-free", "ball-on-incline")
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return Path(shutil.copy(find_problem("sliding-ladder"), tmp_path / "mine.toml"))
+
+
+def edit(file: Path, old: str, new: str) -> None:
+    text = file.read_text(encoding="utf-8")
+    assert old in text
+    file.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_an_edit_of_words_derives_nothing_anew(file: Path) -> None:
+    kept = Kept(False)
+    before = kept.derivation(file)
+    edit(file, "mass of the ladder", "how heavy it is")
+    after = kept.derivation(file)
+    assert after.steps is before.steps
+    assert after.study.problem.parameters[0].meaning == "how heavy it is"
+    assert after.study.system.problem is after.study.problem
+    assert after.study.dynamics is before.study.dynamics
+    assert "how heavy it is" in writer("md")(notes(after))
+
+
+def test_an_edit_of_the_mechanics_derives_anew(file: Path) -> None:
+    kept = Kept(False)
+    before = kept.derivation(file)
+    edit(file, 'speed   = "0"', 'speed   = "-omega_0"')
+    edit(file, "[parameters]", '[parameters]\nomega_0 = "angular speed: at the start"')
+    after = kept.derivation(file)
+    assert [step.statement for step in after.steps] != [step.statement for step in before.steps]
+
+
+def test_an_edit_of_the_notation_restyles_the_kept_steps(file: Path) -> None:
+    kept = Kept(False)
+    before = kept.derivation(file)
+    edit(file, 'theta_dot  = "omega"', 'theta_dot  = "Omega"')
+    after = kept.derivation(file)
+    assert after.steps is before.steps
+    assert r"\Omega" in writer("md")(notes(after))
+
+
+def test_a_course_derives_only_the_problem_that_changed() -> None:
+    course, kept = load_course(course_files()["paper"]), Kept(False)
+    first = derive_course(course, derived=kept.derivation)
+    again = derive_course(course, derived=kept.derivation)
+    assert all(again.derivations[name].steps is found.steps for name, found in first.derivations.items())
+    assert set(map(Path.stem.fget, sources(course)[1:])) == set(first.derivations)
+
+
+def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsys, monkeypatch) -> None:
+    monkeypatch.setattr(watching, "PAUSE", 0.005)
+    edits = iter(
+        [("half the length", "half of it"), ("[parameters]", "[parametres]"), ("[parametres]", "[parameters]")]
+    )
+    kept, written = Kept(False), []
+
+    def write() -> list[Path]:
+        written.append(writer("html")(notes(kept.derivation(file))))
+        return [file.with_suffix(".html")]
+
+    def until() -> bool:
+        for old, new in edits:
+            edit(file, old, new)
+            return False
+        return True
+
+    assert watching.watch(write, lambda: [file], until) == 0
+    out, err = capsys.readouterr()
+    assert len(written) == 3
+    assert out.count("mine.html") == 3
+    assert "parametres" in err
+    assert "half of it" in written[-1]
+
+
+def test_a_small_edit_is_written_in_well_under_a_second(file: Path) -> None:
+    kept = Kept(False)
+    for ending in ("html", "pdf"):
+        writer(ending)(notes(kept.derivation(file)))
+    edit(file, "mass of the ladder", "how heavy it is")
+    begun = time.perf_counter()
+    document = notes(kept.derivation(file))
+    for ending in ("html", "pdf", "tex"):
+        writer(ending)(document)
+    assert time.perf_counter() - begun < 2.0  # 0.15 s on an idle machine
+
+
+def test_notes_needs_a_name_or_all() -> None:
+    run = CliRunner().invoke
+    for arguments in (["notes"], ["notes", "--all", "paper"], ["notes", "--all", "--watch"]):
+        result = run(main, arguments)
+        assert result.exit_code == 2, arguments
+        assert "Error: " in result.output
+
+
+# --- the library
+
+
+@cache
+def chapters() -> tuple[Chapter, ...]:
+    kept = Kept(False)
+    topics = ("ladders", "pendulums", "")
+    return tuple(Chapter(n, t, kept.derivation(find_problem(n))) for n, t in zip(NAMES, topics, strict=True))
+
+
+def test_the_book_numbers_by_problem_and_each_reference_has_a_target() -> None:
+    done = numbered(book(chapters()))
+    numbers = [part.number for part in parts(done.sections) if isinstance(part, Display) and part.number]
+    assert numbers[0] == "1.1"
+    assert "2.1" in numbers and "3.1" in numbers
+    assert len(set(numbers)) == len(numbers)
+    tops = [section.title[0].text for section in done.sections if section.level == 0]
+    assert tops == ["Ladders", "Pendulums", "Further problems"]
+
+
+def test_the_index_names_what_occurs() -> None:
+    done = numbered(book(chapters()))
+    index = next(section for section in done.sections if section.label == "section.index")
+    entries = {item[0].text: [i.mark for i in item if isinstance(i, Ref)] for item in index.blocks[-1].items}
+    assert entries["rod"] == ["1", "2"]
+    assert entries["loss of contact"] == ["1"]
+    assert entries["rolling without slipping"] == ["3"]
+    assert list(entries) == sorted(entries)
+
+
+def test_every_problem_of_the_book_has_its_own_notation() -> None:
+    sections = [section for section in book(chapters()).sections if section.notation]
+    assert len({frozenset(section.notation.aliases.items()) for section in sections}) > 1
+
+
+@pytest.mark.parametrize("ending", ["pdf", "tex", "docx", "md", "ipynb", "beamer", "html"])
+def test_the_book_is_written_in_every_format(ending: str) -> None:
+    content = writer(ending)(book(chapters()[:2]))
+    assert len(content) > 10_000
+    if ending == "tex":
+        assert r"\tableofcontents" in content and r"\numberwithin{equation}{section}" in content
+
+
+def test_the_site_leads_to_every_problem_and_back() -> None:
+    cards = [problem_card(chapter, "en", "introductory") for chapter in chapters()]
+    text = index_page([], cards, book="library.pdf")
+    assert re.findall(r'<a href="([\w-]+)\.html"', text) == list(NAMES)
+    assert text.count("<svg") == len(NAMES)
+    assert "library.pdf" in text
+    assert 'href="index.html"' in page(notes(chapters()[0].derivation))
+    assert "<script" not in text and "http://www.w3.org" in text and not re.search(r'(?:src|href)="http', text)
+
+
+def test_a_problem_that_cannot_be_derived_is_told_and_left_out(tmp_path: Path, monkeypatch) -> None:
+    from rbpsym.commands import library_notes, shelf
+
+    bad = tmp_path / "bad.toml"
+    bad.write_text('title = "x"\n', encoding="utf-8")
+    entries = [shelf.entry("problem", "bad", bad), shelf.entry("problem", NAMES[0], find_problem(NAMES[0]))]
+    monkeypatch.setattr(library_notes, "shelf", lambda: iter(entries))
+    arguments = ["notes", "--all", "--format", "html,md", "--no-simulation", "-o", str(tmp_path / "out")]
+    result = CliRunner().invoke(main, arguments)
+    assert result.exit_code == 1
+    assert "bad is left out" in result.output
+    assert {path.name for path in (tmp_path / "out").iterdir()} >= {"index.html", "sliding-ladder.html", "library.md"}
+
+
+def test_errors_are_sentences() -> None:
+    with pytest.raises(RbpsymError):
+        Kept(False).derivation(Path("nowhere.toml"))
