@@ -17,6 +17,7 @@ from rbpsym.statement import SHAPES, load_problem, load_text
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.kinds import Field, Kind, ShapeKind
+from rbpsym.statement.phases import EVENTS, IMPULSES, PHASE_KEYS
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE / "examples"
@@ -40,8 +41,25 @@ def statement_page() -> str:
         parts += [f"\n## {section.capitalize()}\n", f"Chosen by the key `{key}`.\n"]
         for kind in kinds.values():
             parts += kind_part(section, key, kind)
+    parts += phases_part()
     parts += ["## Dimensions\n", ", ".join(f"`{name}`" for name in DIMENSIONS) + "."]
     return "\n".join(parts) + "\n"
+
+
+def phases_part() -> Iterator[str]:
+    """Phases with their keys, the events that begin them, the impulses."""
+    yield "## Phases\n"
+    yield intro("phases") + "\n"
+    yield "| key | what it is |\n|---|---|"
+    yield from (f"| `{key}` | {meaning} |" for key, meaning in PHASE_KEYS.items())
+    yield "\n## Events\n\nChosen by the key `event` of a phase.\n"
+    for name, meaning in EVENTS.items():
+        yield f"### `{name}`\n"
+        yield meaning[0].upper() + meaning[1:] + ".\n"
+        yield from excerpt(EXAMPLES / "events" / f"{name.replace(' ', '-')}.toml", "event", name)
+    yield "\n## Impulses\n\nThey strike when a phase begins: `[phases.impulses.NAME]`, chosen by the key `type`.\n"
+    for kind in IMPULSES.values():
+        yield from kind_part("impulses", "type", kind)
 
 
 def kind_part(section: str, key: str, kind: Kind) -> Iterator[str]:
@@ -93,10 +111,13 @@ def moment(name: str) -> str:
 
 def example_part(section: str, key: str, kind: Kind) -> Iterator[str]:
     """The table of a kind in its example, and where the whole of it is."""
-    path = EXAMPLES / section / f"{kind.name}.toml"
-    text = path.read_text(encoding="utf-8")
-    tables = re.split(r"\n\n(?=\[)", text.rstrip())
-    own = next(table for table in tables if re.search(rf'^{key} *= *"{re.escape(kind.name)}"', table, re.M))
+    yield from excerpt(EXAMPLES / section / f"{kind.name}.toml", key, kind.name)
+
+
+def excerpt(path: Path, key: str, name: str) -> Iterator[str]:
+    """The table of a file in which a key has a value, and where the whole of it is."""
+    tables = re.split(r"\n\n(?=\[)", path.read_text(encoding="utf-8").rstrip())
+    own = next(table for table in tables if re.search(rf'^{key} *= *"{re.escape(name)}"', table, re.M))
     yield f"```toml\n{own}\n```\n"
     yield f"All of it: [{path.relative_to(HERE)}]({path.relative_to(HERE)}).\n"
 

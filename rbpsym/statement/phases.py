@@ -55,7 +55,7 @@ IMPULSES: dict[str, Kind] = registry(
     ),
 )
 
-_KEYS = {
+PHASE_KEYS = {
     "name": "what the phase is called",
     "event": "what ends the phase before: " + ", ".join(EVENTS),
     "of": "the constraint that the event is about, or the coordinate that reaches a value",
@@ -72,7 +72,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
     found: list[Phase] = []
     for number, row in enumerate(table.rows("phases", "“phases”"), 2):
         name = row.string("name") or f"phase {number}"
-        row.check_keys(_KEYS, f"the phase “{name}”")
+        row.check_keys(PHASE_KEYS, f"the phase “{name}”")
         event, subject = _event(row, name, current, around)
         value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)

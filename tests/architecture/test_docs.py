@@ -15,12 +15,15 @@ from rbpsym.derive import derive
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import solve
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, load_problem, load_text
+from rbpsym.statement.phases import EVENTS, IMPULSES
 from tests.architecture.source import ROOT
 
 DOCS = ROOT / "docs"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 KINDS = {"shapes": SHAPES, "interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 EXAMPLES = [DOCS / "examples" / section / f"{name}.toml" for section, kinds in KINDS.items() for name in kinds]
+PHASES = [DOCS / "examples" / "events" / f"{name.replace(' ', '-')}.toml" for name in EVENTS]
+PHASES += [DOCS / "examples" / "impulses" / f"{name}.toml" for name in IMPULSES]
 
 
 def build():
@@ -36,7 +39,18 @@ def test_pages_are_up_to_date(name: str) -> None:
 
 
 def test_no_example_is_left_over() -> None:
-    assert sorted(EXAMPLES) == sorted((DOCS / "examples").rglob("*.toml"))
+    assert sorted([*EXAMPLES, *PHASES]) == sorted((DOCS / "examples").rglob("*.toml"))
+
+
+@pytest.mark.parametrize("path", PHASES, ids=lambda path: path.stem)
+def test_examples_of_phases_are_derived(path: Path) -> None:
+    """The example of an event or an impulse has it, every step is proved, and the simulation sees it come."""
+    problem = load_problem(path)
+    [phase] = problem.phases
+    assert path.stem in {phase.event.replace(" ", "-"), *(impulse.kind for impulse in phase.impulses)}
+    summary = derive(problem).summary()
+    assert (summary["refuted"], summary["undecided"], summary["lagrange"]) == (0, 0, "PROVED")
+    assert summary["simulation"]["max_relative_error"] <= 1e-8
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
