@@ -64,7 +64,8 @@ def test_derive_shows_proved_steps(method, detail):
 def test_notes_are_written_whole(tmp_path):
     done = process("notes", "sliding-ladder", "--format", "html,tex,md", "--no-simulation", "-o", str(tmp_path / "new"))
     assert done.returncode == 0, done.stderr
-    assert {p.name for p in (tmp_path / "new").iterdir()} == {f"sliding-ladder.{e}" for e in ("html", "tex", "md")}
+    endings = (".html", ".tex", ".md", "-figure-1.svg", "-figure-2.svg")
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {f"sliding-ladder{e}" for e in endings}
 
 
 BROKEN = 'title = "x"\n[parameters]\nM = "mass: m"\n[bodies.rod]\nshape = "rood"\n'
