@@ -10,7 +10,7 @@ from rbpsym.notation.latex_grammar import (
     factor,
     multiplied,
 )
-from rbpsym.notation.latex_names import begins_name, read_name, read_symbol
+from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_relations import relation
 from rbpsym.notation.latex_table import Reader, begins
 from rbpsym.notation.latex_tokens import Token
@@ -182,7 +182,7 @@ def _region_label(reader: Reader) -> str | None:
         return "Omega"
     if token.kind == "text":
         reader.take()
-        return token.text
+        return f"{token.text}_{label_after(reader)}" if reader.sees_sign("_") else token.text
     return None
 
 

@@ -9,7 +9,7 @@ from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
-from rbpsym.notation.limits import check_exponent, number_of
+from rbpsym.notation.limits import MAX_EXPONENT, check_exponent, number_of
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 _PLAIN_BARS = frozenset({"|", r"\Vert"})
@@ -283,6 +283,17 @@ def _absolute(reader: Reader) -> t.Node:
 @begins(r"\sqrt")
 def _root(reader: Reader) -> t.Node:
     start = reader.take().start
-    if reader.sees_sign("["):
-        raise reader.error("only square roots are read", "Write a power with a fraction.")
-    return reader.spanned(t.Sqrt(argument(reader)), start)
+    order = _root_order(reader) if reader.sees_sign("[") else 2
+    arg = argument(reader)
+    whole = t.Sqrt(arg) if order == 2 else t.Pow(arg, t.Num(Rational(1, order)))
+    return reader.spanned(whole, start)
+
+
+def _root_order(reader: Reader) -> int:
+    """n of \\sqrt[n]{x}, from 2 to 64."""
+    opening = reader.take()
+    node = _number(reader) if reader.token.kind == "digit" else None
+    if node is None or not isinstance(node.value, int) or not 2 <= node.value <= MAX_EXPONENT:
+        raise reader.error(f"the order of a root is a number from 2 to {MAX_EXPONENT}", "", opening)
+    reader.expect("]", opening)
+    return node.value

@@ -76,7 +76,7 @@ def _scripted(reader: Reader) -> tuple[Drawn, bool]:
             reader.take()
             drawn = replace(drawn, primes=drawn.primes + 1)
         elif reader.sees_sign("_"):
-            drawn = replace(drawn, label=drawn.label + _label_after(reader))
+            drawn = replace(drawn, label=drawn.label + label_after(reader))
         elif reader.sees_sign("^") and (count := _primes_ahead(reader)):
             drawn = replace(drawn, primes=drawn.primes + count)
         elif reader.sees_sign("^") and (end := _power_before_subscript(reader)):
@@ -111,7 +111,7 @@ def _with_accent(drawn: Drawn, command: str) -> Drawn:
     )
 
 
-def _label_after(reader: Reader) -> str:
+def label_after(reader: Reader) -> str:
     """The subscript that follows, as one label."""
     reader.take()
     if not reader.sees_sign("{"):
@@ -124,6 +124,8 @@ def _label_after(reader: Reader) -> str:
             depth += 1 if reader.take().text == "{" else -1
         else:
             label += _label_part(reader)
+    if not label:
+        raise reader.error("this subscript is empty", "Remove it, or write what belongs there.", opening)
     return label
 
 
@@ -170,7 +172,7 @@ def _label_behind(reader: Reader, end: int) -> str:
     """Read the subscript at `end` and take it out, so that the power comes next."""
     begin = reader.position
     reader.position = end
-    label = _label_after(reader)
+    label = label_after(reader)
     rest = reader.tokens[reader.position :]
     reader.tokens = (*reader.tokens[:begin], *reader.tokens[begin:end], *rest)
     reader.position = begin

@@ -47,6 +47,8 @@ def read_latex(
 
 
 _FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")
+_BROKEN = re.compile(r"(?:\\right\s*\.\s*)+\\\\.*?(?:\\left\s*\.\s*)+", re.DOTALL)
+_EMPTY = re.compile(r"\\(?:left|right)\s*\.|\\\\(?:\[[^\]]*\])?\s*&?|(?<=[\s&d])\{\}")
 _GOES_ON = re.compile(r"\\\\\s*&?\s*\\q?quad\b\s*(?:\{\})?")
 
 
@@ -56,7 +58,16 @@ def _unbroken(text: str) -> str:
     while frame and text[end] == "}":
         text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
         frame, end = _FRAME.match(text), len(text.rstrip()) - 1
-    return _GOES_ON.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    return _GOES_ON.sub(_blank, _BROKEN.sub(_mended, text))
+
+
+def _blank(found: re.Match[str]) -> str:
+    return re.sub(r"[^\n]", " ", found[0])
+
+
+def _mended(found: re.Match[str]) -> str:
+    """Delimiters that go on in the next line: `\\left( a \\right. \\\\ & \\left. + b \\right)`."""
+    return _EMPTY.sub(_blank, found[0])
 
 
 def _checked(node: t.Node, source: Source) -> t.Node:

@@ -47,6 +47,10 @@ READ = {
     r"\mathcal W_T": "𝒲_T",
     r"e = 1": None,
     r"x = m,": "x = m",
+    r"\left( m + M \right. \\ &\qquad {}+ \left. k \right) g": "(m + M + k) g",
+    r"\left( m + M \right. \\ \left. + k \right) g": "(m + M + k) g",
+    r"\sqrt[3]{x}": "x¹ᐟ³",
+    r"\sqrt[2]{x}": "√x",
     r"x &= m \\ &= M \nonumber": "x = m = M",
     r"x < m \le M": "x < m ≤ M",
 }
@@ -99,7 +103,9 @@ REFUSED = {
     r"m % comment": "percent",
     r"m $": "dollar",
     "m\u200b": "zero width space",
-    r"\sqrt[3]{m}": "only square roots",
+    r"\sqrt[1]{m}": "from 2 to 64",
+    r"\sqrt[n]{m}": "from 2 to 64",
+    r"x_{}^2": "is empty",
     r"m^{99}": "beyond 64",
     r"[m]_0^1": "which variable",
 }
