@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures.sketch import (
@@ -22,7 +23,7 @@ from rbpsym.document.figures.sketch import (
 )
 from rbpsym.document.pose import DrawnPose
 from rbpsym.mechanics.numbers import number
-from rbpsym.mechanics.system import Force
+from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef, Shape
 
@@ -30,8 +31,12 @@ Point = tuple[float, float]
 
 
 def sketch_of(derivation: Derivation) -> Sketch:
-    """The sketch of a derived problem, with the forces of its free-body diagrams."""
-    pose = DrawnPose(derivation.study)
+    """The sketch of a derived problem, with the forces of its free-body diagrams, named as in its ledger."""
+    return sketch_of_pose(DrawnPose(derivation.study), _names(derivation))
+
+
+def sketch_of_pose(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node] = MappingProxyType({})) -> Sketch:
+    """The sketch of a study in a pose; `names` are those of the forces, by force and body."""
     return Sketch(
         bodies=tuple(_bodies(pose)),
         points=tuple(_points(pose)),
@@ -41,8 +46,8 @@ def sketch_of(derivation: Derivation) -> Sketch:
         angles=tuple(_angles(pose)),
         lengths=tuple(_lengths(pose)),
         radii=tuple(_radii(pose)),
-        forces=tuple(_forces(pose, derivation)),
-        couples=tuple(_couples(pose, derivation)),
+        forces=tuple(_forces(pose, names)),
+        couples=tuple(_couples(pose)),
         **_gravity(pose),
     )
 
@@ -246,16 +251,30 @@ def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     }
 
 
-def _forces(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchForce]:
-    names = _names(derivation)
+def force_node(system: System, force: Force) -> t.Node:
+    """The letter of a force: N on the second body, -N on the first, W_rod for one of several weights."""
+    same = [f for f in system.forces if f.name == force.name]
+    if any(_is_opposite(system, f) for f in same):
+        letter = t.Vec(force.name) if force.vector else t.Sym(force.name)
+        return t.neg(letter) if _is_opposite(system, force) else letter
+    name = force.name if len(same) == 1 else f"{force.name}_{force.on}"
+    return t.Vec(name) if force.vector else t.Sym(name)
+
+
+def _is_opposite(system: System, force: Force) -> bool:
+    first = next(f for f in system.forces if f.name == force.name)
+    return first is not force and first.on == force.by and first.by == force.on
+
+
+def _forces(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node]) -> Iterator[SketchForce]:
     for force in pose.study.system.forces:
         direction = _direction(pose, force) if force.vector else (0.0, 0.0)
         if direction != (0.0, 0.0):
-            label = names.get((force.name, force.on), t.Vec(force.name))
+            label = names.get((force.name, force.on)) or force_node(pose.study.system, force)
             yield SketchForce(force.on, label, pose.point(force.point), direction)
 
 
-def _couples(pose: DrawnPose, derivation: Derivation) -> Iterator[SketchCouple]:
+def _couples(pose: DrawnPose) -> Iterator[SketchCouple]:
     """Unknown couples in the sense in which their letter is positive, known ones as they act in the pose."""
     known = pose.reactions()
     for force in pose.study.system.forces:

@@ -6,6 +6,7 @@ from typing import Any
 
 from rbpsym.algebra.present import present
 from rbpsym.document.accents import accented
+from rbpsym.document.sketches import force_node
 from rbpsym.document.words import Words
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
@@ -37,11 +38,3 @@ def couple_node(force: Force) -> t.Node:
     shown = present(force.couple)
     plain = shown.arg if isinstance(shown, t.Neg) else shown
     return shown if isinstance(plain, t.Sym) else t.Sym(force.name)
-
-
-def force_node(system: System, force: Force) -> t.Node:
-    """The letter of a force; the opposite of one that is named already has a minus sign."""
-    letter = t.Vec(force.name) if force.vector else t.Sym(force.name)
-    first = next(f for f in system.forces if f.name == force.name)
-    is_reaction = first is not force and first.on == force.by and first.by == force.on
-    return t.neg(letter) if is_reaction else letter
