@@ -12,6 +12,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError
@@ -59,7 +60,7 @@ def potentials(system: System) -> dict[str, Scalar | None]:
 def potential_energy(system: System) -> Scalar | None:
     """The sum of the potential energies, None if an interaction has none."""
     values = list(potentials(system).values())
-    return None if any(value is None for value in values) else short(sum(values, NOTHING))
+    return None if any(value is None for value in values) else short(without_even_roots(sum(values, NOTHING)))
 
 
 def orbital_momentum(state: BodyState, origin: Vector) -> Scalar:

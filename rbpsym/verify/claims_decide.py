@@ -88,7 +88,7 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     low, high = (a, b) if op in ("<", "<=") else (b, a)
     strict = op in ("<", ">")
     for depth in question.depths:
-        pair = _squared([question.seen(v, depth) for v in (low, high)], question)
+        pair = _squared([without_even_roots(question.seen(v, depth)) for v in (low, high)], question)
         found = compare(*pair, question.motion.assumptions, strict=strict)
         if found.is_proved:
             return found
