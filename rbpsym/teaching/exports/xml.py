@@ -6,6 +6,7 @@ import re
 from xml.etree import ElementTree as Tree
 
 Element = Tree.Element
+MATH = "http://www.w3.org/1998/Math/MathML"
 _BAD = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
 
@@ -23,8 +24,15 @@ def _clean(text: str) -> str:
 
 
 def fragment(markup: str) -> list[Element]:
-    """The elements of well-formed markup that we made."""
-    return list(Tree.fromstring(f"<all>{markup}</all>"))
+    """The elements of well-formed markup that we made; MathML says its namespace itself."""
+    found = list(Tree.fromstring(f"<all>{markup}</all>"))
+    for part in found:
+        for inner in part.iter():
+            space, _, name = inner.tag.rpartition("}")
+            inner.tag = name
+            if space == "{" + MATH and name == "math":
+                inner.set("xmlns", MATH)
+    return found
 
 
 def written(root: Element) -> bytes:
