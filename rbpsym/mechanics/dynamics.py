@@ -243,7 +243,9 @@ def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
 
 def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
     names = " and ".join(free) if len(free) < 3 else ", ".join(free[:-1]) + f" and {free[-1]}"
-    first = next(f.name for f in system.forces if set(f.unknowns) & set(free))
+    first = next((f.name for f in system.forces if set(f.unknowns) & set(free)), None)
+    if first is None:  # accelerations that nothing determines
+        return _massless(system, tuple(system.accelerations.index(name) for name in free))
     return StatementError(
         f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
         instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "

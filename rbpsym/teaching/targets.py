@@ -61,7 +61,7 @@ class Target:
         """The value in a study; None where it has none or the mechanics refuses."""
         try:
             found = self.of(study)
-        except (RbpsymError, ZeroDivisionError, KeyError, ValueError, StopIteration):
+        except REFUSALS:
             return None
         return None if found is None else short(found)
 
@@ -70,8 +70,12 @@ class Target:
         found = self.value(study)
         try:
             return None if found is None else along_motion(found, study.squares)
-        except (RbpsymError, ZeroDivisionError):
+        except REFUSALS:
             return None
+
+
+# how the mechanics says that a changed system has no such value
+REFUSALS = (RbpsymError, ZeroDivisionError, KeyError, ValueError, IndexError, StopIteration)
 
 
 def targets(derivation: Derivation) -> tuple[Target, ...]:
