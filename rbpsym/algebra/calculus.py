@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, Monomial, Poly, accumulate, generator
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, quotient
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, quotient, total
 from rbpsym.algebra.trig import cosine, sine
 
 
@@ -39,6 +39,25 @@ def poly_derivative(poly: Poly, name: str) -> Scalar:
             else:
                 others = others + Scalar(rest.scaled(c * exponent)) * inner
     return Scalar(accumulate(parts)) + others
+
+
+def rate_along(value: Scalar, rates: Mapping[str, Scalar]) -> Scalar:
+    """Σ ∂value/∂(symbol) × rate of the symbol: the chain rule, term by term."""
+    if value.den is not ONE:
+        parts = ((derivative(value, name), rate) for name, rate in rates.items() if depends_on(value, name))
+        return total(part * rate for part, rate in parts if part)
+    inner = {index: _atom_rate(index, rates) for index in value.num.atoms()}
+    found = []
+    for m, c in value.num.terms.items():
+        for place, (index, exponent) in enumerate(m):
+            if inner[index]:
+                lowered = ((index, exponent - 1),) if exponent != 1 else ()
+                found.append(inner[index] * Scalar(Poly({m[:place] + lowered + m[place + 1 :]: c * exponent})))
+    return total(found)
+
+
+def _atom_rate(index: int, rates: Mapping[str, Scalar]) -> Scalar:
+    return total(atom_derivative(index, name) * rates[name] for name in rates if name in atom_names(index))
 
 
 @lru_cache(maxsize=16384)
@@ -137,7 +156,7 @@ def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
     for m, c in poly.terms.items():
         key = tuple(item for item in m if item[0] in images)
         by_factor.setdefault(key, {})[tuple(item for item in m if item[0] not in images)] = c
-    return _total(_times_images(Poly(rest), key, images) for key, rest in by_factor.items())
+    return total(_times_images(Poly(rest), key, images) for key, rest in by_factor.items())
 
 
 def _times_images(rest: Poly, key: Monomial, images: Mapping[int, Scalar]) -> Scalar:
@@ -145,15 +164,6 @@ def _times_images(rest: Poly, key: Monomial, images: Mapping[int, Scalar]) -> Sc
     for index, exponent in key:
         product = product * images[index] ** exponent
     return product * Scalar(rest)
-
-
-def _total(parts: Iterable[Scalar]) -> Scalar:
-    """The sum, those with the same denominator brought together before anything is cancelled."""
-    by_den: dict[Poly, list[tuple[int, Poly]]] = {}
-    for part in parts:
-        by_den.setdefault(part.den, []).append((1, part.num))
-    sums = ((accumulate(found), den) for den, found in by_den.items())
-    return sum((Scalar(num) if den == ONE else quotient(num, den) for num, den in sums), NOTHING)
 
 
 @lru_cache(maxsize=16384)
@@ -172,19 +182,28 @@ def _atom_substitute(index: int, key: tuple) -> Scalar | None:
 
 def depends_on(value: Scalar, name: str) -> bool:
     """Whether the symbol occurs anywhere in the value (also inside an angle)."""
-    return any(atom_depends(index, name) for index in value.atoms())
+    return any(name in atom_names(index) for index in value.atoms())
+
+
+def names_in(value: Scalar) -> set[str]:
+    """All symbols that occur anywhere in the value (also inside an angle)."""
+    return set().union(*(atom_names(index) for index in value.atoms()))
 
 
 @lru_cache(maxsize=16384)
-def atom_depends(index: int, name: str) -> bool:
-    """Whether the symbol occurs in the atom."""
+def atom_names(index: int) -> frozenset[str]:
+    """The symbols that occur in the atom."""
     found = atoms.atom(index)
     if found.kind == "symbol":
-        return found.arg == name
+        return frozenset((found.arg,))
     if found.kind == "opaque":
-        return name in getattr(found.arg, "names", ())
-    arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
-    return depends_on(arg, name)
+        return frozenset(getattr(found.arg, "names", ()))
+    return frozenset(names_in(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)))
+
+
+def atom_depends(index: int, name: str) -> bool:
+    """Whether the symbol occurs in the atom."""
+    return name in atom_names(index)
 
 
 def split_factor(m: Monomial, name: str) -> tuple[Monomial, Monomial]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
 
-from rbpsym.algebra.calculus import derivative, function, substitute
+from rbpsym.algebra.calculus import derivative, function, rate_along, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, symbol
 from rbpsym.algebra.vector import EX, EY, Space
@@ -80,21 +80,12 @@ def vector(node: t.Node, scope: Scope = BARE) -> Space:
 
 def time_derivative(found: Scalar, scope: Scope) -> Scalar:
     """d/dt of a scalar by the chain rule over the scope's rates."""
-    total = NOTHING
-    for name, speed in scope.rates.items():
-        part = derivative(found, name)
-        total = total + part * speed if part else total
-    return total
+    return rate_along(found, scope.rates)
 
 
 def space_derivative(found: Space, scope: Scope) -> Space:
     """d/dt of a vector."""
-    plane = reduce(
-        lambda total, item: total + found.plane.derivative(item[0]) * item[1],
-        scope.rates.items(),
-        Space().plane,
-    )
-    return Space(plane, time_derivative(found.z, scope))
+    return Space(found.plane.rate(scope.rates), time_derivative(found.z, scope))
 
 
 def at_start(found: Scalar, scope: Scope) -> Scalar:

@@ -8,10 +8,11 @@ different forms: compare with `normal.is_zero(a - b)`, not with ==.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, constant, generator, inverse
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse
 
 
 class Scalar:
@@ -136,6 +137,15 @@ def _order(m: tuple) -> tuple:
 
 
 NOTHING, UNITY = Scalar(ZERO), Scalar(ONE)
+
+
+def total(parts: Iterable[Scalar]) -> Scalar:
+    """The sum, those with the same denominator brought together before anything is cancelled."""
+    by_den: dict[Poly, list[tuple[int, Poly]]] = {}
+    for part in parts:
+        by_den.setdefault(part.den, []).append((1, part.num))
+    sums = ((accumulate(found) if len(found) > 1 else found[0][1], den) for den, found in by_den.items())
+    return sum((Scalar(num) if den == ONE else quotient(num, den) for num, den in sums), NOTHING)
 
 
 def symbol(name: str) -> Scalar:

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import rate_along, substitute
 from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, lift, total
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 
 QUARTER = PI * Fraction(1, 2)
@@ -61,12 +62,12 @@ class Vector:
     @property
     def x(self) -> Scalar:
         """Component along +x."""
-        return sum((n * cosine(a) for a, n in self.parts.items()), NOTHING)
+        return total(n * cosine(a) for a, n in self.parts.items())
 
     @property
     def y(self) -> Scalar:
         """Component along +y."""
-        return sum((n * sine(a) for a, n in self.parts.items()), NOTHING)
+        return total(n * sine(a) for a, n in self.parts.items())
 
     def dot(self, other: Vector) -> Scalar:
         """Scalar product."""
@@ -92,13 +93,17 @@ class Vector:
 
     def derivative(self, name: str) -> Vector:
         """∂/∂(symbol), directions included."""
-        total = Vector({})
+        return self.rate({name: UNITY})
+
+    def rate(self, rates: Mapping[str, Scalar]) -> Vector:
+        """Σ ∂/∂(symbol) × rate of the symbol, directions included."""
+        parts = []
         for angle, length in self.parts.items():
-            total = total + polar(derivative(length, name), angle)
-            rate = derivative(angle, name)
-            if rate:
-                total = total + polar(length * rate, angle + QUARTER)
-        return total
+            parts.append((rate_along(length, rates), angle))
+            turning = rate_along(angle, rates)
+            if turning:
+                parts.append((length * turning, angle + QUARTER))
+        return vector_sum(parts)
 
     def substitute(self, images: Mapping[str, Scalar]) -> Vector:
         """Symbols replaced in lengths and directions."""
@@ -106,11 +111,16 @@ class Vector:
 
 
 def _pairs(a: Vector, b: Vector, of) -> Scalar:
-    total = NOTHING
-    for angle_a, length_a in a.parts.items():
-        for angle_b, length_b in b.parts.items():
-            total = total + length_a * length_b * of(angle_b - angle_a)
-    return total
+    return total(
+        length_a * length_b * _between(angle_a, angle_b, of)
+        for angle_a, length_a in a.parts.items()
+        for angle_b, length_b in b.parts.items()
+    )
+
+
+@lru_cache(maxsize=16384)
+def _between(angle_a: Scalar, angle_b: Scalar, of) -> Scalar:
+    return of(angle_b - angle_a)
 
 
 def polar(length: Scalar, angle: Scalar) -> Vector:
@@ -127,15 +137,16 @@ def polar(length: Scalar, angle: Scalar) -> Vector:
 
 def vector_sum(parts) -> Vector:
     """Σ length × u(angle) over (length, angle) pairs."""
-    total = Vector({})
+    found: dict[Scalar, Scalar] = {}
     for length, angle in parts:
-        total = total + polar(length, angle)
-    return total
+        for direction, value in polar(length, angle).parts.items():
+            found[direction] = found[direction] + value if direction in found else value
+    return Vector({angle: length for angle, length in found.items() if length})
 
 
 def cartesian(x: Scalar, y: Scalar) -> Vector:
     """The vector with these components; pairs a cos A, a sin A are kept as a u(A)."""
-    total, rest_y = Vector({}), dict(y.num.terms) if y.den is ONE else None
+    matched, rest_y = Vector({}), dict(y.num.terms) if y.den is ONE else None
     if rest_y is None or x.den is not ONE:
         return _plain(x, y)
     rest_x = {}
@@ -144,8 +155,8 @@ def cartesian(x: Scalar, y: Scalar) -> Vector:
         if found is None:
             rest_x[m] = c
         else:
-            total = total + found
-    return total + _plain(Scalar(Poly(rest_x)), Scalar(Poly(rest_y)))
+            matched = matched + found
+    return matched + _plain(Scalar(Poly(rest_x)), Scalar(Poly(rest_y)))
 
 
 def _plain(x: Scalar, y: Scalar) -> Vector:

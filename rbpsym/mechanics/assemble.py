@@ -144,11 +144,7 @@ def _moving(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
 
 def vector_rate(vector: Vector, scope: Scope) -> Vector:
     """d/dt of a plane vector."""
-    total = Vector({})
-    for name, speed in scope.rates.items():
-        part = vector.derivative(name)
-        total = total + part * speed if part else total
-    return total
+    return vector.rate(scope.rates)
 
 
 def setting_of(system: System, where) -> Setting:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
@@ -40,8 +40,12 @@ def open_name(body: str, what: str) -> str:
 def open_names(placed: Mapping[str, Pose]) -> tuple[str, ...]:
     """The open symbols in the poses, places before angles."""
     names = [open_name(body, what) for what in ("x", "y", "angle") for body in placed]
-    values = [value for pose in placed.values() for value in (pose.angle, pose.origin.x, pose.origin.y)]
-    return tuple(name for name in names if any(depends_on(value, name) for value in values))
+    found: set[str] = set()
+    for pose in placed.values():
+        found |= names_in(pose.angle)
+        for angle, length in pose.origin.parts.items():
+            found |= names_in(angle) | names_in(length)
+    return tuple(name for name in names if name in found)
 
 
 def still_open(problem: Problem, name: str) -> StatementError:

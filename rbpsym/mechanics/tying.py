@@ -9,7 +9,6 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics.conditions import all_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.inertia import Inertia
@@ -63,8 +62,7 @@ def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], name
 
 def _state(name: str, own: Inertia, pose: Pose, scope: Scope) -> BodyState:
     center = at_point(pose, (own.x, own.y)) if own.x or own.y else pose.origin
-    velocity = sum((center.derivative(n) * speed for n, speed in scope.rates.items()), Vector({}))
-    return BodyState(name, own, pose, center, velocity, time_derivative(pose.angle, scope))
+    return BodyState(name, own, pose, center, center.rate(scope.rates), time_derivative(pose.angle, scope))
 
 
 def _first_integral(waiting: Rates, names: tuple[str, ...], problem: Problem) -> tuple[int, Condition] | None:
