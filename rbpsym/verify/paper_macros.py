@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from rbpsym.errors import LimitError, ReadError
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
+COUNTERS = (r"\theequation",)  # left where they stand: numbers of equations depend on the place
 _HEAD = re.compile(
     r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\])?\s*(?:\[([^\[\]]*)\])?\s*(?=\{)"
     r"|\\providecommand\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*(?:\[(\d)\])?\s*(?=\{)"
@@ -35,6 +36,9 @@ def definitions(text: str) -> tuple[dict[str, Macro], str]:
     while (head := _HEAD.search(text, position)) is not None:
         end = closing(text, head.end())
         name, macro = _macro(head, text[head.end() + 1 : end - 1])
+        if name in COUNTERS:
+            pieces, position = [*pieces, text[position:end]], end
+            continue
         found[name] = macro
         pieces += [text[position : head.start()], re.sub(r"[^\n]", " ", text[head.start() : end])]
         position = end

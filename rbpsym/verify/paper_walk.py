@@ -14,6 +14,7 @@ from pathlib import Path
 
 from rbpsym.errors import ReadError
 from rbpsym.verify.paper_macros import Macro, definitions
+from rbpsym.verify.paper_numbers import COMMANDS, Counters
 from rbpsym.verify.paper_source import Text, read_source
 
 SINGLE = ("equation", "multline", "displaymath", "math")
@@ -23,6 +24,7 @@ _NAMES = "|".join((*SINGLE, *ROWED))
 _OPEN = re.compile(
     rf"\\begin\s*\{{({_NAMES})(\*?)\}}(?:\{{\d+\}})?|(\\\[)|(\\\()|(?<!\\)(\$\$?)"
     r"|\\(begin|end)\s*\{subequations\}|\\\\|\\\$"
+    rf"|(?:{COMMANDS.pattern})"
 )
 _CLOSE = {r"\[": r"\]", r"\(": r"\)", "$": "$", "$$": "$$"}
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
@@ -85,16 +87,18 @@ class _Walker:
 
     def __init__(self, text: Text) -> None:
         self.source, self.text = text, text.text
-        self.count, self.part = 0, 0
+        self.counters = Counters.of(self.text)
 
     def walk(self) -> Iterator[Formula]:
         """All formulas in order."""
         position = 0
         while (found := _OPEN.search(self.text, position)) is not None:
-            name, star, *openings, sub = found.groups()
+            name, star, *openings, sub = found.groups()[:6]
             position = found.end()
-            if sub:
-                self._group(sub)
+            if found.lastgroup:
+                self.counters.obey(found)
+            elif sub:
+                self.counters.group(sub == "begin")
             elif name:
                 end, behind = self._end(found, rf"\\end\s*\{{{name}{re.escape(star)}\}}")
                 yield from self._environment(name, bool(star), position, end)
@@ -103,11 +107,6 @@ class _Walker:
                 end, behind = self._end(found, _closing(opening))
                 yield self._formula(position, end, "", opening in (r"\[", "$$"))
                 position = behind
-
-    def _group(self, which: str) -> None:
-        """Beginning or end of subequations: 3a, 3b, ..."""
-        self.count += which == "begin"
-        self.part = 1 if which == "begin" else 0
 
     def _end(self, found: re.Match[str], closing: str) -> tuple[int, int]:
         end = re.compile(closing).search(self.text, found.end())
@@ -139,11 +138,7 @@ class _Walker:
         tag = _TAG.search(self.text, start, end)
         if tag or not numbered:
             return tag[1].strip() if tag else ""
-        if self.part:
-            self.part += 1
-            return f"{self.count}{chr(95 + self.part)}"
-        self.count += 1
-        return str(self.count)
+        return self.counters.next()
 
     def _formula(self, start: int, end: int, number: str, displayed: bool) -> Formula:
         raw = self.text[start:end]

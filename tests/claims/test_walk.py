@@ -53,6 +53,49 @@ def test_displayed_formulas_have_the_numbers_that_latex_gives(paper):
     assert [formula.number for formula in paper.displayed] == NUMBERS
 
 
+E = r"\begin{equation}a=b\end{equation}"
+NUMBERED = {  # text -> numbers
+    rf"{E}\setcounter{{equation}}{{7}}{E}\addtocounter{{equation}}{{-2}}{E}": ["1", "8", "7"],
+    rf"\numberwithin{{equation}}{{section}}\section{{A}}{E}{E}\section*{{B}}{E}\section{{C}}{E}": [
+        "1.1",
+        "1.2",
+        "1.3",
+        "2.1",
+    ],
+    rf"\counterwithin{{equation}}{{subsection}}\section{{A}}\subsection{{B}}{E}\subsection{{C}}{E}": ["1.1.1", "1.2.1"],
+    rf"\documentclass{{book}}\chapter{{A}}{E}\section{{B}}{E}\chapter{{C}}{E}": ["1.1", "1.2", "2.1"],
+    rf"\section{{A}}{E}\renewcommand{{\theequation}}{{\thesection-\arabic{{equation}}}}{E}": ["1", "1-2"],
+    rf"{E}\appendix\section{{A}}\setcounter{{equation}}{{0}}\renewcommand{{\theequation}}{{A\arabic{{equation}}}}{E}{E}": [
+        "1",
+        "A1",
+        "A2",
+    ],
+    rf"\numberwithin{{equation}}{{section}}\section{{A}}{E}\appendix\section{{B}}{E}": ["1.1", "A.1"],
+    rf"{E}\begin{{subequations}}{E}{E}\end{{subequations}}{E}": ["1", "2a", "2b", "3"],
+    rf"\numberwithin{{equation}}{{section}}\section{{A}}\begin{{subequations}}{E}{E}\end{{subequations}}{E}": [
+        "1.1a",
+        "1.1b",
+        "1.2",
+    ],
+    r"\begin{subequations}\begin{align}a&=b\\c&=d\end{align}\end{subequations}": ["1a", "1b"],
+    r"\begin{align}a&=b\tag{*}\\c&=d\\e&=f\notag\end{align}": ["*", "1"],
+    r"\begin{alignat}{2}a&=b&\quad c&=d\\e&=f\end{alignat}\begin{flalign*}a&=b\end{flalign*}": ["1", "2", ""],
+    r"\begin{multline}a\\=b\\+c\end{multline}\begin{gather*}a=b\\c=d\end{gather*}": ["1", ""],
+    r"\begin{equation}\begin{aligned}a&=b\\c&=d\end{aligned}\end{equation}\begin{displaymath}a=b\end{displaymath}": [
+        "1",
+        "",
+    ],
+    rf"\stepcounter{{equation}}{E}\begin{{equation}}a=b\tag*{{(x)}}\end{{equation}}": ["2", "(x)"],
+}
+
+
+@pytest.mark.parametrize("text", NUMBERED)
+def test_numbers_are_those_of_latex(tmp_path, text):
+    path = tmp_path / "text.tex"
+    path.write_text(text)
+    assert [formula.number for formula in read_paper(path).displayed] == NUMBERED[text]
+
+
 def test_labels_and_lines(paper):
     labelled = {label: (formula.number, formula.line) for formula in paper.displayed for label in formula.labels}
     assert labelled["one"] == ("10", 28) and labelled["two"] == ("2", 13) and labelled["three"] == ("3", 14)
