@@ -180,11 +180,11 @@ class ProblemWorld:
         )
 
     def forces(self, names: str, on: str) -> list[Force]:
-        """The forces of these names on a body or the system; "net" means all."""
+        """The forces of these names on a body, several or the system; "net" means all, "external" those from outside."""
         states = {state.name for state in self.bodies(on)}
         here = [force for force in self.study.system.forces if force.on in states]
-        if names == "net":
-            return here
+        if names in ("net", "external"):
+            return [force for force in here if names == "net" or force.by not in states]
         known = {force.name for force in here}
         wanted = re.split(r",\s*|\s+and\s+", names)
         for name in wanted:

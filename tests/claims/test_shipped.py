@@ -39,7 +39,7 @@ def test_all_41_displayed_equations_are_proved(results):
     assert sum(len(result.links) for result in found) == 61
 
 
-@pytest.mark.parametrize("erratum", ["E1", "E2", "E3", "E4", "E5", "E6", "E7", "E8", "M2", "M5"])
+@pytest.mark.parametrize("erratum", ["E1", "E2", "E3", "E4", "E5", "E6", "E7", "E8", "M1", "M2", "M5", "M9"])
 def test_each_slip_is_refuted_with_a_witness_and_its_right_form_proved(results, erratum):
     found = [result for result in results.values() if result.erratum == erratum]
     assert found
