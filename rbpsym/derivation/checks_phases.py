@@ -20,7 +20,6 @@ from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.assemble import vector_rate
-from rbpsym.mechanics.endings import at_start
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import System

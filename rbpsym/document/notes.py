@@ -11,7 +11,7 @@ from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
-from rbpsym.document.notes_phases import new_steps, phase_sections
+from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation, notation_for
@@ -59,11 +59,12 @@ def problem_sections(
     `checks` is the label of a table of checks for the whole document, "" for one of its own.
     """
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
+    speaker = phase_words(detail, language)
     return [
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
-        *phase_sections(derivation, said, level, phase_words(detail, language)),
-        results_section(derivation, said, level),
+        *phase_sections(derivation, said, level, speaker),
+        results_section(derivation, said, level, phase_results(derivation, said, speaker)),
         checks_section(derivation, said, level, checks or (None if detail == "brief" else "")),
     ]
 
@@ -72,7 +73,8 @@ def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words
     """How notes speak of a later phase: of what is new in it."""
 
     def speaker(derivation: Derivation, prefix: str) -> Words:
-        return words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
+        found = words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
+        return replace(found, is_later=True)
 
     return speaker
 

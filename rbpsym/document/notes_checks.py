@@ -10,23 +10,26 @@ from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.words import Words
 
+Told = tuple[Words, tuple[Step, ...]]
 
-def results_section(derivation: Derivation, said: Words, level: int) -> Section:
-    """The boxed results once more, each with the number under which it was found."""
-    results = list(_distinct([step for step in derivation.steps if step.is_result and step.id in said.shown]))
+
+def results_section(derivation: Derivation, said: Words, level: int, later: Iterable[Told] = ()) -> Section:
+    """The boxed results once more, each with the number under which it was found; `later` of further phases."""
+    told = [(said, derivation.steps), *later]
+    found = [(speech, step) for speech, steps in told for step in steps if step.is_result and step.id in speech.shown]
     blocks: tuple[Block, ...] = tuple(
-        Display(step.statement, numbered=False, reason=said.step(step.id)) for step in results
+        Display(step.statement, numbered=False, reason=speech.step(step.id)) for speech, step in _distinct(found)
     )
     box = Callout("result", said.say("results.intro"), blocks)
     return Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
 
 
-def _distinct(steps: list[Step]) -> Iterator[Step]:
+def _distinct(found: list[tuple[Words, Step]]) -> Iterator[tuple[Words, Step]]:
     seen = []
-    for step in steps:
+    for speech, step in found:
         if step.statement not in seen:
             seen.append(step.statement)
-            yield step
+            yield speech, step
 
 
 def checks_section(derivation: Derivation, said: Words, level: int, table: str | None = "") -> Section:
@@ -38,7 +41,7 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     summary = derivation.summary()
     whole = summary["proved"] == summary["steps"]
     counts = {name: summary[name] for name in ("steps", "proved", "refuted", "undecided")}
-    own = checks_table(derivation.steps, said)
+    own = checks_table(derivation.all_steps, said)
     key = "checks.some" if not whole else "checks.short" if table is None else "checks.all"
     intro = said.say(key, table=Ref(table or own.label), **counts)
     items = [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedPhase, Step
 from rbpsym.document.chapters import chapter_sections
@@ -26,18 +27,29 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
     for number, phase in enumerate(derivation.phases, 2):
         prefix = f"{said.prefix}phase{number}."
         own = speaker(phase.derivation, prefix)
-        begins = _begins(phase, derivation, said, prefix)
+        begins = _begins(phase, begin_words(phase, said, prefix))
         title = said.say("phases.title", number=number, name=phase.name)
         yield Section(title, tuple(begins), prefix + "section", level)
         yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
 
 
-def _begins(phase: DerivedPhase, derivation: Derivation, said: Words, prefix: str) -> Iterator[Block]:
+def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
+    """How the steps by which a phase begins are spoken of."""
+    return replace(said, prefix=prefix, shown=frozenset(step.id for step in phase.begins), same={})
+
+
+def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, tuple[Step, ...]]]:
+    """The steps of the later phases, with the words that know their labels."""
+    for number, phase in enumerate(derivation.phases, 2):
+        prefix = f"{said.prefix}phase{number}."
+        yield begin_words(phase, said, prefix), phase.begins
+        yield speaker(phase.derivation, prefix), phase.derivation.steps
+
+
+def _begins(phase: DerivedPhase, own: Words) -> Iterator[Block]:
     """From the end of the phase before to the state in which this one begins."""
-    shown = frozenset(step.id for step in phase.begins)
-    own = Words(said.language, derivation.study.problem, prefix, shown)
     teller = Teller(own)
-    if said.has(f"phases.event.{phase.event.replace(' ', '_')}"):
+    if own.has(f"phases.event.{phase.event.replace(' ', '_')}"):
         yield Paragraph(own.say(f"phases.event.{phase.event.replace(' ', '_')}"))
     others, impulses = by_kind(phase.begins, ("phases.impulse",))
     before = [step for step in others if phase.begins.index(step) < _first(phase, impulses)]

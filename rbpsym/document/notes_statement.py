@@ -20,7 +20,7 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     """What the system is, how it starts, its drawing, its symbols and the conventions."""
     problem, pose = derivation.study.problem, DrawnPose(derivation.study)
     text = [_bodies(problem, said), *element_sentences(pose, said)]
-    motion = [_freedom(derivation, said), *_start(problem, said)]
+    motion = [_freedom(derivation, said), *_start(problem, said), *_phases(problem, said)]
     blocks: list[Block] = [
         Paragraph(sentences(text)),
         Paragraph(sentences(motion)),
@@ -99,6 +99,13 @@ def _start(problem: Problem, said: Words) -> Iterator[Inlines]:
     speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed) for c in begun if c.speed not in (None, t.ZERO)]
     if places:
         yield said.say("statement.moving" if speeds else "statement.rest", place=places, speed=speeds)
+
+
+def _phases(problem: Problem, said: Words) -> Iterator[Inlines]:
+    """That there are further phases."""
+    names = [said.say("statement.phase", name=phase.name) for phase in problem.phases]
+    if names:
+        yield said.say("statement.phases", names=names, count=len(names))
 
 
 def _conventions(pose: DrawnPose, said: Words) -> Iterator[Inlines]:

@@ -43,6 +43,8 @@ class Teller:
         found = known_key(key, self.said)
         if found is None:
             return ()
+        if self.said.has(f"{found}_unseen") and any(self.said.are_unseen(value) for value in slots.values()):
+            found = f"{found}_unseen"
         again = f"{found}_again"
         chosen = again if found in self.before and self.said.has(again) else found
         self.before.add(found)

@@ -19,7 +19,8 @@ class Words:
 
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
     steps that are displayed, so that only these are referred to by number; `same` maps a step
-    that repeats an earlier one to it.
+    that repeats an earlier one to it; `is_later` of a later phase of a motion, where introductions
+    have been given already.
     """
 
     language: str
@@ -27,6 +28,7 @@ class Words:
     prefix: str = ""
     shown: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
+    is_later: bool = False
 
     def say(self, key: str, **slots: Any) -> Inlines:
         """A phrase with all its slots turned into words."""
@@ -59,6 +61,12 @@ class Words:
             marks = [self.step(value.id) for value in values if self.same.get(value.id, value.id) in self.shown]
             return list(dict.fromkeys(marks)) or [phrase("ref.above", self.language)]
         return [self.label(value) if isinstance(value, str) else self.word(value) for value in values]
+
+    def are_unseen(self, values: Any) -> bool:
+        """Is it a list of steps of which none is displayed?"""
+        if not isinstance(values, list) or not values or not all(isinstance(value, StepRef) for value in values):
+            return False
+        return not any(self.same.get(value.id, value.id) in self.shown for value in values)
 
     def label(self, text: str) -> Inlines:
         """A point as the file names it: "rod.end" is the end of the rod."""

@@ -12,6 +12,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.inertia import tidy
 from rbpsym.methods.net_work import is_kinetic, net_power
 from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
@@ -232,8 +233,9 @@ def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
     start = draft.context.scope.start.get(f"{name}_dot", NOTHING)
     if not start or start.number() is not None:
         return draft.show(value, factor=True)
-    gained = short(value - start * start)
-    return t.add(draft.show(short(value - gained), factor=True), *([draft.show(gained, factor=True)] if gained else []))
+    gained = tidy(short(value - start * start))
+    begun = tidy(start * start)
+    return t.add(draft.show(begun, factor=True), *([draft.show(gained, factor=True)] if gained else []))
 
 
 def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:

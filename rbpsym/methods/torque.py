@@ -135,7 +135,7 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
         f"balance.{'.'.join(balance.bodies)}",
         "balance",
         statement,
-        f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'unnamed'}",
+        f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
         premises=premises,
         point=_point(draft, balance),
         bodies=_bodies(balance),

@@ -19,7 +19,8 @@ def _rows(node):
     return [row for part in node.rows for row in _rows(part)] if isinstance(node, t.System) else [node]
 
 
-def test_every_display_of_the_file_is_proved(draft, tmp_path):
+def test_every_display_of_the_file_is_proved(whole_draft, tmp_path):
+    draft = whole_draft
     derivation = Derivation(draft.study, tuple(draft.steps), tuple(draft.skipped))
     document = notes(derivation, "en", "full")
     file = tmp_path / "notes.tex"

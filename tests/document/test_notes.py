@@ -81,7 +81,7 @@ def test_every_force_and_work_has_its_row(name):
 @by_detail
 def test_no_formula_comes_by_another_road(name, detail):
     """Law 2: a displayed formula is what a step states, all of it or its two ends."""
-    stated = {row for step in derived(name).steps for row in rows(step.statement)}
+    stated = {row for step in derived(name).all_steps for row in rows(step.statement)}
     stated |= {t.equation(row.items[0], row.items[-1]) for row in stated if row.ops[0] == "="}
     for block in parts(document(name, detail)):
         if isinstance(block, Display):
@@ -94,7 +94,7 @@ def test_every_phrase_of_a_step_is_known(name, detail):
     derivation = derived(name)
     said = Words("en", derivation.study.problem)
     silent = {"torque.none", "work.none", "work.integrals", "work.done"}
-    for step in derivation.steps:
+    for step in derivation.all_steps:
         if step.chapter != "forces" and step.phrase not in silent:
             assert known_key(step.phrase, said), f"{step.id}: {step.phrase}"
 

@@ -126,6 +126,8 @@ def _friction(draft: Draft, need: FrictionNeed) -> None:
             **slots,
         )
         return
+    if is_zero(need.needed):
+        return
     single = len(draft.study.friction_needs) == 1
     letter = draft.define(draft.free("mu_min" if single else f"mu_min_{need.constraint}"), need.needed)
     size = t.Div(force, normal) if is_zero(need.ratio - need.needed) else t.neg(t.Div(force, normal))
