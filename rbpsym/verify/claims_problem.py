@@ -124,6 +124,7 @@ class ProblemWorld:
             *(f"{n}_dot" for n in moving),
             *(f"{n}_ddot" for n in moving),
             *system.unknowns,
+            *(["t"] if system.has_clock else []),
         ]
 
     @cached_property
