@@ -17,6 +17,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import zeros
@@ -90,6 +91,13 @@ def slip_ends(study: Study, phase: Phase) -> State:
 
 def contact_lost(study: Study, phase: Phase) -> State:
     """The place at which a contact is lost, and the speed there from the first integral."""
+    element = study.system.element(phase.subject)
+    if not pushes(element):
+        raise StatementError(
+            f"the phase “{phase.name}” begins when “{phase.subject}” is lost, but a {element.kind} holds to both sides",
+            instead="name a contact or a string, or let another event begin the phase.",
+            place=element.place,
+        )
     loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
     name = _mover(study)
     if loss is None or name not in loss.at:

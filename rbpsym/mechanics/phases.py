@@ -19,6 +19,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State
 from rbpsym.mechanics.impulse import Struck, strike
+from rbpsym.mechanics.phase_checks import check_collision, check_in_place, check_still_slipping
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Phase, Problem
@@ -54,12 +55,22 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
 def _next(study: Study, phase: Phase) -> Stage:
     before = ENDINGS[phase.event](study, phase)
     placed = Study(_started(phase.problem, before.places, {}))
+    _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
     after = _started(phase.problem, before.places, struck.speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, struck.speeds)
     return Stage(
         phase.name, Study(after), HandOver(before, struck.speeds, struck.impulses, short(without_even_roots(lost)))
     )
+
+
+def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
+    """Raises StatementError if the phase can't begin so."""
+    check_still_slipping(study, phase, before)
+    check_in_place(study, phase, placed, before)
+    for element in phase.impulses:
+        if element.kind == "collision":
+            check_collision(study, element, before)
 
 
 def _started(problem: Problem, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Problem:

@@ -8,7 +8,7 @@ from rbpsym.errors import StatementError
 from rbpsym.notation.tree import Node, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.model import Body, Coordinate, Element, Line, Problem
+from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.signs import compare_numbers
@@ -193,18 +193,44 @@ def _elements(problem: Problem) -> list[str]:
 
 
 def _same_contact(problem: Problem, table: Table) -> None:
-    """One point against one line once."""
-    seen: dict[tuple[str, str], str] = {}
-    for element in (e for e in problem.constraints if e.kind == "contact" and e["line"] is not None):
-        line: Line = element["line"]
-        key = element["point"].label, f"{line.label} of {element['of']}"
+    """One point or body against one curve once."""
+    seen: dict[tuple[str, ...], str] = {}
+    for element in problem.constraints:
+        key = _contact(element)
         if key in seen:
             raise StatementError(
-                f"contact “{element.name}” says again what “{seen[key]}” says",
+                f"{element.kind} “{element.name}” says again what “{seen[key]}” says",
                 place=element.place,
                 instead="remove one of them.",
             )
-        seen[key] = element.name
+        if key:
+            seen[key] = element.name
+
+
+def _contact(element: Element) -> tuple[str, ...]:
+    """What touches, and what it touches; () if the element is no contact."""
+    values = element.values
+    touching = values["body"] if "body" in values else getattr(values.get("point"), "label", "")
+    line, circle = values.get("line"), values.get("circle")
+    if line is None and circle is None:
+        return ()
+    curve = f"line {line.label}" if line is not None else f"circle {circle.label} {values.get('radius')}"
+    return touching, curve, str(values.get("of"))
+
+
+def _gravity_once(problem: Problem, table: Table) -> None:
+    """One field of gravity in one direction for each body."""
+    seen: dict[tuple[object, str], str] = {}
+    for element in (e for e in problem.interactions if e.kind == "gravity"):
+        for body in element["bodies"] or problem.body_names:
+            key = element["direction"], body
+            if key in seen:
+                raise StatementError(
+                    f"gravity “{element.name}” acts on “{body}”, on which “{seen[key]}” acts already",
+                    place=element.place,
+                    instead="remove one of them, or say on which bodies each acts.",
+                )
+            seen[key] = element.name
 
 
 _CHECKS = (
@@ -215,4 +241,5 @@ _CHECKS = (
     _coordinates_used,
     _known_names,
     _same_contact,
+    _gravity_once,
 )

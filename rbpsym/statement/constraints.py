@@ -31,7 +31,14 @@ _CURVE = (
 )
 _FRICTION = Field("friction", "name", "name of the force of friction", default="f_{name}")
 _SLIDING = (
-    Field("coefficient", "expression", "coefficient of kinetic friction; absent: smooth", NUMBER, default=""),
+    Field(
+        "coefficient",
+        "expression",
+        "coefficient of kinetic friction; absent: smooth",
+        NUMBER,
+        default="",
+        sign="nonnegative",
+    ),
     Field(
         "slip",
         "choice",
@@ -42,7 +49,12 @@ _SLIDING = (
     _FRICTION,
 )
 _LIMIT = Field(
-    "limit", "expression", "coefficient of static friction; absent: as much as is needed", NUMBER, default=""
+    "limit",
+    "expression",
+    "coefficient of static friction; absent: as much as is needed",
+    NUMBER,
+    default="",
+    sign="nonnegative",
 )
 _POINT = Field("point", "point", "the point that touches")
 _ROUND = Field("body", "body", "the round body that touches")

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import ONE, ZERO, Node
 from rbpsym.quantities import DIMENSIONS, NUMBER
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
@@ -22,7 +22,8 @@ from rbpsym.statement.finish import finish
 from rbpsym.statement.kinds import Field, Kind, registry
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.scope import read_expression
-from rbpsym.statement.source import Table, did_you_mean
+from rbpsym.statement.signs import compare_numbers, multiple_of_pi
+from rbpsym.statement.source import Table, did_you_mean, kind_of
 
 _IMPULSE = DIMENSIONS["impulse"]
 
@@ -70,9 +71,12 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
     """The phases after the first, each with the problem that then holds (its start is left to the mechanics)."""
     current = dict(table.table("constraints", "constraints").data)
     found: list[Phase] = []
+    names = {q.name: "a parameter" for q in problem.parameters} | {c.name: "a coordinate" for c in problem.coordinates}
     for number, row in enumerate(table.rows("phases", "“phases”"), 2):
         name = row.string("name") or f"phase {number}"
         row.check_keys(PHASE_KEYS, f"the phase “{name}”")
+        if name in {phase.name for phase in found}:
+            raise row.value_error("name", f"two phases are called “{name}”", "give one another name.")
         event, subject = _event(row, name, current, around)
         value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)
@@ -80,7 +84,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         constraints = tuple(
             finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
         )
-        impulses = tuple(_checked(e, row) for e in read_elements("impulses", row, IMPULSES, around))
+        impulses = tuple(_checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around))
         found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
     return tuple(found)
 
@@ -127,7 +131,13 @@ def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:
 def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, object]:
     """The constraints of the phase as tables."""
     found = dict(current)
-    for item in row.item("without", []).items():
+    without = row.item("without", [])
+    if not isinstance(without.value, (list, tuple)):
+        raise without.error(
+            f"“without” of the phase “{name}” must be a list of names, not {kind_of(without.value)}",
+            'write without = ["N"]',
+        )
+    for item in without.items():
         if item.value not in found:
             raise item.error(
                 f"the phase “{name}”: there is no constraint “{item.value}”", did_you_mean(str(item.value), found)
@@ -144,10 +154,31 @@ def _merged(old: Mapping[str, object], new: Table) -> dict[str, object]:
     return {**{key: value for key, value in old.items() if key in keys}, **new.data}
 
 
-def _checked(element: Element, row: Table) -> Element:
-    bodies = [ref.body for ref in (element["points"] if element.kind == "collision" else (element["on"],))]
-    if None in bodies and element.kind == "blow":
-        raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
-    if element.kind == "collision" and bodies[0] == bodies[1]:
-        raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
+def _checked(element: Element, row: Table, names: Mapping[str, str]) -> Element:
+    _IMPULSE_CHECKS[element.kind](element, row)
+    if element.name in names:
+        raise row.error(f"“{element.name}” is {names[element.name]} and an impulse", "rename one.", "impulses")
     return element
+
+
+def _check_blow(element: Element, row: Table) -> None:
+    if element["on"].body is None:
+        raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
+    if all(multiple_of_pi(part) == (0, 0) for part in element["impulse"]):
+        raise row.error(f"the blow “{element.name}” has no impulse at all", 'write impulse = ["J", "0"]', "impulses")
+
+
+def _check_collision(element: Element, row: Table) -> None:
+    first, second = (ref.body for ref in element["points"])
+    if first == second:
+        raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
+    restitution = element["restitution"]
+    if compare_numbers(restitution, ZERO) == -1 or compare_numbers(restitution, ONE) == 1:
+        raise row.error(
+            f"the restitution of the collision “{element.name}” must be between 0 and 1",
+            "0: they part with one speed, 1: no energy is lost.",
+            "impulses",
+        )
+
+
+_IMPULSE_CHECKS = {"blow": _check_blow, "collision": _check_collision}

@@ -8,7 +8,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 
 from rbpsym.errors import DimensionError
-from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym
+from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym, names
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
@@ -32,7 +32,33 @@ def read_parameters(table: Table) -> tuple[Quantity, ...]:
         check_name(name, section, RESERVED | AXES, key=name)
         found[name] = _parameter(name, section)
     scope = Scope({name: quantity.dimension for name, quantity in found.items()})
-    return tuple(_bounded(quantity, section, scope) for quantity in found.values())
+    bounded = {name: _bounded(quantity, section, scope) for name, quantity in found.items()}
+    _check_bounds(bounded, section)
+    return tuple(bounded.values())
+
+
+def _check_bounds(found: Mapping[str, Quantity], section: Table) -> None:
+    """No quantity is its own bound, nor smaller than what is smaller than it."""
+    above: dict[str, set[str]] = {name: set() for name in found}  # of each, what is surely greater
+    for name, quantity in found.items():
+        if name in {n for bound in (quantity.lower, quantity.upper) if bound is not None for n in names(bound)}:
+            raise section.error(f"“{name}” is in its own bound", "name another quantity.", name)
+        if isinstance(quantity.upper, Sym):
+            above[name].add(quantity.upper.name)
+        if isinstance(quantity.lower, Sym) and quantity.lower.name in above:
+            above[quantity.lower.name].add(name)
+    for name in found:
+        if name in _reached(name, above):
+            raise section.error(f"the bounds of “{name}” contradict each other", "turn one of them round.", name)
+
+
+def _reached(name: str, above: Mapping[str, set[str]]) -> set[str]:
+    found: set[str] = set()
+    new = set(above[name])
+    while new:
+        found |= new
+        new = {other for one in new for other in above.get(one, ())} - found
+    return found
 
 
 def _parameter(name: str, section: Table) -> Quantity:
