@@ -9,18 +9,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from importlib import import_module
 
+from rbpsym.derivation.step import Derivation
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.model import Worksheet
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """key: write keys and solutions too; separate: one file a student (where the format allows both);
-    engine: what makes PDF ("typst" or "pdflatex")."""
+    """key: write keys too; solution: and the worked solutions, from `derivations` (by problem);
+    separate: one file a student (where the format allows both); engine: what makes PDF ("typst" or "pdflatex")."""
 
     key: bool = False
     separate: bool = True
     engine: str = "typst"
+    solution: bool = False
+    derivations: Mapping[str, Derivation] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

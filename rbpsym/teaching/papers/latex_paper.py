@@ -1,0 +1,121 @@
+r"""Worksheets in LaTeX: the exam class, tasks as \question with points; meant to be edited."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.document import breaking
+from rbpsym.document.escaping import latex_text
+from rbpsym.document.figures.tikz import tikz_styles
+from rbpsym.document.model import Document, FigureBlock, Section, Table
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.latex import BABEL, LATEX, blocks
+from rbpsym.document.writers.latex import section as titled_section
+from rbpsym.document.writers.page import Page, Print, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.notation.latex import PREAMBLE, render
+from rbpsym.notation.tree import Node
+from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.papers.blocks import Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.wording import plain_text
+
+COLUMN = 36.0
+INDENT = r"{} \qquad "
+
+
+def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = False) -> str:
+    """The LaTeX source of a paper, a key or a solution."""
+    document = numbered(document)
+    page = page_for(document, PAPER, COLUMN)
+    language, student = worksheet.language, worksheet.student
+    return shell(
+        "worksheet.tex",
+        title=page.inlines(document.title),
+        plain_title=latex_text(bare(document.title, document.notation)),
+        language=BABEL.get(language, language),
+        styles=f"{PREAMBLE}\n{tikz_styles()}",
+        is_key=is_key,
+        code=latex_text(plain_text("paper.form", language, code=worksheet.code)),
+        student=latex_text(student.name or student.id) if student else "",
+        words={key: latex_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
+        points=f"{float(worksheet.points):g}",
+        body="\n\n".join(_sections(document, page)),
+    )
+
+
+def _sections(document: Document, page: Page) -> list[str]:
+    r"""The sections; tasks stand in `questions`, which statements interrupt without losing count."""
+    found, inside = [], False
+    for part in document.sections:
+        is_task = any(isinstance(block, Lead) for block in part.blocks)
+        if is_task != inside:
+            found.append(r"\begin{tasks}" if is_task else r"\end{tasks}")
+            inside = is_task
+        found.append(section(part, page))
+    return [*found, r"\end{tasks}"] if inside else found
+
+
+def section(part: Section, page: Page) -> str:
+    """A section; one without a title is its blocks."""
+    return titled_section(part, page) if part.title else blocks(part.blocks, page)
+
+
+def lead(block: Lead, page: Page) -> str:
+    r"""\question with its points (which may be no whole number)."""
+    return f"\\task{{{latex_text(block.number)}}}{{{latex_text(block.points)}}}{page.inlines(block.inlines)}"
+
+
+def options(block: Options, page: Page) -> str:
+    """Lettered options; the right one is set by \\CorrectChoice, which a key prints in bold."""
+    rows = [
+        rf"  \{'CorrectChoice' if place == block.right else 'choice'} {page.inlines(item)}"
+        for place, item in enumerate(block.items)
+    ]
+    return "\\begin{choices}\n" + "\n".join(rows) + "\n\\end{choices}"
+
+
+def marked(block: Marked, page: Page) -> str:
+    """Formulas with their marks."""
+    rows = [rf"  \item[\textbf{{{mark}}}] ${formula(node, page)}$" for mark, node in block.lines]
+    return "\\begin{list}{}{\\leftmargin3em\\itemsep6pt}\n" + "\n".join(rows) + "\n\\end{list}"
+
+
+def formula(node: Node, page: Page) -> str:
+    """A formula in display style, broken where it is too wide."""
+    lines = breaking.lines(node, page.notation, page.column - 4)
+    rows = [f"{render(line.left)} &{INDENT * line.indent}{render(line.right)}" for line in lines]
+    if len(rows) == 1:
+        return rf"\displaystyle {rows[0].replace(' &', ' ', 1)}"
+    return "\\begin{aligned}[t]" + r" \\ ".join(rows) + "\\end{aligned}"
+
+
+def rules(block: Rules, page: Page) -> str:
+    """Rules to write on."""
+    rows = [rf"{page.inlines(item)} \rule[-2pt]{{{block.width}cm}}{{0.4pt}}" for item in block.items]
+    return "\\par\\smallskip " + r"\par\bigskip ".join(rows) + r"\par"
+
+
+def here(writer: Print) -> Print:
+    """A float that stays where it is: a worksheet is read in order."""
+    return lambda block, page: writer(block, page).replace("[!ht]", "[H]", 1)
+
+
+def unnumbered(block: Table, page: Page) -> str:
+    """A table; without a caption it is no float."""
+    text = LATEX[Table](block, page)
+    if block.caption:
+        return text.replace("[!ht]", "[H]", 1)
+    return text.replace("\\begin{table}[!ht]\\centering", "\\begin{center}", 1).replace("\\end{table}", "\\end{center}")
+
+
+PAPER: Mapping[type, Print] = {
+    **LATEX,
+    Section: section,
+    FigureBlock: here(LATEX[FigureBlock]),
+    Table: unnumbered,
+    Lead: lead,
+    Options: options,
+    Marked: marked,
+    Rules: rules,
+    Space: lambda block, page: rf"\vspace{{{block.height}cm}}" if block.height else "",
+}

@@ -1,0 +1,260 @@
+"""A worksheet as a document: the paper of a student, the key, the solution. No format is chosen here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.model import (
+    Block,
+    Display,
+    Document,
+    Inlines,
+    ItemList,
+    Math,
+    Paragraph,
+    Section,
+    Strong,
+    Table,
+    Text,
+    words,
+)
+from rbpsym.document.words import Words
+from rbpsym.notation import tree as t
+from rbpsym.teaching import model as m
+from rbpsym.teaching.papers.blocks import LETTERS, Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.wording import plain_text, say, spoken
+
+SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
+
+
+def number_text(value: Fraction, mark: str = ".") -> str:
+    """A number of points: 3, 2.5."""
+    return str(value.numerator) if value.denominator == 1 else f"{float(value):.2g}".replace(".", mark)
+
+
+def points_text(points: Fraction, language: str) -> str:
+    """ "3 points"."""
+    count = 1 if points == 1 else 2
+    return plain_text("paper.points", language, count=count, points=number_text(points))
+
+
+# --- the paper
+
+
+def paper_document(worksheet: m.Worksheet) -> Document:
+    """The paper: statements, numbers, tasks with room for answers."""
+    sections: list[Section] = []
+    if worksheet.introduction:
+        sections.append(Section((), worksheet.introduction, level=3))
+    for part in worksheet.parts:
+        heading = part.title if len(worksheet.parts) > 1 else ()
+        sections.append(Section(heading, part.statement, level=3))
+        sections += [Section((), tuple(task_blocks(item, worksheet)), level=3) for item in part.items]
+    return Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
+
+
+def task_blocks(item: m.Item, worksheet: m.Worksheet, *, with_key: bool = False) -> Iterator[Block]:
+    """A task with its answer area; with its key instead of that area, if asked for."""
+    first, *rest = item.prompt
+    inlines = first.inlines if isinstance(first, Paragraph) else ()
+    yield Lead(item.id, inlines, points_text(item.points, worksheet.language))
+    yield from rest if isinstance(first, Paragraph) else item.prompt
+    yield from (KEYS if with_key else AREAS)[type(item.key)](item, worksheet)
+
+
+def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Options(tuple(option.content for option in item.key.options))
+    if item.kind == "compare":
+        yield Space(float(item.space))
+
+
+def _number_line(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Space(float(item.space))
+    yield Rules(((Math(t.relation(item.key.left, "=", t.Word(""))),),))
+
+
+def _pieces(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Marked(tuple(zip(LETTERS, (piece.statement for piece in item.key.pieces), strict=False)))
+    yield Rules((words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
+
+
+def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(item.key.lines, 1)))
+    language = worksheet.language
+    yield Rules(tuple(words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected")), 8.0)
+
+
+def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    rows = tuple((row.label, (), (), ()) for row in item.key.rows)
+    yield Table(_sign_header(worksheet.language), rows, (), "lccc")
+
+
+def _sign_header(language: str) -> tuple[Inlines, ...]:
+    return tuple(say(f"signs.{key}", language) for key in ("force", "translational", "rotational", "cancels"))
+
+
+def _blank_rules(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Rules(tuple((Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in item.key.blanks))
+
+
+def _space(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Space(float(item.space))
+
+
+Area = Callable[[m.Item, m.Worksheet], Iterator[Block]]
+
+AREAS: Mapping[type, Area] = {
+    m.ChoiceKey: _choices,
+    m.ComparisonKey: _choices,
+    m.NumberKey: _number_line,
+    m.FormulaKey: _number_line,
+    m.OrderKey: _pieces,
+    m.SlipKey: _lines,
+    m.SignsKey: _sign_table,
+    m.BlanksKey: _blank_rules,
+    m.ExplanationKey: _space,
+}
+
+
+# --- the key
+
+
+def key_document(worksheet: m.Worksheet) -> Document:
+    """The key: every answer, the rubric, and the slips that wrong answers show."""
+    sections = [Section((), tuple(_key_head(worksheet)), level=3)]
+    for part in worksheet.parts:
+        if len(worksheet.parts) > 1:
+            sections.append(Section(part.title, (), level=3))
+        sections += [Section((), tuple(key_blocks(item, worksheet)), level=3) for item in part.items]
+    title = say("paper.key_of", worksheet.language, title=worksheet.title)
+    return Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
+
+
+def _key_head(worksheet: m.Worksheet) -> Iterator[Block]:
+    given = [numbers(part, worksheet) for part in worksheet.parts if part.given]
+    for listed in given:
+        yield Paragraph(say("solution.numbers", worksheet.language, given=listed))
+
+
+def numbers(part: m.Part, worksheet: m.Worksheet) -> list[t.Node]:
+    """name = number for all that is given."""
+    mark = worksheet.notation.decimal
+    return [t.equation(t.Sym(n), t.Word(measure_text(x, mark))) for n, x in part.given.items()]
+
+
+def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    """The answer to a task, its rubric and the known slips."""
+    yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
+    yield from KEYS[type(item.key)](item, worksheet)
+    if item.rubric:
+        yield ItemList(tuple(_criterion(c, worksheet) for c in item.rubric))
+    slips = tuple(_slips(item, worksheet))
+    if slips:
+        yield ItemList(slips)
+
+
+def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
+    """The answer in a line, where it fits one."""
+    key, mark = item.key, worksheet.notation.decimal
+    if isinstance(key, (m.ChoiceKey, m.ComparisonKey)):
+        yield Strong(words(f"{LETTERS[key.right]})"))
+        yield Text(" ")
+        yield from key.options[key.right].content
+    elif isinstance(key, m.NumberKey):
+        yield Math(t.equation(key.left, key.formula, t.Word(measure_text(key.measure, mark))))
+    elif isinstance(key, m.FormulaKey):
+        yield Math(t.equation(key.left, key.value))
+    elif isinstance(key, m.OrderKey):
+        order = " ".join(LETTERS[k] for k in key.sample)
+        yield from say("paper.accepted_order", worksheet.language, order=order)
+    elif isinstance(key, m.SlipKey):
+        yield Text(f"{plain_text('paper.line', worksheet.language)}: {key.wrong + 1}. ")
+        yield Text(f"{plain_text('paper.corrected', worksheet.language)}: ")
+
+
+def _nothing(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield from ()
+
+
+def _slip_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield Display(item.key.corrected, numbered=False)
+    yield Paragraph(feedback(item.key.slip, item, worksheet))
+
+
+def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    language = worksheet.language
+    groups = list(dict.fromkeys(row.cancels for row in item.key.rows if row.cancels))
+    rows = []
+    for row in item.key.rows:
+        signs = (say(f"signs.{SIGN_WORDS[s]}", language) for s in (row.translational, row.rotational))
+        group = words(str(groups.index(row.cancels) + 1)) if row.cancels else say("signs.nothing", language)
+        rows.append((row.label, *signs, group))
+    yield Table(_sign_header(language), tuple(rows), (), "lccc")
+
+
+def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    for answer in item.key.blanks:
+        yield Display(t.equation(m.blank(answer.number), answer.value), numbered=False)
+
+
+def _explanation_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    yield from item.key.sample
+
+
+KEYS: Mapping[type, Area] = {
+    m.ChoiceKey: _nothing,
+    m.ComparisonKey: _nothing,
+    m.NumberKey: _nothing,
+    m.FormulaKey: _nothing,
+    m.OrderKey: _nothing,
+    m.SlipKey: _slip_key,
+    m.SignsKey: _signs_key,
+    m.BlanksKey: _blanks_key,
+    m.ExplanationKey: _explanation_key,
+}
+
+
+def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> Inlines:
+    points = say("paper.points_each", worksheet.language, points=number_text(criterion.points))
+    return (Strong(points), Text(" "), *criterion.text)
+
+
+def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[Inlines]:
+    """What each known wrong answer says about its maker."""
+    key, mark = item.key, worksheet.notation.decimal
+    if isinstance(key, m.ChoiceKey):
+        found = [(words(f"{LETTERS[k]})"), o.slip) for k, o in enumerate(key.options) if o.slip]
+    elif isinstance(key, m.NumberKey):
+        found = [(words(measure_text(a.number, mark)), a.slip) for a in key.anticipated]
+    elif isinstance(key, m.FormulaKey):
+        found = [((Math(a.formula),), a.slip) for a in key.anticipated]
+    elif isinstance(key, m.BlanksKey):
+        found = [((Math(a.formula),), a.slip) for b in key.blanks for a in b.anticipated]
+    else:
+        found = []
+    for answer, slip in found:
+        comment = feedback(slip, item, worksheet)
+        yield say("paper.slip", worksheet.language, answer=answer, comment=comment)
+
+
+def feedback(slip: m.Slip, item: m.Item, worksheet: m.Worksheet) -> Inlines:
+    """What is said of a slip, the bodies called as in the problem of the item."""
+    said = Words(worksheet.language, worksheet.problems[item.asked.problem])
+    return spoken(said, slip.phrase, **slip.slots)
+
+
+# --- the solution
+
+
+def solution_document(worksheet: m.Worksheet, derivations: Mapping[str, Derivation]) -> Document:
+    """The full derivation of each problem, then every answer worked out at the student's numbers."""
+    from rbpsym.teaching.papers.solution import part_sections
+
+    sections: list[Section] = []
+    for part in worksheet.parts:
+        sections += part_sections(part, worksheet, derivations[part.problem])
+    title = say("paper.solution_of", worksheet.language, title=worksheet.title)
+    return Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)

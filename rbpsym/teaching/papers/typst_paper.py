@@ -1,0 +1,89 @@
+"""Worksheets in Typst: what the notes' writer prints, and the blocks that only worksheets have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.document import breaking
+from rbpsym.document.escaping import typst_string, typst_text
+from rbpsym.document.model import Document, Section
+from rbpsym.document.numbering import numbered
+from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.document.writers.typst import TYPST, blocks, spoken
+from rbpsym.document.writers.typst import section as titled_section
+from rbpsym.notation.tree import Node
+from rbpsym.notation.typst import render, to_typst
+from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.papers.blocks import Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.wording import plain_text
+
+COLUMN = 38.0
+
+
+def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = False) -> str:
+    """The Typst source of a paper, a key or a solution."""
+    document = numbered(document)
+    page = page_for(document, PAPER, COLUMN)
+    language, student = worksheet.language, worksheet.student
+    return shell(
+        "worksheet.typ",
+        title=page.inlines(document.title),
+        plain_title=typst_string(bare(document.title, document.notation)),
+        language=language,
+        is_key=is_key,
+        code=typst_text(plain_text("paper.form", language, code=worksheet.code)),
+        student=typst_text(student.name or student.id) if student else "",
+        words={key: typst_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
+        points=typst_text(f"{float(worksheet.points):g}"),
+        body=body(document, page),
+    )
+
+
+def section(part: Section, page: Page) -> str:
+    """A section; one without a title is its blocks."""
+    return titled_section(part, page) if part.title else blocks(part.blocks, page)
+
+
+def lead(block: Lead, page: Page) -> str:
+    """The number and question of a task, its points at the right."""
+    return f"#task([{typst_text(block.number)}], [{page.inlines(block.inlines)}], [{typst_text(block.points)}])"
+
+
+def options(block: Options, page: Page) -> str:
+    """Lettered options with a box to tick."""
+    items = ", ".join(f"[{page.inlines(item)}]" for item in block.items)
+    right = "none" if block.right is None else str(block.right)
+    return f"#options({right}, {items})"
+
+
+def marked(block: Marked, page: Page) -> str:
+    """Formulas with their marks."""
+    items = ", ".join(f"([{mark}], {formula(node, page)})" for mark, node in block.lines)
+    return f"#marked({items},)"
+
+
+def formula(node: Node, page: Page) -> str:
+    """A formula that stands in a grid, broken where it is too wide."""
+    lines = breaking.lines(node, page.notation, page.column - 4)
+    if len(lines) == 1:
+        return f"math.equation(alt: {spoken(node, page)}, math.display(${to_typst(node, page.notation)}$))"
+    rows = " \\ ".join(f"{render(line.left)} & {'wide ' if line.indent else ''}{render(line.right)}" for line in lines)
+    return f"math.equation(alt: {spoken(node, page)}, math.display(${rows}$))"
+
+
+def rules(block: Rules, page: Page) -> str:
+    """Rules to write on."""
+    items = ", ".join(f"[{page.inlines(item)}]" for item in block.items)
+    return f"#rules({block.width}cm, {items})"
+
+
+PAPER: Mapping[type, Print] = {
+    **TYPST,
+    Section: section,
+    Lead: lead,
+    Options: options,
+    Marked: marked,
+    Rules: rules,
+    Space: lambda block, page: f"#v({block.height}cm)" if block.height else "",
+}
