@@ -23,8 +23,8 @@ by_name = pytest.mark.parametrize("name", NAMES)
 @cache
 def bound():
     """The problems that some claims file speaks of."""
-    files = (library_folder() / "claims").glob("*.toml")
-    settings = [setting for file in files for setting in tomllib.loads(file.read_text()).get("settings", {}).values()]
+    files = [tomllib.loads(file.read_text()) for file in (library_folder() / "claims").glob("*.toml")]
+    settings = [setting for file in files for setting in (file, *file.get("settings", {}).values())]
     return {setting["problem"] for setting in settings if "problem" in setting}
 
 
