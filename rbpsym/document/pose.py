@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -16,22 +16,23 @@ from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.quantities import NUMBER
+from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate, PointRef, Problem
 
 Point = tuple[float, float]
-LEAST_ANGLE, SHOWN_ANGLE = 0.3, 0.6
+LEAST_ANGLE, SHOWN_ANGLE, LEAST_SHARE = 0.3, 0.6, 0.2
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnPose:
-    """A study with the numbers of the pose in which it is drawn."""
+    """A study with the numbers of the pose in which it is drawn; `given` replaces some of them."""
 
     study: Study
+    given: Mapping[str, float] = field(default_factory=dict)
     numbers: Mapping[str, float] = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "numbers", self._tied(drawn_numbers(self.study.problem)))
+        object.__setattr__(self, "numbers", self._tied(drawn_numbers(self.study.problem) | dict(self.given)))
 
     def _tied(self, numbers: dict[str, float]) -> dict[str, float]:
         return numbers | {n: number(v, numbers) for n, v in self.study.system.dependent.items()}
@@ -64,6 +65,26 @@ class DrawnPose:
         """The centre of mass of a body."""
         return self.point(self.study.system.bodies[body].center)
 
+    @cached_property
+    def size(self) -> float:
+        """The largest size of a body, else the largest length among the parameters."""
+        shapes = [body.shape for body in self.study.problem.bodies]
+        sizes = [self.node(n) for shape in shapes for key, n in shape.sizes.items() if key in LENGTHS]
+        sizes += [self.node(rim) for rims in self.rims.values() for rim in rims]
+        known = [self.numbers[q.name] for q in self.study.problem.parameters if q.dimension == LENGTH]
+        return max([*sizes, *([] if sizes else known)], default=1.0)
+
+    @cached_property
+    def rims(self) -> Mapping[str, tuple[t.Node, ...]]:
+        """By body: the radii at which it touches or carries a string, other than those of its outline."""
+        found: dict[str, list[t.Node]] = {body.name: [] for body in self.study.problem.bodies}
+        for body, radius in _rims(self.study.problem):
+            own = [self.node(size) for key, size in self.study.problem.body(body).shape.sizes.items() if key in RADII]
+            known = [*own, *(self.node(other) for other in found[body])]
+            if all(abs(self.node(radius) - other) > 1e-9 for other in known):
+                found[body].append(radius)
+        return {name: tuple(sorted(rims, key=self.node)) for name, rims in found.items() if rims}
+
     def slope(self, body: str, coordinate: str) -> float | None:
         """How fast a body's angle grows with a coordinate; None if not at a constant rate."""
         found = derivative(self.study.system.bodies[body].pose.angle, coordinate).number()
@@ -80,13 +101,58 @@ class DrawnPose:
         return found
 
 
+RADII = ("radius", "outer", "inner")
+LENGTHS = (*RADII, "length", "width", "height", "base")
+
+
+def _rims(problem: Problem) -> Iterator[tuple[str, t.Node]]:
+    """(body, radius) of all that touches or runs round a body."""
+    for element in problem.constraints:
+        if element.values.get("rim") is not None:
+            yield element["body"], element["rim"]
+        circle = element.values.get("circle")
+        if circle is not None and circle.body is not None:
+            yield circle.body, element["radius"]
+        for turn in element.values.get("path") or ():
+            if turn.body is not None and turn.sense:
+                yield turn.body, turn.radius
+
+
+def other_numbers(pose: DrawnPose) -> DrawnPose:
+    """The same pose with other numbers: what is equal in both is equal by no chance."""
+    problem = pose.study.problem
+    names = [*(q.name for q in problem.parameters), *(c.name for c in problem.coordinates)]
+    factors = {name: 1.0 - 0.037 * ((place * 5) % 7 + 1) for place, name in enumerate(names)}
+    return DrawnPose(pose.study, {name: pose.numbers[name] * factor for name, factor in factors.items()})
+
+
 def drawn_numbers(problem: Problem) -> dict[str, float]:
-    """The sample of a problem; angles too small to be seen are opened."""
+    """The sample of a problem; angles and displacements too small to be seen are opened.
+
+    Where something strikes at the start, the bodies stand as they do then.
+    """
     numbers = sample(problem, problem.example)
+    if problem.phases and problem.phases[0].event == "at once":
+        return numbers | {c.name: _bound(c.start, numbers, numbers[c.name]) for c in problem.coordinates}
+    _open_displacements(problem, numbers)
     for coordinate in problem.coordinates:
         if coordinate.quantity.dimension == NUMBER and abs(numbers[coordinate.name]) < LEAST_ANGLE:
             numbers[coordinate.name] = _opened(coordinate, numbers)
     return numbers
+
+
+def _open_displacements(problem: Problem, numbers: dict[str, float]) -> None:
+    """Lengths that are zero at the start get sizes that are seen and differ from each other."""
+    sizes = [numbers[q.name] for q in problem.parameters if q.dimension == LENGTH]
+    size = max(sizes, default=1.0)
+    for place, coordinate in enumerate(problem.coordinates):
+        if coordinate.quantity.dimension == LENGTH and abs(numbers[coordinate.name]) < LEAST_SHARE * size:
+            low, high = (
+                _bound(n, numbers, f) for n, f in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf))
+            )
+            wanted = (0.9 + 0.5 * place) * size
+            wanted = wanted if wanted < high else 0.5 * (max(low, 0.0) + high)
+            numbers[coordinate.name] = max(wanted, low)
 
 
 def _opened(coordinate: Coordinate, numbers: Mapping[str, float]) -> float:

@@ -7,27 +7,15 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.figures.sketch import (
-    AngleMark,
-    LengthMark,
-    RadiusMark,
-    Sketch,
-    SketchBody,
-    SketchCoil,
-    SketchCouple,
-    SketchForce,
-    SketchLine,
-    SketchLink,
-    SketchPart,
-    SketchPoint,
-)
+from rbpsym.document import sketch_dimensions as dimensions
+from rbpsym.document import sketch_supports as supports
+from rbpsym.document.figures.sketch import Point, Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
 from rbpsym.document.pose import DrawnPose
+from rbpsym.document.sketch_actions import arrows
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Element, PointRef, Shape
-
-Point = tuple[float, float]
+from rbpsym.statement.model import Body, Shape
 
 
 def sketch_of(derivation: Derivation) -> Sketch:
@@ -39,13 +27,16 @@ def sketch_of_pose(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node] = Ma
     """The sketch of a study in a pose; `names` are those of the forces, by force and body."""
     return Sketch(
         bodies=tuple(_bodies(pose)),
-        points=tuple(_points(pose)),
-        lines=tuple(_lines(pose)),
-        links=tuple(_links(pose)),
-        coils=tuple(_coils(pose)),
-        angles=tuple(_angles(pose)),
-        lengths=tuple(_lengths(pose)),
-        radii=tuple(_radii(pose)),
+        points=tuple(supports.points(pose)),
+        lines=tuple(supports.lines(pose)),
+        circles=tuple(supports.circles(pose)),
+        cords=tuple(supports.cords(pose)),
+        arrows=tuple(arrows(pose)),
+        links=tuple(supports.links(pose)),
+        coils=tuple(supports.coils(pose)),
+        angles=tuple(dimensions.angles(pose)),
+        lengths=tuple(dimensions.lengths(pose)),
+        radii=tuple(dimensions.radii(pose)),
         forces=tuple(_forces(pose, names)),
         couples=tuple(_couples(pose)),
         **_gravity(pose),
@@ -57,14 +48,28 @@ def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
         state = pose.study.system.bodies[body.name]
         yield SketchBody(
             body.name,
-            body.shape.kind,
-            _sizes(pose, body.shape),
+            *_outline(pose, body),
             pose.point(state.pose.origin),
             pose.value(state.pose.angle),
             pose.point(state.center),
-            None,
+            body.mass if isinstance(body.mass, t.Sym) else None,
             tuple(_parts(pose, body.shape)),
+            tuple(pose.node(rim) for rim in pose.rims.get(body.name, ())),
         )
+
+
+def _outline(pose: DrawnPose, body: Body) -> tuple[str, dict[str, float]]:
+    """Kind and sizes of the outline; one of no particular shape is as large as its rims and points ask."""
+    if body.shape.kind != "given":
+        return body.shape.kind, _sizes(pose, body.shape)
+    rims = [pose.node(rim) for rim in pose.rims.get(body.name, ())]
+    if rims:
+        return "disk", {"radius": max(rims)}
+    own = [(pose.node(x), pose.node(y)) for x, y in body.points.values()]
+    xs, ys = zip((0.0, 0.0), *own, strict=True)
+    if max(xs) - min(xs) > 0 and max(ys) - min(ys) > 0:
+        return "box", {"left": min(xs), "right": max(xs), "bottom": min(ys), "top": max(ys)}
+    return "given", {"size": 2.3 * max([math.hypot(*p) for p in own], default=0.0) or pose.size}
 
 
 def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
@@ -75,159 +80,6 @@ def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
     for part in shape.parts:
         at = (pose.node(part.at[0]), pose.node(part.at[1]))
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
-
-
-def _elements(pose: DrawnPose, *kinds: str) -> list[Element]:
-    both = (*pose.study.problem.constraints, *pose.study.problem.interactions)
-    return [element for element in both if element.kind in kinds]
-
-
-def _points(pose: DrawnPose) -> Iterator[SketchPoint]:
-    for element in _elements(pose, "pivot"):
-        ref = element["point"]
-        yield SketchPoint("pivot", pose.ref(ref), _origin_label(pose, ref), (ref.body,))
-    for element in _elements(pose, "pin", "weld"):
-        refs = element["points"]
-        bodies = tuple(ref.body for ref in refs if ref.body)
-        ground = any(ref.body is None for ref in refs)
-        kind = {("pin", True): "pivot", ("weld", False): "point"}.get((element.kind, ground), element.kind)
-        yield SketchPoint(kind, pose.ref(refs[1]), None, bodies)
-    for element in _elements(pose, "spring", "damper"):
-        for ref in element["between"]:
-            if ref.body is None:
-                yield SketchPoint("fixed", pose.ref(ref))
-
-
-def _origin_label(pose: DrawnPose, ref: PointRef) -> t.Node | None:
-    x, y = pose.ref(ref)
-    return t.Sym("O") if math.hypot(x, y) < 1e-9 else None
-
-
-def _lines(pose: DrawnPose) -> Iterator[SketchLine]:
-    """The fixed lines that anything touches."""
-    seen = set()
-    for element in pose.study.problem.constraints:
-        line = element.values.get("line")
-        if line is None or element.values.get("of") or line.label in seen:
-            continue
-        seen.add(line.label)
-        yield SketchLine(pose.node(line.a), pose.node(line.b), pose.node(line.c))
-
-
-def _links(pose: DrawnPose) -> Iterator[SketchLink]:
-    for element in _elements(pose, "spring", "damper"):
-        key = "stiffness" if element.kind == "spring" else "coefficient"
-        start, end = (pose.ref(ref) for ref in element["between"])
-        yield SketchLink(element.kind, start, end, element[key])
-
-
-def _coils(pose: DrawnPose) -> Iterator[SketchCoil]:
-    for element in _elements(pose, "torsion-spring", "rotary-damper"):
-        key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
-        name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
-        yield SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
-
-
-def _hinge(pose: DrawnPose, body: str) -> Point:
-    """Where a body is hinged, else its centre."""
-    for point in _points(pose):
-        if body in point.bodies:
-            return point.at
-    return pose.point(pose.study.system.bodies[body].center)
-
-
-def _angles(pose: DrawnPose) -> Iterator[AngleMark]:
-    """Each angle coordinate from its reference direction to the body that turns with it."""
-    for coordinate in pose.study.problem.coordinates:
-        if coordinate.quantity.dimension.length:
-            continue
-        found = _turning_body(pose, coordinate.name)
-        if found is None:
-            continue
-        name, sense = found
-        direction = pose.value(pose.study.system.bodies[name].pose.angle)
-        value = pose.numbers[coordinate.name]
-        at = _vertex(pose, name)
-        direction = _drawn_axis(pose, name, at, direction, sense * value)
-        yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), _rim(pose, name, at))
-
-
-ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
-
-
-def _rim(pose: DrawnPose, name: str, at: Point) -> float:
-    """The radius of a round body that is turned about its own centre: nothing on it shows how far."""
-    shape = pose.study.problem.body(name).shape
-    if shape.kind not in ROUND or math.dist(at, pose.center(name)) > 1e-9:
-        return 0.0
-    return max(pose.node(shape.sizes[key]) for key in ("radius", "outer") if key in shape.sizes)
-
-
-def _turning_body(pose: DrawnPose, coordinate: str) -> tuple[str, int] | None:
-    """The first body whose angle is ±coordinate plus a constant, and the sign."""
-    from rbpsym.algebra.calculus import derivative
-
-    for name, state in pose.study.system.bodies.items():
-        slope = derivative(state.pose.angle, coordinate).number()
-        if slope in (1, -1) and pose.study.problem.body(name).angle is not None:
-            return name, int(slope)
-    return None
-
-
-def _vertex(pose: DrawnPose, body: str) -> Point:
-    """A hinge of the body, a point that touches a horizontal line, else its centre."""
-    hinges = [p.at for p in _points(pose) if body in p.bodies and p.kind == "pivot"]
-    touches = [
-        pose.ref(e["point"])
-        for e in _elements(pose, "contact")
-        if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < 1e-9
-    ]
-    pins = [p.at for p in _points(pose) if body in p.bodies]
-    return next(iter([*hinges, *touches, *pins]), pose.point(pose.study.system.bodies[body].center))
-
-
-def _drawn_axis(pose: DrawnPose, body: str, at: Point, direction: float, turned: float) -> float:
-    """The end of the axis that leaves the vertex along the body; reference directions stay on the axes."""
-    cx, cy = pose.point(pose.study.system.bodies[body].center)
-    along = (cx - at[0]) * math.cos(direction) + (cy - at[1]) * math.sin(direction)
-    return direction + math.pi if along < -1e-9 else direction
-
-
-def _size_marks(pose: DrawnPose, kinds: tuple[str, ...]) -> Iterator[tuple[str, str, t.Node]]:
-    for body in pose.study.problem.bodies:
-        for key, size in body.shape.sizes.items():
-            if key in kinds:
-                yield body.name, key, size
-
-
-def _lengths(pose: DrawnPose) -> Iterator[LengthMark]:
-    ends = {
-        "length": ("start", "end"),
-        "width": ("top_left", "top_right"),
-        "height": ("top_right", "bottom_right"),
-        "base": ("left", "right"),
-    }
-    for name, key, size in _size_marks(pose, tuple(ends)):
-        points = pose.study.problem.body(name).points
-        if all(end in points for end in ends[key]):
-            start, end = (pose.ref(PointRef(p, name, p)) for p in ends[key])
-            yield LengthMark(start, end, size)
-    yield from _displacements(pose)
-
-
-def _displacements(pose: DrawnPose) -> Iterator[LengthMark]:
-    """A length coordinate, from the origin to the point whose place it gives."""
-    for coordinate in pose.study.problem.coordinates:
-        for body in pose.study.problem.bodies:
-            if coordinate.quantity.dimension.length and body.placed and t.Sym(coordinate.name) in body.placed[1]:
-                x, y = (pose.node(n) for n in body.placed[1])
-                start = (0.0, y) if body.placed[1][0] == t.Sym(coordinate.name) else (x, 0.0)
-                yield LengthMark(start, (x, y), t.Sym(coordinate.name))
-
-
-def _radii(pose: DrawnPose) -> Iterator[RadiusMark]:
-    for name, _, size in _size_marks(pose, ("radius", "inner", "outer")):
-        yield RadiusMark(pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size)
 
 
 def _direction(pose: DrawnPose, force: Force) -> Point:
@@ -299,7 +151,7 @@ def _couple_letter(force: Force) -> t.Sym:
 
 
 def _gravity(pose: DrawnPose) -> dict[str, object]:
-    for element in _elements(pose, "gravity"):
+    for element in supports.elements(pose, "gravity"):
         x, y = (pose.node(n) for n in element["direction"])
         return {"gravity": (x, y), "gravity_label": element["g"]}
     return {"gravity": None}

@@ -91,6 +91,28 @@ def clamp(at: Point, away: float) -> Items:
     return hatching(far, out)
 
 
+def anchor(at: Point, away: float) -> Items:
+    """A fixed end: a short hatched edge across the direction in which the ground lies."""
+    out, far = polar(at, 0.3, away - math.pi / 2), polar(at, 0.3, away + math.pi / 2)
+    return (*hatching(out, far, 0.18), *dot(at))
+
+
+def edge(at: Point, below: float) -> Items:
+    """A corner on which something lies."""
+    left, right = polar(at, 0.5, below - 0.45), polar(at, 0.5, below + 0.45)
+    return (Line((left, at, right), "ground"),)
+
+
+def bore(center: Point, radius: float) -> Items:
+    """A circle in solid ground: short strokes outside."""
+    count = max(24, round(math.tau * radius / 0.2))
+    turns = [n * math.tau / count for n in range(count)]
+    strokes = tuple(
+        (polar(center, radius, turn), polar(center, radius + 0.17, turn + 0.12 / (1 + radius))) for turn in turns
+    )
+    return Strokes(strokes), Circle(center, radius, "rim")
+
+
 def joint(at: Point) -> Items:
     """A pin."""
     return (Circle(at, 0.08, "joint"),)

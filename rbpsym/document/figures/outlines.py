@@ -77,8 +77,16 @@ OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
     "triangle": triangle,
     "half-disk": lambda sizes: polygon(half_circle(sizes["radius"])),
     "half-ring": lambda sizes: band(half_circle(sizes["radius"])),
+    "box": lambda sizes: polygon(box(sizes)),
     "given": lambda sizes: polygon(potato(sizes.get("size", 1.0))),
 }
+
+
+def box(sizes: Sizes) -> tuple[Point, ...]:
+    """A box about the named points of a body of no particular shape, and a little above its centre of mass."""
+    left, right, bottom = sizes["left"], sizes["right"], sizes["bottom"]
+    top = max(sizes["top"], 0.35 * (sizes["top"] - bottom))
+    return (left, bottom), (right, bottom), (right, top), (left, top)
 
 
 def potato(size: float) -> tuple[Point, ...]:
@@ -92,11 +100,12 @@ def body_outline(body: SketchBody) -> Outline:
     """The items of a body where it stands."""
     parts = body.parts or (SketchPart(body.kind, body.sizes),)
     joined = sorted(parts, key=lambda part: part.removed)
-    return tuple(
+    drawn = tuple(
         moved(moved(styled(item, part), part.at, part.angle), body.at, body.angle)
         for part in joined
         for item in OUTLINES.get(part.kind, OUTLINES["given"])(part.sizes)
     )
+    return (*drawn, *(Circle(body.at, rim, "rim") for rim in body.rims))
 
 
 def styled(item: Item, part: SketchPart) -> Item:

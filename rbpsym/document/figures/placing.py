@@ -38,12 +38,12 @@ class Stroke:
 
 
 def placed(scene: Scene, notation: Notation = DEFAULT) -> Scene:
-    """The scene with a place for each label; the most constrained first."""
+    """The scene with a place for each label; the most constrained first. One that has a place keeps it."""
     strokes = tuple(strokes_of(scene))
     done: list[Label] = []
     for label in scene.labels:
         sized = replace(label, size=label_size(label, notation))
-        done.append(replace(sized, place=best_place(sized, strokes, done)))
+        done.append(sized if label.place else replace(sized, place=best_place(sized, strokes, done)))
     return replace(scene, labels=tuple(done))
 
 

@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 
 from rbpsym.document.figures.sketch import AngleMark, Sketch
 
-LENGTHS = frozenset({"at", "start", "end", "radius", "c", "center_of_mass", "sizes", "parts"})
+LENGTHS = frozenset({"at", "start", "end", "radius", "c", "center_of_mass", "sizes", "parts", "points", "rims"})
 
 
 def scaled(sketch: Sketch, factor: float) -> Sketch:

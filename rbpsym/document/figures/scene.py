@@ -30,6 +30,10 @@ STYLES: Mapping[str, Style] = {
     "body": Style("ink", 0.9, fill="body"),
     "rod edge": Style("ink", 4.4),
     "rod": Style("body", 2.8),
+    "rim": Style("ink", 0.7),
+    "cord": Style("ink", 0.7),
+    "ground": Style("ink", 0.9, fill="ground"),
+    "rail": Style("soft", 0.8),
     "hole": Style("ink", 0.9, fill="paper"),
     "line": Style("ink", 0.9),
     "hatch": Style("soft", 0.5),
@@ -41,9 +45,18 @@ STYLES: Mapping[str, Style] = {
     "axis": Style("soft", 0.7),
     "force": Style("force", 1.3),
     "couple": Style("force", 1.1),
+    "velocity": Style("motion", 1.2),
     "dot": Style("ink", 0.6, fill="ink"),
     "particle": Style("ink", 1.2, fill="ink"),
     "joint": Style("ink", 0.9, fill="paper"),
+    "curve 1": Style("accent", 1.4),
+    "curve 2": Style("force", 1.4, dash=0.16),
+    "curve 3": Style("green", 1.4),
+    "curve 4": Style("purple", 1.4, dash=0.09),
+    "curve 5": Style("orange", 1.4),
+    "curve 6": Style("teal", 1.4, dash=0.22),
+    "curve sum": Style("ink", 2.0),
+    "curve thin": Style("soft", 1.1, dash=0.09),
 }
 
 # name -> (light, dark)
@@ -55,6 +68,11 @@ COLORS: Mapping[str, tuple[str, str]] = {
     "paper": ("#ffffff", "#16181d"),
     "accent": ("#1d5fa8", "#7fb5f0"),
     "force": ("#b3261e", "#ff8a80"),
+    "motion": ("#2a7548", "#7fcf9f"),
+    "green": ("#2a7548", "#7fcf9f"),
+    "purple": ("#7a3e9d", "#cfa3ea"),
+    "orange": ("#a85600", "#f0b070"),
+    "teal": ("#007a7a", "#6fd0d0"),
 }
 
 
@@ -106,7 +124,7 @@ class Arc:
 class Label:
     """A formula or word beside `target`; `toward` is the wanted direction (radians) or None.
 
-    `place` (its centre) is found by `placing.placed`; `gap` is the least distance in cm.
+    `place` (its centre) is found by `placing.placed` if it is not given; `gap` is the least distance in cm.
     """
 
     content: Node | str

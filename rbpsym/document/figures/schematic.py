@@ -10,6 +10,7 @@ from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
 from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import (
+    Circle,
     Item,
     Label,
     Line,
@@ -25,8 +26,11 @@ from rbpsym.document.figures.sketch import (
     LengthMark,
     RadiusMark,
     Sketch,
+    SketchArrow,
     SketchBody,
+    SketchCircle,
     SketchCoil,
+    SketchCord,
     SketchLine,
     SketchLink,
     SketchPoint,
@@ -50,7 +54,19 @@ def schematic(sketch: Sketch) -> Scene:
 
 def in_order(sketch: Sketch) -> Iterator[object]:
     """The parts from the back to the front."""
-    for name in ("lines", "links", "coils", "bodies", "points", "angles", "lengths", "radii"):
+    for name in (
+        "circles",
+        "lines",
+        "cords",
+        "links",
+        "coils",
+        "bodies",
+        "points",
+        "angles",
+        "lengths",
+        "radii",
+        "arrows",
+    ):
         yield from getattr(sketch, name)
 
 
@@ -71,6 +87,8 @@ def extent(sketch: Sketch) -> tuple[float, float, float, float]:
     """The box of bodies, points, links and marks."""
     found = [p for body in sketch.bodies for item in body_outline(body) for p in points_of(item)]
     found += [mark.at for mark in (*sketch.points, *sketch.coils, *sketch.angles)]
+    found += [polar(c.at, c.radius, n * UP) for c in sketch.circles for n in range(4)]
+    found += [point for cord in sketch.cords for point in cord.points]
     found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
     return box_of(tuple(found))
 
@@ -105,7 +123,7 @@ def direction_aside(body: SketchBody, sketch: Sketch) -> float:
 def draw_point(point: SketchPoint, sketch: Sketch) -> Scene:
     """A point with the sign of what it does."""
     held = [sketch.body(name).center for name in point.bodies]
-    away = marks.away_from(point.at, held)
+    away = marks.away_from(point.at, held) if point.away is None else point.away
     items = POINTS[point.kind](point.at, away)
     return Scene(items, labelled(point.label, point.at, away + math.pi / 3, gap=0.2))
 
@@ -116,6 +134,8 @@ POINTS = {
     "guide": lambda at, away: marks.joint(at),
     "pin": lambda at, away: marks.joint(at),
     "fixed": lambda at, away: marks.dot(at),
+    "anchor": marks.anchor,
+    "edge": marks.edge,
     "point": lambda at, away: marks.dot(at),
 }
 
@@ -126,6 +146,52 @@ def draw_link(link: SketchLink, sketch: Sketch) -> Scene:
     middle = marks.between(link.start, link.end, 0.5)
     aside = direction(link.start, link.end) + UP
     return Scene(items, labelled(link.label, middle, aside, gap=0.22))
+
+
+def draw_circle(circle: SketchCircle, sketch: Sketch) -> Scene:
+    """A fixed cylinder, a hollow, or a wire."""
+    return Scene(CIRCLES[circle.kind](circle.at, circle.radius))
+
+
+CIRCLES = {
+    "convex": lambda at, radius: (Circle(at, radius, "ground"), *marks.dot(at)),
+    "concave": lambda at, radius: (*marks.bore(at, radius), *marks.dot(at)),
+    "rail": lambda at, radius: (Circle(at, radius, "rail"),),
+}
+
+
+def draw_cord(cord: SketchCord, sketch: Sketch) -> Scene:
+    """A string; its length, if it has one, beside its middle."""
+    middle = marks.between(cord.points[0], cord.points[1], 0.5)
+    aside = direction(cord.points[0], cord.points[1]) + UP
+    return Scene((Line(cord.points, "cord"),), labelled(cord.label, middle, aside))
+
+
+def draw_arrow(arrow: SketchArrow, sketch: Sketch) -> Scene:
+    """What acts, or how it moves at first."""
+    style, color, length = ARROWS[arrow.kind]
+    angle = math.atan2(arrow.direction[1], arrow.direction[0])
+    if arrow.kind in ("spin", "couple"):
+        arc = marks.turning(arrow.at, 1 if arrow.direction[0] > 0 else -1, 0.5, style)
+        return Scene((arc,), labelled(arrow.label, arc.at(0.5), UP + QUARTER, gap=0.08, color=color))
+    start = arrow.at if arrow.kind != "blow" else polar(arrow.at, length, angle + math.pi)
+    tip = polar(start, length, angle)
+    heads = "both" if arrow.kind == "driven" else "end"
+    item = Line((polar(start, -length, angle) if arrow.kind == "driven" else start, tip), style, heads=heads)
+    target = start if arrow.kind == "blow" else tip
+    return Scene(
+        (item,), labelled(arrow.label, target, angle if target == tip else angle + math.pi, gap=0.08, color=color)
+    )
+
+
+ARROWS = {
+    "force": ("force", "force", 0.95),
+    "couple": ("couple", "force", 0.0),
+    "blow": ("force", "force", 0.8),
+    "velocity": ("velocity", "motion", 0.95),
+    "spin": ("velocity", "motion", 0.0),
+    "driven": ("velocity", "motion", 0.45),
+}
 
 
 def draw_coil(part: SketchCoil, sketch: Sketch) -> Scene:
@@ -139,6 +205,8 @@ def draw_line(line: SketchLine, sketch: Sketch) -> Scene:
     if found is None:
         return Scene()
     start, end = found
+    if line.kind == "rail":
+        return Scene((Line((start, end), "rail"),))
     target = marks.between(start, end, 0.85, -0.25)
     toward = direction(start, end) - UP
     return Scene(marks.hatching(start, end), labelled(line.label, target, toward))
@@ -207,6 +275,9 @@ DRAW = {
     SketchLink: draw_link,
     SketchCoil: draw_coil,
     SketchLine: draw_line,
+    SketchCircle: draw_circle,
+    SketchCord: draw_cord,
+    SketchArrow: draw_arrow,
     AngleMark: draw_angle,
     LengthMark: draw_length,
     RadiusMark: draw_radius,

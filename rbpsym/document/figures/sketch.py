@@ -28,7 +28,10 @@ class SketchPart:
 
 @dataclass(frozen=True, slots=True)
 class SketchBody:
-    """A body: `kind` and `sizes` as in the statement, frame origin `at`, turned by `angle`."""
+    """A body: `kind` and `sizes` as in the statement, frame origin `at`, turned by `angle`.
+
+    `rims` are radii of circles about the origin that are not its outline: drums, axles.
+    """
 
     name: str
     kind: str
@@ -38,6 +41,7 @@ class SketchBody:
     center_of_mass: Point | None = None
     label: Caption = None
     parts: tuple[SketchPart, ...] = ()
+    rims: tuple[float, ...] = ()
 
     @property
     def center(self) -> Point:
@@ -48,19 +52,21 @@ class SketchBody:
 @dataclass(frozen=True, slots=True)
 class SketchPoint:
     """A point with a meaning: kind "pivot", "weld", "guide" (to the ground), "pin", "fixed"
-    (an origin, the end of a spring) or "point"; `bodies` are those that it holds."""
+    (an origin), "anchor" (the fixed end of a spring or string), "edge" (a corner on which a body lies)
+    or "point"; `bodies` are those that it holds, `away` the direction in which its ground lies."""
 
     kind: str
     at: Point
     label: Caption = None
     bodies: tuple[str, ...] = ()
+    away: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class SketchLine:
-    """The solid line a x + b y = c; `solid` is the side (sign of a x + b y - c) that is hatched.
+    """The line a x + b y = c; `solid` is the side (sign of a x + b y - c) that is hatched.
 
-    None: the side where no body is.
+    None: the side where no body is. A line of kind "rail" has no solid side: points are led along it.
     """
 
     a: float
@@ -68,6 +74,38 @@ class SketchLine:
     c: float
     label: Caption = None
     solid: int | None = None
+    kind: str = "solid"
+
+
+@dataclass(frozen=True, slots=True)
+class SketchCircle:
+    """A fixed circle that is touched: kind "convex" (solid inside), "concave" (solid outside) or "rail"."""
+
+    at: Point
+    radius: float
+    kind: str = "convex"
+    label: Caption = None
+
+
+@dataclass(frozen=True, slots=True)
+class SketchCord:
+    """A string through points (arcs round pulleys come as many points)."""
+
+    points: tuple[Point, ...]
+    label: Caption = None
+
+
+@dataclass(frozen=True, slots=True)
+class SketchArrow:
+    """What acts or moves at the start: kind "force", "blow", "velocity", "spin", "couple" or "driven".
+
+    `direction` is a unit vector; of a turning kind its x is the sense (+1 counter-clockwise).
+    """
+
+    kind: str
+    at: Point
+    direction: Point
+    label: Caption = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +186,9 @@ class Sketch:
     bodies: tuple[SketchBody, ...]
     points: tuple[SketchPoint, ...] = ()
     lines: tuple[SketchLine, ...] = ()
+    circles: tuple[SketchCircle, ...] = ()
+    cords: tuple[SketchCord, ...] = ()
+    arrows: tuple[SketchArrow, ...] = ()
     links: tuple[SketchLink, ...] = ()
     coils: tuple[SketchCoil, ...] = ()
     angles: tuple[AngleMark, ...] = ()

@@ -8,7 +8,7 @@ from rbpsym.document.figures.scene import Point
 from rbpsym.document.figures.sketch import Sketch, SketchLine
 
 Box = tuple[float, float, float, float]
-OVERHANG = 0.55
+OVERHANG = 0.8
 
 
 def solid_line(line: SketchLine, sketch: Sketch, box: Box) -> tuple[Point, Point] | None:
@@ -18,7 +18,7 @@ def solid_line(line: SketchLine, sketch: Sketch, box: Box) -> tuple[Point, Point
     for edge in box_edges(box):
         low, high = cut(foot, way, edge, low, high)
     for other in sketch.lines:
-        if other is not line:
+        if other is not line and "rail" not in (line.kind, other.kind):
             low, high = cut(foot, way, half_plane(other, sketch), low, high)
     if not low < high < math.inf:
         return None

@@ -1,0 +1,179 @@
+"""What holds a system, in numbers: points, lines, circles, strings, springs and dampers of a sketch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rbpsym.document.figures.sketch import (
+    Point,
+    SketchCircle,
+    SketchCoil,
+    SketchCord,
+    SketchLine,
+    SketchLink,
+    SketchPoint,
+)
+from rbpsym.document.pose import DrawnPose
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.strings import segments
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Element, PointRef, Turn
+from rbpsym.statement.paths import runs
+
+NEAR = 1e-9
+
+
+def elements(pose: DrawnPose, *kinds: str) -> list[Element]:
+    """Constraints and interactions of these kinds."""
+    both = (*pose.study.problem.constraints, *pose.study.problem.interactions)
+    return [element for element in both if element.kind in kinds]
+
+
+def touching(pose: DrawnPose) -> list[Element]:
+    """Constraints on a line or a circle."""
+    return [e for e in pose.study.problem.constraints if "line" in e.values]
+
+
+def points(pose: DrawnPose) -> Iterator[SketchPoint]:
+    """Pivots, pins, welds, led points, edges, and the fixed ends of springs and strings."""
+    for element in elements(pose, "pivot"):
+        ref = element["point"]
+        yield SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
+    for element in elements(pose, "pin", "weld"):
+        yield _joined(pose, element)
+    for element in touching(pose):
+        yield from _led_or_edge(pose, element)
+    for element in elements(pose, "spring", "damper"):
+        yield from _anchors(pose, *element["between"])
+    for element in elements(pose, "string"):
+        yield from _string_ends(pose, element["path"])
+
+
+def _joined(pose: DrawnPose, element: Element) -> SketchPoint:
+    refs = element["points"]
+    bodies = tuple(ref.body for ref in refs if ref.body)
+    ground = any(ref.body is None for ref in refs)
+    kind = {("pin", True): "pivot", ("weld", False): "point"}.get((element.kind, ground), element.kind)
+    at = pose.ref(next(ref for ref in reversed(refs) if ref.body))
+    return SketchPoint(kind, at, origin_label(at) if ground else None, bodies)
+
+
+def _led_or_edge(pose: DrawnPose, element: Element) -> Iterator[SketchPoint]:
+    """A point that a slot leads; a fixed edge on which a body lies."""
+    ref = element.values.get("point")
+    if ref is None:
+        return
+    if element.kind == "guide":
+        yield SketchPoint("guide", pose.ref(ref), None, (ref.body,) if ref.body else ())
+    elif ref.body is None and element.values.get("of"):
+        angle = pose.value(pose.study.system.bodies[element["of"]].pose.angle)
+        below = min((angle + math.pi / 2, angle - math.pi / 2), key=math.sin)
+        name = t.Sym(ref.label) if ref.label.isidentifier() else None
+        yield SketchPoint("edge", pose.ref(ref), name, (), below)
+
+
+def _anchors(pose: DrawnPose, *ends: PointRef) -> Iterator[SketchPoint]:
+    """The fixed ends of what runs between two points, their ground away from the other end."""
+    for ref, other in (ends, ends[::-1]):
+        if ref.body is None:
+            here, there = pose.ref(ref), pose.ref(other)
+            yield SketchPoint(
+                "anchor", here, origin_label(here), (), math.atan2(here[1] - there[1], here[0] - there[0])
+            )
+
+
+def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[SketchPoint]:
+    for turn, other in ((path[0], path[1]), (path[-1], path[-2])):
+        if turn.body is None and not turn.sense:
+            yield next(_anchors(pose, turn.center, other.center))
+    for turn in path[1:-1]:
+        if turn.body is None and not turn.sense:
+            yield SketchPoint("guide", pose.ref(turn.center))
+
+
+def origin_label(at: Point) -> t.Node | None:
+    """O, where the origin is."""
+    return t.Sym("O") if math.hypot(*at) < NEAR else None
+
+
+def lines(pose: DrawnPose) -> Iterator[SketchLine]:
+    """The fixed lines that anything touches, and the rails that lead points."""
+    seen = set()
+    for element in touching(pose):
+        line = element.values.get("line")
+        if line is None or element.values.get("of") or line.label in seen:
+            continue
+        seen.add(line.label)
+        kind = "rail" if element.kind == "guide" else "solid"
+        yield SketchLine(*(pose.node(part) for part in (line.a, line.b, line.c)), kind=kind)
+
+
+def circles(pose: DrawnPose) -> Iterator[SketchCircle]:
+    """Fixed circles that are touched, or round which a string slides."""
+    seen = set()
+    for element in touching(pose):
+        centre = element.values.get("circle")
+        if centre is None or centre.body is not None or centre.label in seen:
+            continue
+        seen.add(centre.label)
+        yield _touched(pose, element)
+    for element in elements(pose, "string"):
+        for turn in element["path"]:
+            if turn.body is None and turn.sense:
+                yield SketchCircle(pose.ref(turn.center), pose.node(turn.radius), "convex", turn.radius)
+
+
+def _touched(pose: DrawnPose, element: Element) -> SketchCircle:
+    """Solid where nothing touches: inside for what is on it, outside for what is in it."""
+    at, radius = pose.ref(element["circle"]), pose.node(element["radius"])
+    body = element.values.get("body") or element["point"].body
+    inside = body is not None and math.dist(pose.center(body), at) < radius
+    kind = "rail" if element.kind == "guide" else "concave" if inside else "convex"
+    return SketchCircle(at, radius, kind, element["radius"])
+
+
+def cords(pose: DrawnPose) -> Iterator[SketchCord]:
+    """Each string as a line of points, with arcs round its pulleys."""
+    geometry = geometry_of(pose.study.system)
+    for element in elements(pose, "string"):
+        pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
+        found: list[Point] = []
+        for number, piece in enumerate(pieces):
+            found += [pose.point(piece.start), pose.point(piece.end)]
+            if piece.second.sense and number + 1 < len(pieces):
+                middle, turn = pose.ref(piece.second.center), piece.second.sense
+                found += _round(found[-1], pose.point(pieces[number + 1].start), middle, turn)
+        yield SketchCord(tuple(found), element.values.get("length"))
+
+
+def _round(start: Point, end: Point, middle: Point, sense: int) -> list[Point]:
+    """Points of the arc from one point of a circle to another."""
+    first, last = (math.atan2(p[1] - middle[1], p[0] - middle[0]) for p in (start, end))
+    turn = ((last - first) * sense) % math.tau
+    turn = 0.0 if turn > math.tau - 1e-6 else turn
+    radius, count = math.dist(start, middle), max(1, round(turn / 0.15))
+    angles = [first + sense * turn * k / count for k in range(1, count)]
+    return [(middle[0] + radius * math.cos(a), middle[1] + radius * math.sin(a)) for a in angles]
+
+
+def links(pose: DrawnPose) -> Iterator[SketchLink]:
+    """Springs and dampers."""
+    for element in elements(pose, "spring", "damper"):
+        key = "stiffness" if element.kind == "spring" else "coefficient"
+        start, end = (pose.ref(ref) for ref in element["between"])
+        yield SketchLink(element.kind, start, end, element[key])
+
+
+def coils(pose: DrawnPose) -> Iterator[SketchCoil]:
+    """Torsion springs and rotary dampers, at a hinge."""
+    for element in elements(pose, "torsion-spring", "rotary-damper"):
+        key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
+        name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
+        yield SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
+
+
+def _hinge(pose: DrawnPose, body: str) -> Point:
+    """Where a body is hinged, else its centre."""
+    held = (point.at for point in points(pose) if body in point.bodies)
+    return next(held, pose.center(body))
