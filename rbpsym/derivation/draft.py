@@ -6,12 +6,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from rbpsym.algebra.normal import is_rooted, without_even_roots
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import certify
 from rbpsym.derivation.step import STANDARD, Skipped, Step
+from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
@@ -78,7 +80,25 @@ class Draft:
 
     def show(self, value: Scalar, *, factor: bool = False) -> t.Node:
         """A value as a display tree in the problem's style."""
-        return present(value, self.study.style, factor=factor)
+        if not is_rooted(value.num) and not is_rooted(value.den):
+            return present(value, self.study.style, factor=factor)
+        value = quotient(without_even_roots(value.num), without_even_roots(value.den))
+        shown = present(value, self.study.style, factor=factor)
+        joined = self._roots_joined(shown)
+        same = shown == joined or scalars_equal(self.context.value(joined), value, self.study.assumptions).is_proved
+        return joined if same else shown
+
+    def _roots_joined(self, node: t.Node) -> t.Node:
+        """√a √b as √(ab), wherever it stands above or below a fraction line."""
+        if isinstance(node, t.Neg):
+            return t.neg(self._roots_joined(node.arg))
+        if isinstance(node, t.Div):
+            return t.div(self._roots_joined(node.num), self._roots_joined(node.den))
+        roots = [f for f in node.factors if isinstance(f, t.Sqrt)] if isinstance(node, t.Mul) else []
+        if len(roots) < 2:
+            return node
+        inside = present(self.context.value(t.mul(*(root.arg for root in roots))), self.study.style)
+        return t.mul(*(f for f in node.factors if f not in roots), t.Sqrt(inside))
 
     def show_brief(self, value: Scalar) -> t.Node:
         """As it is, or with its sums factored where that is much shorter."""

@@ -71,7 +71,7 @@ def _title(name: str, derivation: Derivation) -> str:
 
 
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
-    if said.has(f"{key}.intro") and not said.is_later:
+    if said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
         points = [t.Sym(label) for label in derivation.study.origins]
         count = len(derivation.study.system.bodies)
         yield Paragraph(said.say(f"{key}.intro", points=points, count=count, **slots))
