@@ -25,6 +25,7 @@ _PUBLIC = {
     "derive_course": "rbpsym.courses",
     "solve": "rbpsym.solve",
     "Study": "rbpsym.mechanics.study",
+    "compiled_accelerations": "rbpsym.mechanics.compiled",
     "Derivation": "rbpsym.derivation.step",
     "notes": "rbpsym.document.notes",
     "course_notes": "rbpsym.document.notes",
