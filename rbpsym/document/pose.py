@@ -17,7 +17,7 @@ from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, NUMBER
-from rbpsym.statement.model import Coordinate, PointRef, Problem
+from rbpsym.statement.model import Coordinate, Element, PointRef, Problem
 
 Point = tuple[float, float]
 LEAST_ANGLE, SHOWN_ANGLE, LEAST_SHARE = 0.3, 0.6, 0.2
@@ -142,17 +142,45 @@ def drawn_numbers(problem: Problem) -> dict[str, float]:
 
 
 def _open_displacements(problem: Problem, numbers: dict[str, float]) -> None:
-    """Lengths that are zero at the start get sizes that are seen and differ from each other."""
-    sizes = [numbers[q.name] for q in problem.parameters if q.dimension == LENGTH]
-    size = max(sizes, default=1.0)
-    for place, coordinate in enumerate(problem.coordinates):
-        if coordinate.quantity.dimension == LENGTH and abs(numbers[coordinate.name]) < LEAST_SHARE * size:
-            low, high = (
-                _bound(n, numbers, f) for n, f in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf))
-            )
-            wanted = (0.9 + 0.5 * place) * size
-            wanted = wanted if wanted < high else 0.5 * (max(low, 0.0) + high)
-            numbers[coordinate.name] = max(wanted, low)
+    """Displacements that are drawn get sizes that are seen; bodies that would hide each other stand apart."""
+    size = _extent(problem, numbers)
+    moving = [c for c in problem.coordinates if c.quantity.dimension == LENGTH]
+    hidden = len(moving) > 1 and len(moving) == len(problem.bodies) and not any(map(_joins, problem.constraints))
+    for coordinate in moving:
+        if hidden and all(numbers[c.name] == numbers[coordinate.name] for c in moving):
+            continue
+        if _is_plain(coordinate, problem) and abs(numbers[coordinate.name]) < LEAST_SHARE * size:
+            numbers[coordinate.name] = _shown(coordinate, numbers, size * (1.2 if len(problem.bodies) == 1 else 0.5))
+        elif None in (coordinate.lower, coordinate.upper) and coordinate.lower is not coordinate.upper:
+            numbers[coordinate.name] = _shown(coordinate, numbers, 0.6 * size)
+    if hidden and len({numbers[c.name] for c in moving}) == 1:
+        numbers |= {c.name: 1.3 * size * place for place, c in enumerate(moving)}
+
+
+def _extent(problem: Problem, numbers: Mapping[str, float]) -> float:
+    """The largest length, radii counted twice."""
+    round_ones = [s for b in problem.bodies for key, s in b.shape.sizes.items() if key in RADII]
+    doubled = {node.name for node in round_ones if isinstance(node, t.Sym)}
+    lengths = [q.name for q in problem.parameters if q.dimension == LENGTH]
+    return max([numbers[name] * (2 if name in doubled else 1) for name in lengths], default=1.0)
+
+
+def _joins(element: Element) -> bool:
+    """Does it join two bodies?"""
+    return element.kind in ("pin", "weld", "string") or bool(element.values.get("of"))
+
+
+def _is_plain(coordinate: Coordinate, problem: Problem) -> bool:
+    """Is it the x or y of a body, with no string that ties it to others?"""
+    letter = t.Sym(coordinate.name)
+    if any(element.kind == "string" for element in problem.constraints):
+        return False
+    return any(body.placed and letter in body.placed[1] for body in problem.bodies)
+
+
+def _shown(coordinate: Coordinate, numbers: Mapping[str, float], wanted: float) -> float:
+    low, high = (_bound(n, numbers, f) for n, f in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf)))
+    return max(wanted if wanted < high else 0.5 * (max(low, 0.0) + high), low)
 
 
 def _opened(coordinate: Coordinate, numbers: Mapping[str, float]) -> float:

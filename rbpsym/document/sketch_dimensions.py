@@ -16,6 +16,7 @@ from rbpsym.statement.model import PointRef
 
 ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
 CLOSE = 1e-9
+UNSEEN = 0.05  # radians
 
 
 # --- angles
@@ -42,7 +43,8 @@ def _coordinate_angles(pose: DrawnPose) -> Iterator[AngleMark]:
         at = _vertex(pose, name)
         direction = _drawn_axis(pose, name, at, direction)
         reach = _reach(pose, name, at, direction)
-        yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
+        if abs(value) > UNSEEN:
+            yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
 
 
 def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
@@ -255,13 +257,22 @@ def _marked(pose: DrawnPose) -> list[Point]:
 # --- radii
 
 
+def _inside(pose: DrawnPose, name: str) -> float | None:
+    """A direction in which a half disk or half ring has a rim; None for a whole one."""
+    if not pose.study.problem.body(name).shape.kind.startswith("half"):
+        return None
+    return pose.value(pose.study.system.bodies[name].pose.angle) + math.pi / 3
+
+
 def radii(pose: DrawnPose) -> Iterator[RadiusMark]:
     """Radii of bodies and of fixed circles; one letter is shown once."""
     seen: set[t.Node] = set()
     for name, _, size in _size_marks(pose, ("radius", "inner", "outer")):
         if size not in seen:
             seen.add(size)
-            yield RadiusMark(pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size)
+            yield RadiusMark(
+                pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size, _inside(pose, name)
+            )
     for circle in circles(pose):
         if circle.label not in seen:
             seen.add(circle.label)

@@ -15,6 +15,7 @@ from rbpsym.document.figures.sketch import (
     SketchPoint,
 )
 from rbpsym.document.pose import DrawnPose
+from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
@@ -99,14 +100,36 @@ def origin_label(at: Point) -> t.Node | None:
 
 def lines(pose: DrawnPose) -> Iterator[SketchLine]:
     """The fixed lines that anything touches, and the rails that lead points."""
-    seen = set()
+    seen, geometry = set(), geometry_of(pose.study.system)
     for element in touching(pose):
         line = element.values.get("line")
         if line is None or element.values.get("of") or line.label in seen:
             continue
         seen.add(line.label)
-        kind = "rail" if element.kind == "guide" else "solid"
-        yield SketchLine(*(pose.node(part) for part in (line.a, line.b, line.c)), kind=kind)
+        a, b, c = (pose.node(part) for part in (line.a, line.b, line.c))
+        if element.kind == "guide":
+            yield SketchLine(a, b, c, kind="rail")
+            continue
+        met = meeting(element, geometry)
+        x, y = pose.point(met.normal)
+        at = pose.point(met.place)
+        yield SketchLine(a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at))
+
+
+def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: Point) -> Point | None:
+    """Where a line ends before a pulley that stands at its end."""
+    a, b, c = line
+    for element in elements(pose, "string"):
+        for turn in element["path"]:
+            x, y = pose.ref(turn.center)
+            radius = pose.node(turn.radius) if turn.sense else 0.0
+            away = (a * x + b * y - c) / (a * a + b * b)
+            foot = (x - away * a, y - away * b)
+            far = math.dist(foot, at)
+            if radius and abs(away) * math.hypot(a, b) < 1.5 * radius and far > radius:
+                share = (far - 1.1 * radius) / far
+                return at[0] + share * (foot[0] - at[0]), at[1] + share * (foot[1] - at[1])
+    return None
 
 
 def circles(pose: DrawnPose) -> Iterator[SketchCircle]:
@@ -129,8 +152,15 @@ def _touched(pose: DrawnPose, element: Element) -> SketchCircle:
     at, radius = pose.ref(element["circle"]), pose.node(element["radius"])
     body = element.values.get("body") or element["point"].body
     inside = body is not None and math.dist(pose.center(body), at) < radius
-    kind = "rail" if element.kind == "guide" else "concave" if inside else "convex"
+    kind = "rail" if element.kind == "guide" else _hollow(pose, element, at) if inside else "convex"
     return SketchCircle(at, radius, kind, element["radius"])
+
+
+def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
+    """A bowl, if all that touches the circle is below its centre."""
+    same = [e for e in touching(pose) if e.values.get("circle") and e["circle"].label == element["circle"].label]
+    places = [pose.point(meeting(e, geometry_of(pose.study.system)).place) for e in same]
+    return "bowl" if all(y < at[1] for _, y in places) else "concave"
 
 
 def cords(pose: DrawnPose) -> Iterator[SketchCord]:

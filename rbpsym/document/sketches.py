@@ -46,30 +46,33 @@ def sketch_of_pose(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node] = Ma
 def _bodies(pose: DrawnPose) -> Iterator[SketchBody]:
     for body in pose.study.problem.bodies:
         state = pose.study.system.bodies[body.name]
+        kind, sizes = _outline(pose, body)
         yield SketchBody(
             body.name,
-            *_outline(pose, body),
+            kind,
+            sizes,
             pose.point(state.pose.origin),
             pose.value(state.pose.angle),
             pose.point(state.center),
             body.mass if isinstance(body.mass, t.Sym) else None,
-            tuple(_parts(pose, body.shape)),
+            () if kind == "disk" else tuple(_parts(pose, body.shape)),
             tuple(pose.node(rim) for rim in pose.rims.get(body.name, ())),
         )
 
 
 def _outline(pose: DrawnPose, body: Body) -> tuple[str, dict[str, float]]:
     """Kind and sizes of the outline; one of no particular shape is as large as its rims and points ask."""
-    if body.shape.kind != "given":
+    parts = body.shape.parts or (body.shape,)
+    if any(getattr(part, "shape", part).kind != "given" for part in parts):
         return body.shape.kind, _sizes(pose, body.shape)
     rims = [pose.node(rim) for rim in pose.rims.get(body.name, ())]
-    if rims:
+    if rims and "center" in body.points:
         return "disk", {"radius": max(rims)}
     own = [(pose.node(x), pose.node(y)) for x, y in body.points.values()]
     xs, ys = zip((0.0, 0.0), *own, strict=True)
     if max(xs) - min(xs) > 0 and max(ys) - min(ys) > 0:
         return "box", {"left": min(xs), "right": max(xs), "bottom": min(ys), "top": max(ys)}
-    return "given", {"size": 2.3 * max([math.hypot(*p) for p in own], default=0.0) or pose.size}
+    return "given", {"size": 2.1 * max([math.hypot(*p) for p in own], default=0.0) or pose.size}
 
 
 def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
@@ -91,6 +94,9 @@ def _direction(pose: DrawnPose, force: Force) -> Point:
         x, y = number(force.vector.x, values), number(force.vector.y, values)
     except (KeyError, ValueError, ZeroDivisionError):
         x, y = 0.0, 1.0
+    if force.unknowns and math.hypot(x, y) < 1e-12:
+        values |= dict.fromkeys(force.unknowns, 1.0)
+        x, y = number(force.vector.x, values), number(force.vector.y, values)
     size = math.hypot(x, y)
     return (x / size, y / size) if size > 1e-12 else (0.0, 0.0)
 

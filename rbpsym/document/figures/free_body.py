@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from rbpsym.document.figures import marks
 from rbpsym.document.figures.outlines import body_outline
+from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import Label, Point, Scene, box_of, points_of, polar
 from rbpsym.document.figures.schematic import DOWN, axes, labelled
@@ -79,8 +80,8 @@ def couple_scene(couple: SketchCouple) -> Scene:
 
 def heading(scene: Scene, name: str) -> Scene:
     """The name of the body, under it."""
-    left, bottom, right, _ = scene.bounds
-    return Scene((), (Label(name, ((left + right) / 2, bottom - 0.15), DOWN, 0.0),))
+    left, bottom, right, _ = placed(scene).bounds
+    return Scene((), (Label(name, ((left + right) / 2, bottom - 0.05), DOWN, 0.05),))
 
 
 def sense(scene: Scene) -> Scene:

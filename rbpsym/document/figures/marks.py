@@ -104,13 +104,21 @@ def edge(at: Point, below: float) -> Items:
 
 
 def bore(center: Point, radius: float) -> Items:
-    """A circle in solid ground: short strokes outside."""
-    count = max(24, round(math.tau * radius / 0.2))
-    turns = [n * math.tau / count for n in range(count)]
-    strokes = tuple(
-        (polar(center, radius, turn), polar(center, radius + 0.17, turn + 0.12 / (1 + radius))) for turn in turns
-    )
-    return Strokes(strokes), Circle(center, radius, "rim")
+    """A round hole in solid ground: short strokes outside."""
+    return Strokes(rim_strokes(center, radius, 0.0, math.tau)), Circle(center, radius, "rim")
+
+
+def bowl(center: Point, radius: float) -> Items:
+    """The lower half of a round hollow."""
+    return Strokes(rim_strokes(center, radius, math.pi, math.tau)), Arc(center, radius, math.pi, math.tau, "line")
+
+
+def rim_strokes(center: Point, radius: float, start: float, end: float) -> tuple[tuple[Point, Point], ...]:
+    """Hatching outside an arc."""
+    count = max(12, round((end - start) * radius / 0.2))
+    turns = [start + (n + 0.5) * (end - start) / count for n in range(count)]
+    lean = 0.12 / (1 + radius)
+    return tuple((polar(center, radius, turn), polar(center, radius + 0.17, turn + lean)) for turn in turns)
 
 
 def joint(at: Point) -> Items:

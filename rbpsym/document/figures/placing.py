@@ -24,7 +24,7 @@ from rbpsym.notation.glyphs import DEFAULT, Notation
 
 Box = tuple[float, float, float, float]
 TURNS = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8)
-STEPS = (0.0, 0.12, 0.28, 0.5, 0.8)
+STEPS = (0.0, 0.12, 0.28, 0.5, 0.8, 1.15, 1.6)
 CLEAR = 0.03
 
 

@@ -80,6 +80,7 @@ def fitted(sketch: Sketch) -> Sketch:
 def roundest(sketch: Sketch) -> float:
     """The factor that draws the largest round body with the greatest radius allowed."""
     radii = [body.sizes.get(key, 0.0) for body in sketch.bodies for key in ("radius", "outer")]
+    radii += [0.3 * body.sizes.get("size", 0.0) for body in sketch.bodies]
     return ROUND / max([*radii, 1e-9])
 
 
@@ -87,7 +88,7 @@ def extent(sketch: Sketch) -> tuple[float, float, float, float]:
     """The box of bodies, points, links and marks."""
     found = [p for body in sketch.bodies for item in body_outline(body) for p in points_of(item)]
     found += [mark.at for mark in (*sketch.points, *sketch.coils, *sketch.angles)]
-    found += [polar(c.at, c.radius, n * UP) for c in sketch.circles for n in range(4)]
+    found += [polar(c.at, c.radius, n * UP) for c in sketch.circles for n in range(2 if c.kind == "bowl" else 0, 5)]
     found += [point for cord in sketch.cords for point in cord.points]
     found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
     return box_of(tuple(found))
@@ -156,6 +157,7 @@ def draw_circle(circle: SketchCircle, sketch: Sketch) -> Scene:
 CIRCLES = {
     "convex": lambda at, radius: (Circle(at, radius, "ground"), *marks.dot(at)),
     "concave": lambda at, radius: (*marks.bore(at, radius), *marks.dot(at)),
+    "bowl": lambda at, radius: (*marks.bowl(at, radius), *marks.dot(at)),
     "rail": lambda at, radius: (Circle(at, radius, "rail"),),
 }
 
@@ -235,7 +237,7 @@ def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
 
 def draw_radius(mark: RadiusMark, sketch: Sketch) -> Scene:
     """An arrow to the rim, away from all that meets at the centre."""
-    angle = free_direction(mark.at, sketch)
+    angle = free_direction(mark.at, sketch) if mark.toward is None else mark.toward
     rim = polar(mark.at, mark.radius, angle)
     middle = marks.between(mark.at, rim, 0.6)
     items = (marks.arrow(mark.at, rim, "dimension"),)

@@ -67,6 +67,7 @@ class SketchLine:
     """The line a x + b y = c; `solid` is the side (sign of a x + b y - c) that is hatched.
 
     None: the side where no body is. A line of kind "rail" has no solid side: points are led along it.
+    Seen from `at`, where it is touched, it stops at `end` (None: nowhere).
     """
 
     a: float
@@ -75,11 +76,14 @@ class SketchLine:
     label: Caption = None
     solid: int | None = None
     kind: str = "solid"
+    at: Point | None = None
+    end: Point | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class SketchCircle:
-    """A fixed circle that is touched: kind "convex" (solid inside), "concave" (solid outside) or "rail"."""
+    """A fixed circle that is touched: "convex" (solid inside), "concave" (solid outside), "bowl" (its lower
+    half, solid outside) or "rail"."""
 
     at: Point
     radius: float
@@ -152,11 +156,12 @@ class LengthMark:
 
 @dataclass(frozen=True, slots=True)
 class RadiusMark:
-    """A radius, drawn as an arrow from the centre to the rim in a free direction."""
+    """A radius, drawn as an arrow from the centre to the rim `toward` a direction (None: a free one)."""
 
     at: Point
     radius: float
     label: Caption
+    toward: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

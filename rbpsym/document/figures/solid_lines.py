@@ -20,6 +20,9 @@ def solid_line(line: SketchLine, sketch: Sketch, box: Box) -> tuple[Point, Point
     for other in sketch.lines:
         if other is not line and "rail" not in (line.kind, other.kind):
             low, high = cut(foot, way, half_plane(other, sketch), low, high)
+    if line.end is not None and line.at is not None:
+        (x, y), (u, v) = line.at, line.end
+        low, high = cut(foot, way, (u - x, v - y, (u - x) * u + (v - y) * v), low, high)
     if not low < high < math.inf:
         return None
     return along(foot, way, low), along(foot, way, high)
