@@ -73,7 +73,7 @@ def question(item: Item, desk: Desk) -> dict[str, str | bytes]:
         page += f"<pl-answer-panel>\n{desk.solution(item)}\n</pl-answer-panel>\n"
     files: dict[str, str | bytes] = {
         "info.json": json.dumps(_info(item, desk, made), ensure_ascii=False, indent=2) + "\n",
-        "question.html": page,
+        "question.html": page.replace("{{", "{ {").replace("}}", "} }"),  # not a place to be filled there
         "server.py": server(made.answers),
     }
     return files | {f"clientFilesQuestion/{name}": data for name, data in desk.paper.pictures.items()}
@@ -209,9 +209,8 @@ def _order(item: Item, desk: Desk) -> Made:
         needs = ",".join(f"step{i}" for i, j in sorted(key.before) if j == place)
         shown = f"{desk.formula(piece.statement)} {desk.inlines(piece.reason)}"
         lines.append(f'  <pl-answer correct="true" tag="step{place}" depends="{needs}">{shown}</pl-answer>')
-    return Made(
-        f'<pl-order-blocks answers-name="order" grading-method="dag" indentation="false">\n{chr(10).join(lines)}\n</pl-order-blocks>'
-    )
+    opening = '<pl-order-blocks answers-name="order" grading-method="dag" indentation="false">'
+    return Made("\n".join((opening, *lines, "</pl-order-blocks>")))
 
 
 def _slip(item: Item, desk: Desk) -> Made:

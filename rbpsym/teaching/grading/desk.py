@@ -128,6 +128,16 @@ def _choice(text: str, item: Item, case: Case) -> Judgement:
     return judge_choice(text, item.key)
 
 
+def _comparison(text: str, item: Item, case: Case) -> Judgement:
+    """The choice earns the first line of the rubric; the reasons are the teacher's to mark."""
+    found = judge_choice(text, item.key)
+    if not item.rubric or not item.points:
+        return found
+    share = min(item.rubric[0].points / item.points, Fraction(1))
+    status = Status.PARTLY if found.status is Status.RIGHT and share < 1 else found.status
+    return replace(found, credit=found.credit * share, status=status)
+
+
 def _order(text: str, item: Item, case: Case) -> Judgement:
     return judge_order(text, item.key)
 
@@ -208,7 +218,7 @@ JUDGES: Mapping[type, Callable[[str, Item, Case], Judgement]] = {
     FormulaKey: _formula,
     NumberKey: _number,
     ChoiceKey: _choice,
-    ComparisonKey: _choice,
+    ComparisonKey: _comparison,
     OrderKey: _order,
     SignsKey: _signs,
     BlanksKey: _blanks,

@@ -59,7 +59,10 @@ def judge_number(text: str, sought: Wanted) -> Judgement:
 def _judged(typed: Typed, sought: Wanted) -> Judgement:
     unit, meant = _unit_remark(typed, sought), _meant(typed, sought)
     if not meant.value and sought.exact:
-        return _marked(Status.WRONG, Fraction(0), Fraction(0), Fraction(0), sought, Remark("zero"))
+        known = _slip(meant, sought)
+        told = j.slip_remarks(known.slots["slip"]) if known else (Remark("zero"),)
+        nothing = _marked(Status.WRONG, Fraction(0), Fraction(0), Fraction(0), sought, *told)
+        return replace(nothing, slip=known.slots["slip"] if known else None)
     if is_near(meant, sought.exact, sought.tolerance):
         return _right(typed, unit, sought, Status.RIGHT, ())
     if typed.unit is None and sought.unit.powers == RADIAN and is_near(typed, sought.exact, sought.tolerance):
