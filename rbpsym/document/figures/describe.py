@@ -49,13 +49,19 @@ def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
     for line in sketch.lines:
         key = f"figure.part.{line_kind(line)}"
         yield plain(key, language, name=named(line.label, notation))
+    for circle in sketch.circles:
+        yield plain(f"figure.circle.{circle.kind}", language, name=named(circle.label, notation))
     marks = (*sketch.links, *sketch.coils)
     for mark in marks:
         yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
+    for cord in sketch.cords:
+        yield plain("figure.part.string", language, name=named(cord.label, notation))
     for mark in sketch.angles:
         yield plain("figure.part.angle", language, name=named(mark.label, notation))
     for mark in (*sketch.lengths, *sketch.radii):
         yield plain("figure.part.length", language, name=named(mark.label, notation))
+    for arrow in sketch.arrows:
+        yield plain(f"figure.arrow.{arrow.kind}", language, name=named(arrow.label, notation))
 
 
 def named(label: Caption, notation: Notation) -> str:
@@ -88,7 +94,9 @@ def point_words(point: SketchPoint, language: str, notation: Notation) -> str:
 
 
 def line_kind(line: SketchLine) -> str:
-    """A horizontal line is a floor, a vertical one a wall."""
+    """A horizontal line is a floor, a vertical one a wall, one that only leads a point a rail."""
+    if line.kind == "rail":
+        return "rail"
     return "floor" if abs(line.a) < 1e-9 else "wall" if abs(line.b) < 1e-9 else "line"
 
 
