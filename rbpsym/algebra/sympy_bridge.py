@@ -5,6 +5,7 @@ sympy is imported here only, and only when one of these is needed.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -82,6 +83,15 @@ def to_sympy(value: Scalar) -> Any:
     """The scalar as a sympy expression; plain symbols are positive-free `Symbol(name)`."""
     num = _expression(value.num)
     return num if value.den is ONE else num / _expression(value.den)
+
+
+def lambdified(values: Sequence[Scalar], names: Sequence[str]) -> Callable[..., list[float]]:
+    """A function of numbers, in the order of the names; common subexpressions are evaluated once."""
+    import sympy
+
+    letters = {sympy.Symbol(name): sympy.Symbol(f"x{k}") for k, name in enumerate(names)}  # no name runs as code
+    found = [to_sympy(value).xreplace(letters) for value in values]
+    return sympy.lambdify(list(letters.values()), found, modules="math", cse=True)
 
 
 def _expression(poly: Poly) -> Any:

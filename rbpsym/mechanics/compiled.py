@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.sympy_bridge import to_sympy
+from rbpsym.algebra.sympy_bridge import lambdified
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
@@ -55,7 +55,7 @@ def compiled_accelerations(problem: Problem | Study, numbers: Mapping[str, float
     entries = [value for row in dynamics.mass_matrix for value in row] + list(dynamics.forcing)
     arguments = [*system.coordinates, *system.speeds]
     _check_numbers(entries, {*arguments, "t", *numbers}, study.problem)
-    evaluate, size = _lambdified(entries, ["t", *arguments, *numbers]), len(system.speeds)
+    evaluate, size = lambdified(entries, ["t", *arguments, *numbers]), len(system.speeds)
     values = [float(value) for value in numbers.values()]
 
     def accelerations(t: float, q: Sequence[float], u: Sequence[float]):
@@ -73,10 +73,3 @@ def _check_numbers(entries, known: set[str], problem: Problem) -> None:
             instead="give every parameter a value: {" + ", ".join(f'"{name}": 1.0' for name in missing) + "}.",
         )
 
-
-def _lambdified(entries, names: list[str]) -> Callable:
-    import sympy
-
-    letters = {name: sympy.Symbol(f"x{k}") for k, name in enumerate(names)}  # names of ours, never run as code
-    values = [to_sympy(value).xreplace({sympy.Symbol(n): s for n, s in letters.items()}) for value in entries]
-    return sympy.lambdify(list(letters.values()), values, modules="math", cse=True)
