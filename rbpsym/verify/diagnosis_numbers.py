@@ -90,6 +90,9 @@ def samples(question: Question, count: int = 2) -> list[Sample]:
     for seed in range(60):
         numbers = Numbers(seed)
         try:
+            for name, square in question.motion.squares.items():
+                if number(square, numbers) < 0:
+                    numbers[name] = -numbers[name]  # it moves the other way
             roots = {f"{n}_dot": math.sqrt(number(s, numbers)) for n, s in question.motion.squares.items()}
         except (ArithmeticError, ValueError):
             continue
