@@ -83,7 +83,10 @@ def test_every_shape_of_a_statement_has_an_outline() -> None:
 
 @pytest.mark.parametrize("kind", OUTLINES)
 def test_outlines_use_known_styles(kind: str) -> None:
-    sizes = dict.fromkeys(("length", "radius", "inner", "outer", "width", "height", "base", "offset"), 0.5)
+    sizes = dict.fromkeys(
+        ("length", "radius", "inner", "outer", "width", "height", "base", "offset", "right", "top"), 0.5
+    )
+    sizes |= {"left": -0.5, "bottom": -0.5}
     body = SketchBody("b", kind, sizes, (1, 1), 0.3)
     scene = schematic(Sketch((body,)))
     assert all(item.style in STYLES for item in scene.items)

@@ -227,12 +227,33 @@ def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
 
 
 def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
-    """A dimension on the side where fewer bodies are."""
-    aside = 0.38 * free_side(mark, sketch)
+    """A dimension on the side where fewer bodies are; along one line they stand behind each other."""
+    aside = free_side(mark, sketch) * (0.38 + 0.42 * ranks(sketch.lengths)[mark])
     items = marks.dimension(mark.start, mark.end, aside)
     middle = marks.between(mark.start, mark.end, 0.5, aside)
     toward = direction(mark.start, mark.end) + math.copysign(UP, aside)
     return Scene(items, labelled(mark.label, middle, toward, gap=0.05))
+
+
+def ranks(lengths: tuple[LengthMark, ...]) -> dict[LengthMark, int]:
+    """How many dimensions stand between each one and its line: shorter ones stand nearer."""
+    found: dict[LengthMark, int] = {}
+    for mark in sorted(lengths, key=lambda mark: math.dist(mark.start, mark.end)):
+        taken = {rank for other, rank in found.items() if are_in_line(mark, other)}
+        found[mark] = next(rank for rank in range(len(lengths)) if rank not in taken)
+    return found
+
+
+def are_in_line(one: LengthMark, two: LengthMark) -> bool:
+    """Do two lengths lie side by side on (nearly) the same line?"""
+    way, length = direction(one.start, one.end), math.dist(one.start, one.end)
+    spans = []
+    for x, y in (two.start, two.end):
+        dx, dy = x - one.start[0], y - one.start[1]
+        if abs(dy * math.cos(way) - dx * math.sin(way)) > 0.3:
+            return False
+        spans.append(dx * math.cos(way) + dy * math.sin(way))
+    return min(spans) < length - 0.05 and max(spans) > 0.05
 
 
 def draw_radius(mark: RadiusMark, sketch: Sketch) -> Scene:

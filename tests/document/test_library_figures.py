@@ -1,0 +1,112 @@
+"""The figures of every problem that ships and of every example: no label collides, in three poses each."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import pytest
+
+from rbpsym.document.figures.describe import describe, describe_free_body
+from rbpsym.document.figures.free_body import free_body
+from rbpsym.document.figures.placing import collisions, placed
+from rbpsym.document.figures.scene import Scene
+from rbpsym.document.figures.schematic import schematic
+from rbpsym.document.figures.sketch import Sketch
+from rbpsym.document.figures.svg import to_svg
+from rbpsym.document.figures.tikz import to_tikz
+from rbpsym.document.notes_figures import problem_notation
+from rbpsym.document.pose import DrawnPose
+from rbpsym.document.sketches import sketch_of_pose
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.quantities import NUMBER
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+from tests.architecture.source import ROOT
+
+EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*/*.toml"))
+FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
+SHARES = (None, 0.3, 0.8)
+
+
+@cache
+def study(name: str) -> Study:
+    return Study(load_problem(FILES[name]))
+
+
+def pose(found: Study, share: float | None) -> DrawnPose:
+    """The pose of the notes, or one in which each coordinate stands at a share of its range."""
+    first = DrawnPose(found)
+    if share is None:
+        return first
+    moved = {c.name: place(first, c, share) for c in found.problem.coordinates if c.name in found.system.coordinates}
+    return DrawnPose(found, moved)
+
+
+def place(first: DrawnPose, coordinate, share: float) -> float:
+    from rbpsym.algebra.evaluate import scalar
+
+    low, high = (None if b is None else number(scalar(b), first.numbers) for b in (coordinate.lower, coordinate.upper))
+    here = first.numbers[coordinate.name]
+    wide = 1.2 if coordinate.quantity.dimension == NUMBER else 0.4 * first.size
+    low = here - wide if low is None else low
+    high = here + wide if high is None else high
+    return low + share * (high - low)
+
+
+def scenes(name: str, share: float | None) -> tuple[Sketch, dict[str, Scene]]:
+    sketch = sketch_of_pose(pose(study(name), share))
+    bodies = {body.name: free_body(sketch, body.name) for body in sketch.bodies}
+    return sketch, {"the system": schematic(sketch), **bodies}
+
+
+@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("share", SHARES)
+def test_no_label_collides(name: str, share: float | None) -> None:
+    notation = problem_notation(study(name).problem)
+    for what, scene in scenes(name, share)[1].items():
+        done = placed(scene, notation)
+        assert collisions(done) == [], what
+        left, bottom, right, top = done.bounds
+        assert all(
+            left <= one.box[0] and bottom <= one.box[1] and one.box[2] <= right and one.box[3] <= top
+            for one in done.labels
+        )
+        assert right - left < 14
+        assert top - bottom < 12
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_part_of_the_statement_is_seen(name: str) -> None:
+    """Bodies, strings, springs, pivots, circles, forces: what is stated is drawn and told, in both printers."""
+    problem, (sketch, drawn) = study(name).problem, scenes(name, None)
+    kinds = [element.kind for element in (*problem.constraints, *problem.interactions)]
+    assert len(sketch.bodies) == len(problem.bodies)
+    assert len(sketch.cords) == kinds.count("string")
+    assert len(sketch.links) == kinds.count("spring") + kinds.count("damper")
+    assert len(sketch.coils) == kinds.count("torsion-spring") + kinds.count("rotary-damper")
+    assert sum(point.kind == "pivot" for point in sketch.points) >= kinds.count("pivot")
+    fixed = {e["circle"].label for e in problem.constraints if e.values.get("circle") and e["circle"].body is None}
+    assert len({circle.at for circle in sketch.circles}) >= len(fixed)
+    ground = {e["line"].label for e in problem.constraints if e.values.get("line") is not None and not e["of"]}
+    assert len(sketch.lines) == len(ground)
+    text = describe(sketch, "en", problem_notation(problem)) + "".join(
+        describe_free_body(sketch, b.name) for b in sketch.bodies
+    )
+    assert all(body.name in text for body in sketch.bodies)
+    for scene in drawn.values():
+        assert "nan" not in to_svg(scene).lower()
+        assert to_tikz(scene).startswith(r"\begin{tikzpicture}")
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_force_stands_at_its_point_in_its_diagram(name: str) -> None:
+    """Each force of the ledger that has a direction has an arrow on its body, at the point where it acts."""
+    found = pose(study(name), None)
+    sketch = sketch_of_pose(found)
+    for force in found.study.system.forces:
+        if not force.vector:
+            continue
+        at = found.point(force.point)
+        assert any(f.body == force.on and math.dist(f.at, at) < 1e-9 for f in sketch.forces), force.name
