@@ -139,6 +139,16 @@ def put(statement: t.Node, path: tuple[tuple[str, int], ...], part: t.Node) -> t
     return replace(statement, **{name: (*held[:place], inner, *held[place + 1 :])})
 
 
+def is_negated(statement: t.Node, path: tuple[tuple[str, int], ...]) -> bool:
+    """Whether a minus stands before the part at a path."""
+    negative = False
+    for name, place in path:
+        negative ^= isinstance(statement, t.Neg)
+        held = getattr(statement, name)
+        statement = held if place < 0 else held[place]
+    return negative
+
+
 def has_value(bench: Bench, node: t.Node) -> bool:
     """Whether a part means something outside its step: only quantities of the problem are in it."""
     return value_of(bench, node) is not None

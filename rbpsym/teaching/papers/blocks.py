@@ -47,3 +47,11 @@ class Space:
     """Empty paper, in cm."""
 
     height: float
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """A table whose cells are filled in by hand; the cells of a key are filled in already."""
+
+    header: tuple[Inlines, ...]
+    rows: tuple[tuple[Inlines, ...], ...]

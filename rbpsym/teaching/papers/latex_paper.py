@@ -3,20 +3,21 @@ r"""Worksheets in LaTeX: the exam class, tasks as \question with points; meant t
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from rbpsym.document import breaking
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.tikz import tikz_styles
 from rbpsym.document.model import Document, FigureBlock, Section, Table
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.latex import BABEL, LATEX, blocks
+from rbpsym.document.writers.latex import BABEL, LATEX, blocks, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.notation.latex import PREAMBLE, render
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 36.0
@@ -44,15 +45,17 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
 
 
 def _sections(document: Document, page: Page) -> list[str]:
-    r"""The sections; tasks stand in `questions`, which statements interrupt without losing count."""
-    found, inside = [], False
+    r"""The sections; from the first task of one on it stands in `questions`."""
+    found = []
     for part in document.sections:
-        is_task = any(isinstance(block, Lead) for block in part.blocks)
-        if is_task != inside:
-            found.append(r"\begin{tasks}" if is_task else r"\end{tasks}")
-            inside = is_task
-        found.append(section(part, page))
-    return [*found, r"\end{tasks}"] if inside else found
+        first = next((place for place, block in enumerate(part.blocks) if isinstance(block, Lead)), None)
+        if first is None:
+            found.append(section(part, page))
+            continue
+        before = replace(part, blocks=part.blocks[:first])
+        found.append(section(before, page) if before.blocks or before.title else "")
+        found.append(f"\\begin{{tasks}}\n{blocks(part.blocks[first:], page)}\n\\end{{tasks}}")
+    return [text for text in found if text]
 
 
 def section(part: Section, page: Page) -> str:
@@ -68,10 +71,23 @@ def lead(block: Lead, page: Page) -> str:
 def options(block: Options, page: Page) -> str:
     """Lettered options; the right one is set by \\CorrectChoice, which a key prints in bold."""
     rows = [
-        rf"  \{'CorrectChoice' if place == block.right else 'choice'} {page.inlines(item)}"
+        rf"  \{'CorrectChoice' if place == block.right else 'choice'} {cell(item, page)}"
         for place, item in enumerate(block.items)
     ]
     return "\\begin{choices}\n" + "\n".join(rows) + "\n\\end{choices}"
+
+
+FORM = r"""\begin{center}\renewcommand{\arraystretch}{1.7}
+\begin{tabular}{%s}\hline
+%s \\ \hline
+\end{tabular}\end{center}"""
+
+
+def form(block: Form, page: Page) -> str:
+    """A table to be filled in: high rows, lines between the columns."""
+    head = " & ".join(rf"\textbf{{{page.inlines(cell)}}}" for cell in block.header)
+    rows = [" & ".join(map(page.inlines, row)) for row in block.rows]
+    return FORM % ("|l|" + "c|" * (len(block.header) - 1), " \\\\ \\hline\n".join([head, *rows]))
 
 
 def marked(block: Marked, page: Page) -> str:
@@ -115,6 +131,7 @@ PAPER: Mapping[type, Print] = {
     Table: unnumbered,
     Lead: lead,
     Options: options,
+    Form: form,
     Marked: marked,
     Rules: rules,
     Space: lambda block, page: rf"\vspace{{{block.height}cm}}" if block.height else "",

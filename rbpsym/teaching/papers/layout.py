@@ -16,14 +16,13 @@ from rbpsym.document.model import (
     Paragraph,
     Section,
     Strong,
-    Table,
     Text,
     words,
 )
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
-from rbpsym.teaching.papers.blocks import LETTERS, Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.blocks import LETTERS, Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.units import measure_text
 from rbpsym.teaching.wording import plain_text, say, spoken
 
@@ -89,7 +88,7 @@ def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
 
 def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
     rows = tuple((row.label, (), (), ()) for row in item.key.rows)
-    yield Table(_sign_header(worksheet.language), rows, (), "lccc")
+    yield Form(_sign_header(worksheet.language), rows)
 
 
 def _sign_header(language: str) -> tuple[Inlines, ...]:
@@ -156,6 +155,15 @@ def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
         yield ItemList(slips)
 
 
+def solution_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+    """The answer to a task, and how it is found."""
+    yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
+    if isinstance(item.key, (m.SignsKey, m.BlanksKey)):
+        yield from KEYS[type(item.key)](item, worksheet)
+    if not isinstance(item.key, m.BlanksKey):
+        yield from item.solution
+
+
 def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
     """The answer in a line, where it fits one."""
     key, mark = item.key, worksheet.notation.decimal
@@ -192,7 +200,7 @@ def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
         signs = (say(f"signs.{SIGN_WORDS[s]}", language) for s in (row.translational, row.rotational))
         group = words(str(groups.index(row.cancels) + 1)) if row.cancels else say("signs.nothing", language)
         rows.append((row.label, *signs, group))
-    yield Table(_sign_header(language), tuple(rows), (), "lccc")
+    yield Form(_sign_header(language), tuple(rows))
 
 
 def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:

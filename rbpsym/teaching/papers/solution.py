@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.chapters import chapter_sections
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.notes import shown_steps, words_of
 from rbpsym.document.words import Words
 from rbpsym.teaching import model as m
-from rbpsym.teaching.papers.layout import key_blocks, numbers
+from rbpsym.teaching.papers.layout import numbers, solution_blocks
 from rbpsym.teaching.wording import say
 
 DETAIL = "standard"
@@ -29,8 +27,7 @@ def part_sections(part: m.Part, worksheet: m.Worksheet, derivation: Derivation) 
         [Paragraph(say("solution.numbers", language, given=numbers(part, worksheet)))] if part.given else []
     )
     for item in part.items:
-        blocks += key_blocks(replace(item, rubric=()), worksheet)
-        blocks += [block for block in item.solution if references(block) <= labels]
+        blocks += [block for block in solution_blocks(item, worksheet) if references(block) <= labels]
     return [*found, Section(say("solution.answers", language), tuple(blocks), level=level)]
 
 

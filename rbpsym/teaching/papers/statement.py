@@ -14,6 +14,7 @@ from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.situations import Situation
 from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.wording import spoken
 
 
 def statement_blocks(derivation: Derivation, said: Words) -> tuple[Block, ...]:
@@ -28,7 +29,7 @@ def given_table(derivation: Derivation, situation: Situation, said: Words) -> tu
     rows = tuple(_rows(problem, situation, said))
     if not rows:
         return ()
-    header = (*(said.say(f"header.{key}") for key in ("symbol", "meaning")), ())
+    header = (*(said.say(f"header.{key}") for key in ("symbol", "meaning")), spoken(said, "paper.value"))
     return (Table(header, rows, (), "cll"),)
 
 

@@ -10,12 +10,12 @@ from rbpsym.document.model import Document, Section
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
-from rbpsym.document.writers.typst import TYPST, blocks, spoken
+from rbpsym.document.writers.typst import TYPST, blocks, cell_content, spoken
 from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 38.0
@@ -52,9 +52,20 @@ def lead(block: Lead, page: Page) -> str:
 
 def options(block: Options, page: Page) -> str:
     """Lettered options with a box to tick."""
-    items = ", ".join(f"[{page.inlines(item)}]" for item in block.items)
+    items = ", ".join(f"[{cell_content(item, page)}]" for item in block.items)
     right = "none" if block.right is None else str(block.right)
     return f"#options({right}, {items})"
+
+
+def form(block: Form, page: Page) -> str:
+    """A table to be filled in."""
+    rows = ", ".join(cells(row, page) for row in (block.header, *block.rows))
+    return f"#form-table({len(block.header)}, {rows})"
+
+
+def cells(row: tuple, page: Page) -> str:
+    """The cells of a row."""
+    return f"({', '.join(f'[{page.inlines(cell)}]' for cell in row)},)"
 
 
 def marked(block: Marked, page: Page) -> str:
@@ -83,6 +94,7 @@ PAPER: Mapping[type, Print] = {
     Section: section,
     Lead: lead,
     Options: options,
+    Form: form,
     Marked: marked,
     Rules: rules,
     Space: lambda block, page: f"#v({block.height}cm)" if block.height else "",

@@ -10,7 +10,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
-from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, lines_to, put
+from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, is_negated, lines_to, put
 from rbpsym.teaching.model import Anticipated, Blank, BlanksKey, Item, blank
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
@@ -129,7 +129,13 @@ def _anticipated(bench: Bench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
     found = next((x for x in bench.targets.values() if x.step == step.id), None)
     if found is None or gap.is_term or isinstance(step.statement, t.System):
         return ()
-    return tuple(Anticipated(d.slip, d.formula) for d in bench.pool.of(found))
+    is_turned = is_negated(step.statement, gap.path)
+    return tuple(Anticipated(d.slip, _as_gap(d.formula, is_turned)) for d in bench.pool.of(found))
+
+
+def _as_gap(formula: t.Node, is_turned: bool) -> t.Node:
+    """The formula, its sign changed where the minus stands printed before the blank."""
+    return t.neg(formula) if is_turned else formula
 
 
 def _lines(
