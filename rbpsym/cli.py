@@ -27,6 +27,7 @@ COMMANDS: dict[str, str] = {
     "solve": "rbpsym.commands.solve",
     "check": "rbpsym.commands.check",
     "explore": "rbpsym.commands.explore",
+    "grade": "rbpsym.commands.grade",
     "new": "rbpsym.commands.new",
 }
 

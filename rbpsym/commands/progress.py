@@ -38,6 +38,14 @@ class Progress:
             if self._bar:
                 self._bar.update(self._task, description=label, completed=self.done)
 
+    def reached(self, done: int, total: int, label: str) -> None:
+        """Tell how many parts are finished, of how many."""
+        with self._lock:
+            self.done = self.told = done
+            self.total, self.label = total, label
+            if self._bar:
+                self._bar.update(self._task, description=label, completed=done, total=total)
+
     def _show(self) -> None:
         from rich.console import Console
         from rich.progress import BarColumn, SpinnerColumn, TextColumn, TimeElapsedColumn

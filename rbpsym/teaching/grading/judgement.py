@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.equality.verdict import Witness
+from rbpsym.errors import RbpsymError
 from rbpsym.teaching.model import Slip
 
 ALL, NONE, HALF = Fraction(1), Fraction(0), Fraction(1, 2)
@@ -80,8 +81,23 @@ def wrong(key: str = "wrong", **slots: Any) -> Judgement:
 
 
 def invalid(error: Exception) -> Judgement:
-    """An answer that can't be read, with the sentence that says why."""
-    return Judgement(Status.INVALID, remarks=(Remark("invalid", {"why": str(error)}),))
+    """An answer that can't be read, with the sentence that says why, and the place under a caret."""
+    slots = {"why": str(error), "shown": ""}
+    if isinstance(error, RbpsymError):
+        slots = {"why": " ".join(filter(None, (_sentence(error.what), error.instead))), "shown": _shown(error)}
+    return Judgement(Status.INVALID, remarks=(Remark("invalid", slots),))
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith((".", "?", "!")) else f"{text}."
+
+
+def _shown(error: RbpsymError) -> str:
+    """The line with a caret under what is meant."""
+    place = error.place
+    if place is None or not place.text:
+        return ""
+    return f"{place.text}\n{' ' * max(place.column - 1, 0)}{'^' * max(place.width, 1)}"
 
 
 def undecided(reason: str) -> Judgement:

@@ -1,0 +1,137 @@
+"""Many jobs on one machine by a pool of processes, or on a cluster by dask.distributed; resumed after an interrupt.
+
+What is done is noted in a journal, line by line; a run that was interrupted goes on from there. The
+results come in the order of the jobs, so that they are the same bytes however they were made.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import suppress
+from dataclasses import dataclass
+from multiprocessing import get_context
+from typing import Any
+
+from rbpsym.errors import RbpsymError
+from rbpsym.teaching.journal import Journal
+
+Job = Any
+Work = Callable[[tuple[Job, ...]], list[str]]
+FEW = 64  # jobs that are done without a pool
+DASK = "dask://"
+
+
+class Interrupted(RbpsymError):
+    """An interrupt; what is done is kept, and the same command goes on."""
+
+    exit_code = 130
+
+
+@dataclass(frozen=True, slots=True)
+class Crew:
+    """Who works: processes of this machine (`processes`; 0: as many as there are cores), or a cluster."""
+
+    address: str = ""
+    processes: int = 0
+
+
+def crew(executor: str, processes: int = 0) -> Crew:
+    """The crew that `--executor` names: "" or "local", or dask://HOST:PORT. Raises RbpsymError."""
+    if executor in ("", "local"):
+        return Crew("", processes)
+    host, colon, port = executor.removeprefix(DASK).rpartition(":")
+    if not executor.startswith(DASK) or not colon or not host or not port.isdigit():
+        raise RbpsymError(f"“{executor}” is no executor", instead="write local, or dask://HOST:PORT.")
+    return Crew(f"tcp://{host}:{port}", processes)
+
+
+def run(
+    work: Work,
+    jobs: Sequence[Job],
+    who: Crew,
+    journal: Journal,
+    told: Callable[[int, int], None] = lambda done, of: None,
+    size: int = 16,
+) -> list[str]:
+    """The results of all jobs, in their order; those that the journal holds are not done again.
+
+    `work` is a function of a module that takes some jobs and returns a text for each. `told` hears
+    how many are done. Raises Interrupted (what is done is kept), RbpsymError for a cluster out of reach.
+    """
+    with journal:
+        waiting = [place for place in range(len(jobs)) if place not in journal.results]
+        parts = [tuple(waiting[at : at + size]) for at in range(0, len(waiting), size)]
+        told(len(journal.results), len(jobs))
+        try:
+            for part, results in _done(work, jobs, parts, who):
+                journal.enter(dict(zip(part, results, strict=True)))
+                told(len(journal.results), len(jobs))
+        except KeyboardInterrupt:
+            done = f"interrupted: {len(journal.results)} of {len(jobs)} are done"
+            raise Interrupted(done, instead="the same command goes on from there.") from None
+        return [journal.results[place] for place in range(len(jobs))]
+
+
+Parts = list[tuple[int, ...]]
+
+
+def _done(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple[tuple[int, ...], list[str]]]:
+    """(places, results) as they come."""
+    if who.address:
+        yield from _by_dask(work, jobs, parts, who)
+    elif sum(map(len, parts)) <= FEW or _count(who) == 1:
+        for part in parts:
+            yield part, work(tuple(jobs[place] for place in part))
+    else:
+        yield from _by_processes(work, jobs, parts, who)
+
+
+def _count(who: Crew) -> int:
+    """How many processes: as asked for, else one a core that may be used."""
+    usable = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return who.processes or usable or 1
+
+
+def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple]:
+    """A pool of processes; where it is safe they are forked, and share what was worked out before."""
+    threads = 1 if sys.version_info >= (3, 12) else 2  # the second is the clock of the progress bar
+    forks = sys.platform == "linux" and threading.active_count() <= threads
+    pool = ProcessPoolExecutor(_count(who), mp_context=get_context("fork" if forks else "spawn"))
+    try:
+        futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
+        for future in as_completed(futures):
+            yield futures[future], future.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple]:
+    client = _client(who.address)
+    try:
+        from distributed import as_completed as finished
+
+        futures = [client.submit(work, tuple(jobs[place] for place in part), pure=False) for part in parts]
+        places = {future.key: part for future, part in zip(futures, parts, strict=True)}
+        for future, result in finished(futures, with_results=True):
+            yield places[future.key], result
+    finally:
+        with suppress(Exception):
+            client.close()
+
+
+def _client(address: str) -> Any:
+    """A client of the cluster. Raises RbpsymError if the extra or the cluster is not there."""
+    try:
+        from distributed import Client
+    except ImportError:
+        hint = "install the extra: pip install 'rbpsym[cluster]'."
+        raise RbpsymError("dask.distributed is not installed", instead=hint) from None
+    try:
+        return Client(address, timeout=10)
+    except OSError as error:
+        host = address.removeprefix("tcp://")
+        raise RbpsymError(f"no dask scheduler answers at {host}", instead="start one: dask scheduler.") from error

@@ -1,0 +1,155 @@
+"""The table of answers: a row a student with a column an item, or a row an answer.
+
+Columns: `student` (or `id`), or `code` (or `form`) for the form code on the paper; then the items, as
+“3”, “Q3” or “item 3”, blanks as “3.1”. Other columns are passed over, and named in a report.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rbpsym.errors import Place, RbpsymError, ReadError
+
+LARGEST = 64 * 1024 * 1024
+LONGEST_CELL = 20_000
+STUDENT, CODE, ITEM, ANSWER = (
+    ("student", "id", "estudiante"),
+    ("code", "form", "código", "codigo"),
+    ("item", "task"),
+    ("answer", "respuesta"),
+)
+_ITEM = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+(?:\.\d+)?)\.?", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """The answers of one student by item; `line` of the file."""
+
+    student: str
+    code: str
+    answers: Mapping[str, str]
+    line: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerTable:
+    """All rows, in the order of the file, and the columns that were passed over."""
+
+    rows: tuple[Row, ...]
+    passed_over: tuple[str, ...] = ()
+
+
+def read_answers(path: Path) -> AnswerTable:
+    """The table in a file. Raises ReadError with file and line."""
+    return parse_answers(_text(path), str(path))
+
+
+def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:
+    """The table in a text. Raises ReadError with file and line."""
+    lines = _lines(text, file)
+    _, header = next(lines, (1, []))
+    names = [name.strip().lower() for name in header]
+    who, code = _column(names, STUDENT), _column(names, CODE)
+    if who is None and code is None:
+        hint = "the first line names the columns: student, or code, and the items 1, 2, …"
+        raise ReadError("there is no column “student” or “code”", instead=hint, place=Place(file, 1))
+    item, answer = _column(names, ITEM), _column(names, ANSWER)
+    if item is not None and answer is not None:
+        return AnswerTable(_from_long(lines, who, code, item, answer, file))
+    columns = {place: found[1] for place, name in enumerate(names) if (found := _ITEM.fullmatch(name))}
+    other = tuple(
+        header[place] for place in range(len(names)) if place not in (*columns, who, code) and header[place].strip()
+    )
+    return AnswerTable(_from_wide(lines, who, code, columns, file), other)
+
+
+def _text(path: Path) -> str:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise ReadError(f"can't read {path}: {error.strerror}", instead="Give the path of a CSV file.") from error
+    if len(data) > LARGEST:
+        raise ReadError(f"{path} has more than {LARGEST // 2**20} MiB", instead="Split it.")
+    for encoding in ("utf-16",) if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig",):
+        try:
+            return data.decode(encoding)
+        except UnicodeDecodeError as error:
+            hint = "Save it as CSV UTF-8."
+            raise ReadError(f"{path} is no UTF-8 text (byte {error.start})", instead=hint) from None
+    return ""
+
+
+def _lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
+    """(line, cells) of all rows that hold something."""
+    head = text.split("\n", 1)[0]
+    mark = max(",;\t", key=head.count)
+    csv.field_size_limit(2**30)
+    reader = csv.reader(io.StringIO(text.replace("\x00", "\ufffd"), newline=""), delimiter=mark)
+    try:
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                yield reader.line_num, [cell if len(cell) <= LONGEST_CELL else cell[:LONGEST_CELL] for cell in cells]
+    except csv.Error as error:
+        raise ReadError(
+            f"this is no CSV: {error}", instead="Save it as CSV UTF-8.", place=Place(file, reader.line_num)
+        ) from None
+
+
+def _column(names: list[str], known: tuple[str, ...]) -> int | None:
+    return next((place for place, name in enumerate(names) if name in known), None)
+
+
+def _cell(cells: list[str], place: int | None) -> str:
+    return cells[place] if place is not None and place < len(cells) else ""
+
+
+def _from_wide(
+    lines: Iterator[tuple[int, list[str]]], who: int | None, code: int | None, columns: Mapping[int, str], file: str
+) -> tuple[Row, ...]:
+    rows = []
+    for line, cells in lines:
+        answers = {item: _cell(cells, place) for place, item in columns.items()}
+        rows.append(Row(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line))
+    return _unique(rows, file)
+
+
+def _from_long(
+    lines: Iterator[tuple[int, list[str]]], who: int | None, code: int | None, item: int, answer: int, file: str
+) -> tuple[Row, ...]:
+    held: dict[tuple[str, str], dict[str, str]] = {}
+    first: dict[tuple[str, str], int] = {}
+    for line, cells in lines:
+        key = (_cell(cells, who).strip(), _cell(cells, code).strip())
+        found = _ITEM.fullmatch(_cell(cells, item).strip())
+        if not found:
+            raise ReadError(
+                f"“{_cell(cells, item)[:40]}” is no item", instead="Items are 1, 2, 3.1, …", place=Place(file, line)
+            )
+        answers = held.setdefault(key, {})
+        if found[1] in answers:
+            raise ReadError(f"item {found[1]} of “{key[0] or key[1]}” is answered twice", place=Place(file, line))
+        answers[found[1]] = _cell(cells, answer)
+        first.setdefault(key, line)
+    return _unique([Row(*key, answers, first[key]) for key, answers in held.items()], file)
+
+
+def _unique(rows: list[Row], file: str) -> tuple[Row, ...]:
+    """The rows, if each says who it is of, and no student comes twice. Raises ReadError."""
+    seen: dict[str, int] = {}
+    for row in rows:
+        key = row.student or row.code
+        if not key:
+            raise _doubtful("this row names no student and no form code", row.line, file)
+        if key in seen:
+            raise _doubtful(f"“{key[:40]}” has a row already, in line {seen[key]}", row.line, file)
+        seen[key] = row.line
+    return tuple(rows)
+
+
+def _doubtful(what: str, line: int, file: str) -> RbpsymError:
+    return ReadError(what, instead="Each student has one row.", place=Place(file, line))

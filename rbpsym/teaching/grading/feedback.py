@@ -1,0 +1,98 @@
+"""A page for each student: answers, points, and what went wrong, with the first wrong step."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from unicodedata import category
+
+from markupsafe import Markup, escape
+
+from rbpsym.document.model import Inlines, Math, Text
+from rbpsym.document.writers.page import shell
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.notation.mathml import to_mathml
+from rbpsym.teaching.exports.packing import slug
+from rbpsym.teaching.exports.telling import say_slip
+from rbpsym.teaching.grading.desk import Mark, points_text
+from rbpsym.teaching.grading.judgement import Status
+from rbpsym.teaching.grading.remarks import comment
+from rbpsym.teaching.model import Worksheet
+
+LONGEST_ANSWER = 400
+WORDS = {
+    "en": {"item": "Item", "answer": "Your answer", "points": "Points", "remarks": "Remarks", "of": "of", "total": "Total",
+           "right": "Right.", "carried forward": "Right.", "teacher": "Your teacher looks at this."},
+    "es": {"item": "Ejercicio", "answer": "Tu respuesta", "points": "Puntos", "remarks": "Comentarios", "of": "de",
+           "total": "Total", "right": "Correcto.", "carried forward": "Correcto.", "teacher": "Tu docente lo revisará."},
+}  # fmt: skip
+
+
+def remarks_of(mark: Mark, worksheet: Worksheet) -> Inlines:
+    """The remarks of a mark in the language of the worksheet; a word of praise where all is right."""
+    words = WORDS.get(worksheet.language, WORDS["en"])
+    found = comment(mark.judgement, worksheet.language, say_slip)
+    if mark.judgement.status is Status.RIGHT and not found:
+        found = (Text(words["right"]),)
+    return (*found, Text(f" {words['teacher']}")) if mark.judgement.is_for_teacher else found
+
+
+def remarks_text(mark: Mark, worksheet: Worksheet) -> str:
+    """The remarks as plain text on one line, for a table."""
+    return visible(" ".join(plain_text(remarks_of(mark, worksheet), worksheet.notation, worksheet.language).split()))
+
+
+def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -> str:
+    """The page of one student as HTML."""
+    words = WORDS.get(worksheet.language, WORDS["en"])
+    return shell(
+        "feedback.html",
+        autoescape=True,
+        language=worksheet.language,
+        title=plain_text(worksheet.title, worksheet.notation, worksheet.language),
+        student=student,
+        code=worksheet.code,
+        words=words,
+        total=points_text(sum(mark.points for mark in marks)),
+        most=points_text(worksheet.points),
+        rows=[_row(mark, worksheet) for mark in marks],
+    )
+
+
+def _row(mark: Mark, worksheet: Worksheet) -> dict[str, object]:
+    shown = mark.answer if len(mark.answer) <= LONGEST_ANSWER else mark.answer[:LONGEST_ANSWER] + "…"
+    return {
+        "item": mark.item,
+        "answer": visible(shown),
+        "points": points_text(mark.points),
+        "most": points_text(mark.most),
+        "kind": "right" if mark.judgement.credit == 1 else "part" if mark.judgement.credit else "none",
+        "remarks": _html(remarks_of(mark, worksheet), worksheet),
+        "shown": [visible(text, "\n ") for r in mark.judgement.remarks if (text := r.slots.get("shown"))],
+    }
+
+
+def visible(text: str, kept: str = " ") -> str:
+    """Text in which no character is invisible: controls and marks of direction are shown by their codes."""
+    return "".join(
+        " " if category(c) == "Zs" else c if c.isprintable() or c in kept else f"⟨U+{ord(c):04X}⟩" for c in text
+    )
+
+
+def _html(inlines: Inlines, worksheet: Worksheet) -> Markup:
+    parts = (
+        Markup(to_mathml(part.node, worksheet.notation))
+        if isinstance(part, Math)
+        else escape(visible(plain_text((part,), worksheet.notation, worksheet.language)))
+        for part in inlines
+    )
+    return Markup("").join(parts)
+
+
+def file_name(student: str) -> str:
+    """The name of a student's page: safe in any folder, and another one for each student."""
+    plain = slug(student)
+    return (
+        f"{plain}.html"
+        if plain == student
+        else f"{plain}-{sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}.html"
+    )

@@ -1,0 +1,177 @@
+"""A whole class: answers in, marks and pages of feedback out."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+from threading import Lock
+
+from rbpsym.document.files import write_whole
+from rbpsym.errors import RbpsymError
+from rbpsym.teaching.executor import crew, run
+from rbpsym.teaching.grading.answers_csv import AnswerTable, Row, read_answers
+from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet, points_text
+from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
+from rbpsym.teaching.grading.marks_csv import marks_csv
+from rbpsym.teaching.journal import Journal
+from rbpsym.teaching.model import Student, Worksheet
+from rbpsym.teaching.plan import Plan, plan_of
+
+TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be graded: the worksheet (a name or a path), the secret of the papers, the language.
+
+    `fingerprint` is that of the worksheet here: a worker that has another file of that name must not grade.
+    """
+
+    source: str
+    secret: str
+    language: str
+    fingerprint: str
+    pages: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Graded:
+    """The outcome: the text of marks.csv, pages by file name, how many answers the teacher should look at,
+    columns and rows that could not be used, each told in a sentence."""
+
+    marks: str
+    pages: dict[str, str]
+    students: int
+    answers: int
+    for_teacher: int
+    told: tuple[str, ...]
+
+
+Told = Callable[[int, int], None]
+
+
+def grade(
+    worksheet: str | Path,
+    answers: str | Path | AnswerTable,
+    *,
+    secret: str = "",
+    language: str = "",
+    pages: bool = False,
+    executor: str = "",
+    processes: int = 0,
+    journal: Path | None = None,
+    told: Told = lambda done, of: None,
+) -> Graded:
+    """The marks of a class. `secret` is the --seed with which the papers were made.
+
+    With `journal` an interrupted run goes on where it was. Raises RbpsymError for files that can't be
+    used; never for an answer.
+    """
+    plan, source = _plan(str(worksheet))
+    table = answers if isinstance(answers, AnswerTable) else read_answers(Path(answers))
+    order = Order(source, secret, language, plan.fingerprint, pages)
+    jobs = [(order, row) for row in table.rows]
+    held = Journal(journal, _about(order, table))
+    found = [json.loads(text) for text in run(mark_rows, jobs, crew(executor, processes), held, told)]
+    return _graded(found, table)
+
+
+def _about(order: Order, table: AnswerTable) -> str:
+    """Stands for all that the results depend on."""
+    from rbpsym import __version__
+
+    parts = (__version__, order.fingerprint, order.secret, order.language, order.pages, table.rows)
+    return sha256(repr(parts).encode("utf-8", "surrogatepass")).hexdigest()
+
+
+@lru_cache(maxsize=4)
+def _plan(source: str) -> tuple[Plan, str]:
+    """The plan of a worksheet, and how another process finds it."""
+    path = Path(source)
+    return plan_of(path if path.is_file() else source), str(path.resolve()) if path.is_file() else source
+
+
+@lru_cache(maxsize=8)
+def _desk(language: str) -> Desk:
+    return Desk(language)
+
+
+def mark_rows(jobs: tuple[tuple[Order, Row], ...]) -> list[str]:
+    """The marks of some rows, each as JSON. A function of this module, so that other processes can call it."""
+    with TURN:
+        return [json.dumps(_marked(order, row), ensure_ascii=False) for order, row in jobs]
+
+
+def _marked(order: Order, row: Row) -> dict[str, object]:
+    plan, _ = _plan(order.source)
+    if plan.fingerprint != order.fingerprint:
+        raise RbpsymError(
+            f"the worksheet {order.source} of this worker is another one",
+            instead="give all machines the same files, and start the workers again.",
+        )
+    try:
+        sheet = _sheet(plan, order, row)
+    except RbpsymError as error:
+        return {"student": row.student, "code": row.code, "error": f"line {row.line}: {error.what}"}
+    marks = grade_worksheet(sheet, row.answers, _desk(sheet.language))
+    return _told(order, row, sheet, marks)
+
+
+def _sheet(plan: Plan, order: Order, row: Row) -> Worksheet:
+    """The paper of a row: by its form code if it has one."""
+    if row.code:
+        return plan.from_code(row.code, order.secret, Student(row.student) if row.student else None)
+    return plan.worksheet(Student(row.student), order.secret, order.language)
+
+
+def _told(order: Order, row: Row, sheet: Worksheet, marks: tuple[Mark, ...]) -> dict[str, object]:
+    name = row.student or sheet.code
+    return {
+        "student": row.student,
+        "code": sheet.code,
+        "total": points_text(sum(mark.points for mark in marks)),
+        "most": points_text(sheet.points),
+        "items": [[mark.item, points_text(mark.points), remarks_text(mark, sheet)] for mark in marks],
+        "teacher": [mark.item for mark in marks if mark.judgement.is_for_teacher],
+        "answered": sum(bool(mark.answer.strip()) for mark in marks),
+        "file": file_name(name),
+        "page": feedback_page(sheet, marks, name) if order.pages else "",
+    }
+
+
+def _graded(found: list[dict], table: AnswerTable) -> Graded:
+    whole = [one for one in found if "error" not in one]
+    items = list(dict.fromkeys(item for one in whole for item, _, _ in one["items"]))
+    header = ["student", "code", "total", "of", "teacher", *(c for item in items for c in (item, f"{item} remarks"))]
+    told = [f"the column “{name}” is no item of the worksheet and was passed over." for name in table.passed_over]
+    told += [f"{one['student'] or one['code']}: {one['error']}." for one in found if "error" in one]
+    known = {name.partition(".")[0] for row in table.rows for name in row.answers} - set(items)
+    told += [f"the worksheet has no item {name}." for name in sorted(known) if whole]
+    return Graded(
+        marks_csv(header, (_row(one, items) for one in found)),
+        {one["file"]: one["page"] for one in whole if one["page"]},
+        len(found),
+        sum(one["answered"] for one in whole),
+        sum(len(one["teacher"]) for one in whole),
+        tuple(told),
+    )
+
+
+def _row(one: dict, items: list[str]) -> list[str]:
+    if "error" in one:
+        return [one["student"], one["code"], "", "", "all", *([""] * (2 * len(items) - 1)), one["error"]][
+            : 5 + 2 * len(items)
+        ]
+    held = {item: (points, said) for item, points, said in one["items"]}
+    cells = [cell for item in items for cell in held.get(item, ("", ""))]
+    return [one["student"], one["code"], one["total"], one["most"], " ".join(one["teacher"]), *cells]
+
+
+def write_graded(graded: Graded, marks: Path, folder: Path | None) -> list[Path]:
+    """Write marks.csv and the pages, each whole or not at all. The marks carry a mark of UTF-8 for spreadsheets."""
+    written = [write_whole(folder / name, page) for name, page in graded.pages.items()] if folder else []
+    return [write_whole(marks, "\ufeff" + graded.marks), *written]
