@@ -115,6 +115,7 @@ SENTENCES: Mapping[str, Writer] = {
     "slider": _touching,
     "touch": _touching,
     "rolling": _touching,
+    "gear": _touching,
     "sticking": _touching,
     "string": _string,
     "prescribed": _driven,

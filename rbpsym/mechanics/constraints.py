@@ -12,7 +12,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, ORIGIN, Vector
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces
+from rbpsym.mechanics.contacts import holding_forces, meeting, meshing_force, normal_forces
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
@@ -190,6 +190,7 @@ JOINTS: Mapping[str, Joint] = {
     "slider": Joint(normal_forces, touches=_touches, gaps=_curve_gaps, angles=_slider_angles),
     "touch": Joint(normal_forces, gaps=_curve_gaps, is_one_sided=True),
     "rolling": Joint(holding_forces, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
+    "gear": Joint(meshing_force, gaps=_curve_gaps, rates=lambda e, geometry: ((e.name, UNITY),)),
     "sticking": Joint(holding_forces, touches=_touches, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
     "string": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, is_one_sided=True),
     "prescribed": Joint(_driving_force, gaps=_driven_gaps),

@@ -185,6 +185,12 @@ def holding_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     )
 
 
+def meshing_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    """The unknown force of teeth along the tangent, forward positive."""
+    met, name = meeting(element, geometry), element.name
+    return _pair(element, name, met, met.forward * symbol(name), NOTHING, (name,))
+
+
 def _uphill(element: Element, geometry: Geometry, met: Meeting) -> int:
     """-1 if forward is downhill on a fixed line, else 1."""
     if element["line"] is None or met.by is not None or met.on is None:

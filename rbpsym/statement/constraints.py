@@ -141,6 +141,14 @@ CONSTRAINTS: dict[str, Kind] = registry(
         unknowns=(_NORMAL, _ROUGH),
     ),
     Kind(
+        "gear",
+        "a toothed wheel meshes with a rack (a line) or with another wheel (a circle): they do not slip, and the force "
+        "of the teeth is along the common tangent of the pitch circles; bearings keep them apart",
+        (_ROUND, _LINE, _SIDE, *_CURVE, _RIM),
+        aliases=("mesh",),
+        unknowns=(_NORMAL,),
+    ),
+    Kind(
         "sticking",
         "a point touches a rough line or circle and does not slip: a normal force and static friction",
         (_POINT, _LINE, _SIDE, *_CURVE, _FRICTION, _LIMIT),

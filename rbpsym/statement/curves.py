@@ -164,6 +164,7 @@ CURVE_RULES = {
     "slider": (has_angle, one_curve, two_bodies, slides),
     "touch": (*_ON_CURVE, rim_size, room, slides),
     "rolling": (*_ON_CURVE, rim_size, room),
+    "gear": (*_ON_CURVE, rim_size, room),
     "sticking": _ON_CURVE,
     "string": (string_path,),
     "prescribed": (unit_direction,),

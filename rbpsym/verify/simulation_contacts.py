@@ -224,6 +224,11 @@ def holding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     return [_normal(element, bend), kept_by(element.name, element["friction"], _forward(bend, sign))]
 
 
+def meshing(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """The force of the teeth, forward positive, keeps them from slipping."""
+    return [slipping(element, mechanism, start)]
+
+
 def slipping(element: Element, mechanism: Mechanism, start: State) -> Kept:
     """Its row times V is the speed with which what touches slips forward over the curve."""
     return kept_by(element.name, element.name, _forward(curve(element, mechanism, start)))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from rbpsym.statement.model import Element
 from rbpsym.verify.simulation_bodies import Mechanism, State
-from rbpsym.verify.simulation_contacts import holding, slider, sliding
+from rbpsym.verify.simulation_contacts import holding, meshing, slider, sliding
 from rbpsym.verify.simulation_drives import driven_angle, driven_point
 from rbpsym.verify.simulation_joints import Kept
 from rbpsym.verify.simulation_strings import string
@@ -17,6 +17,7 @@ KINDS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
     "slider": slider,
     "touch": sliding,
     "rolling": holding,
+    "gear": meshing,
     "sticking": holding,
     "string": string,
     "prescribed": driven_point,

@@ -278,7 +278,7 @@ def _pull(draft: Draft, given: Given, turn: Turn, place: Vector, way: Vector) ->
     return [t.Group(node) if isinstance(node, t.Add) else node for node in (part.still, part.turning)]
 
 
-SPEEDS = {"rolling": _no_slip, "sticking": _no_slip, "string": _taut}
+SPEEDS = {"rolling": _no_slip, "gear": _no_slip, "sticking": _no_slip, "string": _taut}
 
 
 # --- what follows
@@ -340,6 +340,6 @@ def _solved_already(statement: t.Node) -> list[str]:
 
 def _from_rate(draft: Draft, name: str) -> bool:
     """Was it found by integrating a condition on the speeds?"""
-    kinds = {"rolling", "sticking", "string"}
+    kinds = {"rolling", "gear", "sticking", "string"}
     named = {c.constraint for c in draft.study.system.conditions if depends_on(c.value, name) and c.what in kinds}
     return bool(named)

@@ -278,3 +278,60 @@ def test_spool_pulled_at_an_angle():
         constraints={"N": rb.rolling("spool", "y = 0", rim="R")},
     )
     check(problem, {"x_ddot": "F*(cos(alpha) - r/R)/(M + I/R**2)", "N": "M*g - F*sin(alpha)"})
+
+
+def test_two_gears_on_bearings():
+    """A couple T on one: its angular acceleration is 2 T/((M + m) R²); teeth push along the tangent only."""
+    problem = stated(
+        "M: mass, m: mass, R: length, r: length, T: torque",
+        coordinates={"a": rb.coordinate(start="0"), "b": {}},
+        bodies={
+            "one": rb.disk("R", mass="M", center="O", angle="a"),
+            "two": rb.disk("r", mass="m", center=("R + r", "0"), angle="b"),
+        },
+        interactions={"C": rb.couple("one", "T")},
+        constraints={
+            "A": rb.pivot("one.center"),
+            "B": rb.pivot("two.center"),
+            "F": {"type": "gear", "body": "two", "circle": "one.center"},
+        },
+    )
+    check(problem, {"a_ddot": "2*T/((M + m)*R**2)", "B_x": "0"})
+
+
+def test_rack_and_pinion():
+    """A couple T on the pinion moves the rack: 2 T/(r (2 M + m))."""
+    problem = stated(
+        "M: mass, m: mass, r: length, L: length, T: torque, g: acceleration",
+        coordinates={"x": rb.coordinate(dimension="length", start="0"), "b": {}},
+        bodies={
+            "rack": rb.rod("L", mass="M", center=("x", "0"), angle="0"),
+            "pinion": rb.disk("r", mass="m", center=("0", "r"), angle="b"),
+        },
+        interactions={"C": rb.couple("pinion", "T")},
+        constraints={
+            "S": rb.slider("rack.center", "y = 0"),
+            "B": rb.pivot("pinion.center"),
+            "F": {"type": "gear", "body": "pinion", "line": "y = 0", "of": "rack"},
+        },
+    )
+    check(problem, {"x_ddot": "2*T/(r*(2*M + m))"})
+
+
+def test_planetary_gear():
+    """A crank drives a planet round a fixed sun: 6 T/((2 M + 9 m) (R + r)²)."""
+    problem = stated(
+        "M: mass, m: mass, R: length, r: length, T: torque",
+        coordinates={"a": rb.coordinate(start="0"), "b": {}},
+        bodies={
+            "arm": rb.rod("R + r", mass="M", start="O", angle="a"),
+            "planet": rb.disk("r", mass="m", angle="b"),
+        },
+        interactions={"C": rb.couple("arm", "T")},
+        constraints={
+            "A": rb.pivot("arm.start"),
+            "B": {"type": "pin", "points": ["arm.end", "planet.center"]},
+            "F": {"type": "gear", "body": "planet", "circle": "O", "radius": "R"},
+        },
+    )
+    check(problem, {"a_ddot": "6*T/((2*M + 9*m)*(R + r)**2)"})
