@@ -4,6 +4,7 @@
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make lint    style, by ruff
 # make bench   how fast, as ratios
+# make library the table of the library: steps, proofs, seconds; also in build/library.txt
 # make docs    write the reference pages of docs/ anew
 # make clean   remove what was written, but for .venv
 #
@@ -20,7 +21,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test check mutants lint bench docs clean
+.PHONY: help notes test check mutants lint bench library docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -46,6 +47,10 @@ lint: $(VENV)/dev.stamp
 
 bench: $(VENV)/dev.stamp
 	@for file in benchmarks/*.py; do echo "$$file"; $(BIN)/python "$$file" || exit 1; done
+
+library: $(VENV)/run.stamp
+	@mkdir -p $(OUT)
+	@$(BIN)/python benchmarks/library.py > $(OUT)/library.txt; found=$$?; cat $(OUT)/library.txt; exit $$found
 
 docs: $(VENV)/run.stamp
 	$(BIN)/python docs/build.py
