@@ -23,6 +23,7 @@ FINE, DOUBTFUL, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 70, 130
 COMMANDS: dict[str, str] = {
     "list": "rbpsym.commands.listing",
     "notes": "rbpsym.commands.notes",
+    "plot": "rbpsym.commands.plot",
     "derive": "rbpsym.commands.derive",
     "solve": "rbpsym.commands.solve",
     "check": "rbpsym.commands.check",

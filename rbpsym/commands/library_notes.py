@@ -64,7 +64,7 @@ def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str |
     from rbpsym.document.book import book
     from rbpsym.document.writers import files
 
-    document = book(problems, wish.language, wish.detail)
+    document = book(problems, wish.language, wish.detail, plots=wish.plots)
     for name in wish.formats:
         if name != "html":
             yield from files(document, name, STEM, wish.engine).items()
@@ -79,7 +79,12 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
 
     courses: list[tuple[Card, str]] = []
     for entry in (entry for entry in shelf() if entry.kind == "course"):
-        document = course_notes(derive_course(load_course(entry.path), derived=kept.derivation), wish.language)
+        document = course_notes(
+            derive_course(load_course(entry.path), derived=kept.derivation),
+            wish.language,
+            wish.detail,
+            plots=wish.plots,
+        )
         courses.append((card(entry, wish.language), page(document)))
     levels = {entry.name: entry.level(wish.language) for entry in shelf()}
     cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
@@ -87,7 +92,7 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
     found: dict[str, str | bytes] = {"index.html": index_page([c for c, _ in courses], cards, wish.language, book)}
     found |= {f"{card.name}.html": content for card, content in courses}
     for chapter in problems:
-        found[f"{chapter.name}.html"] = page(notes(chapter.derivation, wish.language, wish.detail))
+        found[f"{chapter.name}.html"] = page(notes(chapter.derivation, wish.language, wish.detail, plots=wish.plots))
     return found
 
 

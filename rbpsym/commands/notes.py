@@ -132,7 +132,7 @@ def _problem(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
 
     with Progress(f"deriving {path.stem}"):
         derivation = kept.derivation(path)
-        return notes(derivation, wish.language, wish.detail), exit_code(derivation.summary()) == 0
+        return notes(derivation, wish.language, wish.detail, plots=wish.plots), exit_code(derivation.summary()) == 0
 
 
 def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
@@ -146,7 +146,7 @@ def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
     course = load_course(path)
     with Progress(f"deriving {path.stem}", len(course.parts)) as progress:
         derived = derive_course(course, progress=progress.step, derived=kept.derivation)
-        document = course_notes(derived, wish.language, wish.detail)
+        document = course_notes(derived, wish.language, wish.detail, plots=wish.plots)
     steps = [step for lesson in derived.lessons.values() for step in lesson.steps]
     fine = all(step.certificate.verdict.is_proved for step in steps)
     return document, fine and all(exit_code(d.summary()) == 0 for d in derived.derivations.values())

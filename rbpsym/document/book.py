@@ -29,7 +29,9 @@ class Chapter:
         return Words(language, problem).title(problem.title) or self.name
 
 
-def book(chapters: Sequence[Chapter], language: str = "en", detail: str = "standard") -> Document:
+def book(
+    chapters: Sequence[Chapter], language: str = "en", detail: str = "standard", *, plots: bool = False
+) -> Document:
     """The chapters in their order as one document, with contents, the checks of all steps, and an index."""
     sections: list[Section] = []
     place = 0
@@ -37,7 +39,7 @@ def book(chapters: Sequence[Chapter], language: str = "en", detail: str = "stand
         sections.append(Section(topic_words(topic, language), (), level=0))
         for chapter in group:
             place += 1
-            sections += chapter_sections(chapter, place, language, detail)
+            sections += chapter_sections(chapter, place, language, detail, plots)
     sections += [checks(chapters, language), index(chapters, language)]
     return Document(
         phrase("library.title", language),
@@ -53,11 +55,11 @@ def topic_words(topic: str, language: str) -> Inlines:
     return capital(words(topic)) if topic else phrase("library.other", language)
 
 
-def chapter_sections(chapter: Chapter, place: int, language: str, detail: str) -> Iterator[Section]:
+def chapter_sections(chapter: Chapter, place: int, language: str, detail: str, plots: bool) -> Iterator[Section]:
     """A problem: its title, then its sections, all in its own notation."""
     notation = notation_of(chapter.derivation)
     yield Section(words(chapter.title(language)), (), label(place), 1, notation=notation)
-    for section in problem_sections(chapter.derivation, language, detail, f"p{place}.", 2, CHECKS):
+    for section in problem_sections(chapter.derivation, language, detail, f"p{place}.", 2, CHECKS, plots=plots):
         yield Section(section.title, section.blocks, section.label, section.level, notation=notation)
 
 

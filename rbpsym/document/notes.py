@@ -12,6 +12,7 @@ from rbpsym.document.notes_checks import checks_section, course_checks_section, 
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
+from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation, notation_for
@@ -20,13 +21,13 @@ from rbpsym.statement.model import Problem
 DETAILS: Mapping[str, int] = {"brief": 1, "standard": 2, "full": 3}
 
 
-def notes(derivation: Derivation, language: str = "en", detail: str = "standard") -> Document:
-    """The notes of one problem."""
+def notes(derivation: Derivation, language: str = "en", detail: str = "standard", *, plots: bool = False) -> Document:
+    """The notes of one problem, with its formulas as curves if `plots` are wanted."""
     problem = derivation.study.problem
     said = Words(language, problem)
     return Document(
         words(said.title(problem.title)),
-        tuple(problem_sections(derivation, language, detail, "", 1)),
+        tuple(problem_sections(derivation, language, detail, "", 1, plots=plots)),
         source=words(problem.source),
         language=language,
         notation=notation_of(derivation),
@@ -52,7 +53,14 @@ def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en"
 
 
 def problem_sections(
-    derivation: Derivation, language: str, detail: str, prefix: str, level: int, checks: str = ""
+    derivation: Derivation,
+    language: str,
+    detail: str,
+    prefix: str,
+    level: int,
+    checks: str = "",
+    *,
+    plots: bool = False,
 ) -> list[Section]:
     """All sections of a problem; `prefix` keeps its labels apart from those of other problems.
 
@@ -60,10 +68,12 @@ def problem_sections(
     """
     said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
     speaker = phase_words(detail, language)
+    drawn = plots_section(derivation, said, level) if plots else None
     return [
         statement_section(derivation, said, level),
         *chapter_sections(derivation, said, level),
         *phase_sections(derivation, said, level, speaker),
+        *([drawn] if drawn else []),
         results_section(derivation, said, level, phase_results(derivation, said, speaker)),
         checks_section(derivation, said, level, checks or (None if detail == "brief" else "")),
     ]
@@ -107,8 +117,10 @@ BRIEF: Mapping[str, frozenset[str]] = {
 CHECKS = "table.checks"
 
 
-def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "standard") -> Document:
-    """The notes of a course: theory, problems and comparisons in its order."""
+def course_notes(
+    derived: DerivedCourse, language: str = "en", detail: str = "standard", *, plots: bool = False
+) -> Document:
+    """The notes of a course: theory, problems and comparisons in its order, with curves if `plots` are wanted."""
     course, sections, problems = derived.course, [], []
     said = Words(language)
     for place, part in enumerate(course.parts, 1):
@@ -116,7 +128,7 @@ def course_notes(derived: DerivedCourse, language: str = "en", detail: str = "st
         if part.kind == "problem":
             derivation = derived.derivations[part.name]
             sections.append(Section(words(said.title(derivation.study.problem.title)), (), prefix + "part", 1))
-            sections += problem_sections(derivation, language, detail, prefix, 2, CHECKS)
+            sections += problem_sections(derivation, language, detail, prefix, 2, CHECKS, plots=plots)
             problems += live(derivation.study.problem, prefix)
         else:
             sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)

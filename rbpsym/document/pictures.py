@@ -49,9 +49,15 @@ def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: fl
     import typst
 
     groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group, notation in scenes]
-    source = shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups))
-    found = typst.compile(source.encode(), format=kind, ppi=resolution)
+    if kind == "pdf":  # one file a picture
+        return [typst.compile(source_of([group])) for group in groups]
+    found = typst.compile(source_of(groups), format=kind, ppi=resolution)
     return found if isinstance(found, list) else [found]
+
+
+def source_of(groups: Sequence[str]) -> bytes:
+    """The Typst source that has a page for each group of drawings."""
+    return shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups)).encode()
 
 
 def picture(number: str, content: bytes, kind: str, resolution: float) -> Picture:

@@ -31,7 +31,7 @@ from rbpsym.document.writers.html_math import display_math, inline_math, widest_
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text
 
-COLUMN = 34.0
+COLUMN = 33.0
 
 
 def write_html(document: Document, home: str = "") -> str:

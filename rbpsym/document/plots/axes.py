@@ -1,0 +1,54 @@
+"""Axes: round numbers for ticks, and how they are written."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+TICKS = 4  # about as many steps on an axis
+DEGREES = (5, 10, 15, 30, 45, 60, 90, 180, 360)
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """The range of an axis, its ticks and how each is written."""
+
+    low: float
+    high: float
+    ticks: tuple[float, ...]
+    texts: tuple[str, ...]
+
+    def share(self, value: float) -> float:
+        """Where a value is between the ends (0 to 1)."""
+        return (value - self.low) / (self.high - self.low)
+
+
+def axis(values: Sequence[float], *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
+    """The axis that holds all values; a `tight` one ends with them, else it ends at ticks or a little beyond."""
+    known = [value for value in values if math.isfinite(value)] or [0.0]
+    low, high = min(known), max(known)
+    if high - low < 1e-9 * max(abs(high), abs(low), 1e-9):
+        low, high = low - max(abs(low), 1.0) * 0.5, high + max(abs(high), 1.0) * 0.5
+    step = round_step((high - low) / TICKS, degrees=sign == "°")
+    if not tight:
+        margin = 0.04 * (high - low)
+        low, high = low - margin, high + margin
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    ticks = tuple(k * step for k in range(first, last + 1))
+    places = max(0, -math.floor(math.log10(step) + 1e-9))
+    return Axis(low, high, ticks, tuple(written(tick, places, decimal) + sign for tick in ticks))
+
+
+def round_step(step: float, *, degrees: bool = False) -> float:
+    """The next round number: 1, 2 or 5 times a power of ten, or a usual angle."""
+    if degrees and step > 3:
+        return float(min((d for d in DEGREES if d >= step * 0.9), default=360.0 * math.ceil(step / 360)))
+    power = 10.0 ** math.floor(math.log10(step))
+    return next(factor * power for factor in (1, 2, 5, 10) if factor * power >= step * 0.999)
+
+
+def written(value: float, places: int, decimal: str) -> str:
+    """A tick's number with a real minus sign and thin spaces between thousands."""
+    text = f"{abs(value):,.{places}f}".replace(",", "\u2009").replace(".", decimal)
+    return ("−" if round(value, places) < 0 else "") + text

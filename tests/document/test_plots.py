@@ -1,0 +1,220 @@
+"""Plots: every curve is the formula of a step, the axes have honest units, the drawings are complete."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from itertools import pairwise
+
+import pytest
+from click.testing import CliRunner
+
+import rbpsym
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.cli import main
+from rbpsym.document.figures.placing import collisions, placed
+from rbpsym.document.model import FigureBlock, Math
+from rbpsym.document.notes import notation_of, notes
+from rbpsym.document.notes_plots import plots_section
+from rbpsym.document.numbering import parts
+from rbpsym.document.plots.axes import axis, round_step, written
+from rbpsym.document.plots.panel import scene
+from rbpsym.document.plots.scales import scales
+from rbpsym.document.plots.subjects import energies, forces, motion, positions, small_oscillation, speeds, works
+from rbpsym.document.words import Words
+from rbpsym.document.writers import writer
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.numbers import number
+from rbpsym.notation import tree as t
+from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem, load_text
+
+PLAIN = """
+title = "Pendulum"
+[parameters]
+M = "mass: of the rod"
+ell = "length: of the rod"
+g = "acceleration: gravity"
+[coordinates.theta]
+meaning = "angle from the downward vertical"
+start = "theta_0"
+[bodies.rod]
+shape = "rod"
+mass = "M"
+length = "ell"
+angle = "theta - pi/2"
+[interactions.W]
+type = "gravity"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+at = "O"
+"""
+
+
+@cache
+def derived(name: str):
+    problem = load_problem(problem_files()[name]) if name else load_text(PLAIN)
+    return rbpsym.derive(problem, simulation=False)
+
+
+@cache
+def moving(name: str):
+    return motion(derived(name))
+
+
+RULES = ("work_done", "kinetic_energy", "potential", "conservation")
+NAMES = ("sliding-ladder", "disk-with-spring", "rod-and-disk-free", "")
+by_name = pytest.mark.parametrize("name", NAMES)
+
+
+def panels(name: str):
+    found = moving(name)
+    return [panel for make in (works, energies, speeds, forces, positions) for panel in make(found)]
+
+
+@by_name
+def test_every_curve_is_the_formula_of_a_step(name: str) -> None:
+    found, seen = moving(name), 0
+    shown = [s for s in derived(name).steps if s.rule in RULES or s.phrase == "contact.along"]
+    steps = {step.statement.items[0]: step for step in shown}
+    for make in (works, energies, forces):
+        for panel in make(found):
+            way = found.way if make is forces else found.real
+            for curve in panel.curves:
+                if curve.name not in steps or curve.style == "curve sum":
+                    continue
+                value = scalar(steps[curve.name].statement.items[-1])
+                for state, shown in list(zip(way.states, curve.values, strict=True))[:: max(1, len(way.states) // 7)]:
+                    assert shown * panel.up_scale.size == pytest.approx(number(value, state), rel=1e-9, abs=1e-12)
+                    seen += 1
+    assert seen > 10
+
+
+@by_name
+def test_the_energy_stays_and_the_speed_is_that_of_the_first_integral(name: str) -> None:
+    found = moving(name)
+    energy = scalar(next(s for s in derived(name).steps if s.rule == "conservation").statement.items[-1])
+    values = found.whole.values(energy)
+    size = max(abs(value) for value in found.whole.values(derived(name).study.kinetic[0])) or 1.0
+    assert max(values) - min(values) < 1e-4 * size
+    for coordinate, square in derived(name).study.squares.items():
+        for state in found.way.states[:: max(1, len(found.way.states) // 9)]:
+            speed = state[f"{coordinate}_dot"]
+            assert speed**2 == pytest.approx(number(square, state), rel=1e-3, abs=1e-4 * max(1, speed**2))
+
+
+@by_name
+def test_the_work_of_all_forces_is_the_gain_of_kinetic_energy(name: str) -> None:
+    found = moving(name)
+    whole = [0.0] * len(found.real.states)
+    for panel in works(found):
+        for curve in panel.curves:
+            if curve.style != "curve sum":
+                whole = [a + b * panel.up_scale.size for a, b in zip(whole, curve.values, strict=True)]
+    kinetic = found.real.values(sum(derived(name).study.kinetic[1:], derived(name).study.kinetic[0]))
+    for work, value in zip(whole, kinetic, strict=True):
+        assert work == pytest.approx(value - kinetic[0], abs=2e-3 * max(map(abs, kinetic)))
+
+
+def test_the_loss_is_where_the_derivation_says() -> None:
+    found = moving("sliding-ladder")
+    [panel] = forces(found)
+    [mark] = panel.marks
+    at = number(derived("sliding-ladder").study.losses[0].at["theta"], found.scales.numbers)
+    assert mark * panel.across_scale.size == pytest.approx(at, abs=2e-3)
+    assert found.loss[0] == "N_w"
+    assert len(found.real.times) < len(found.way.times)
+
+
+def test_the_small_oscillation_has_the_derived_frequency() -> None:
+    found = moving("")
+    square = number(derived("").study.equilibria[0].frequencies_squared[0], found.scales.numbers)
+    scale = next(positions(found)).up_scale
+    small = small_oscillation(found, found.whole, scale)
+    period = 2 * math.pi / math.sqrt(square)
+    start = found.whole.states[0]["theta"] / scale.size
+    for time, value in zip(found.whole.times, small, strict=True):
+        assert value == pytest.approx(start * math.cos(2 * math.pi * time / period), abs=1e-9)
+    assert found.whole.times[found.whole.turns[1]] > period  # the large swing is slower
+
+
+def test_numbers_of_the_author_have_units_and_generic_ones_are_groups() -> None:
+    real, generic = scales(derived("sliding-ladder").study.problem), scales(derived("").study.problem)
+    assert real.of(ENERGY).node == t.Word("J")
+    assert real.numbers["M"] == 10
+    assert generic.of(ENERGY).node == t.mul(t.Sym("M"), t.Sym("g"), t.Sym("ell"))
+    assert generic.of(FORCE).node == t.mul(t.Sym("M"), t.Sym("g"))
+    assert generic.of(TIME).node == t.Sqrt(t.div(t.Sym("ell"), t.Sym("g")))
+    assert generic.of(DIMENSIONS["angular speed"]).node == t.Sqrt(t.div(t.Sym("g"), t.Sym("ell")))
+    numbers = generic.numbers
+    assert generic.of(TIME).size == pytest.approx(math.sqrt(numbers["ell"] / numbers["g"]))
+
+
+def test_a_system_without_a_start_or_scale_has_no_plots() -> None:
+    unknown = PLAIN.replace('start = "theta_0"\n', "")
+    with pytest.raises(NotApplicable):
+        motion(rbpsym.derive(load_text(unknown), simulation=False))
+    result = CliRunner().invoke(main, ["plot", "ladder-in-equilibrium"])
+    assert result.exit_code == 2
+    assert "can't be drawn" in result.output
+
+
+def test_what_rests_at_an_unstable_place_is_pushed() -> None:
+    problem = load_text(PLAIN.replace('start = "theta_0"', 'start = "pi"'))
+    found = motion(rbpsym.derive(problem, simulation=False))
+    assert found.whole.states[0]["theta"] != math.pi
+    assert max(abs(state["theta"] - math.pi) for state in found.whole.states) > 1
+
+
+@by_name
+def test_drawings_are_inside_their_frame_and_ticks_do_not_touch(name: str) -> None:
+    for panel in panels(name):
+        drawing = placed(scene(panel, notation_of(derived(name))), notation_of(derived(name)))
+        boxes = [label.box for label in drawing.labels]
+        overlaps = [pair for pair in collisions(drawing) if hasattr(pair[1], "content")]
+        assert not overlaps, [(a.content, b.content) for a, b in overlaps]
+        left, bottom, right, top = drawing.bounds
+        assert all(left <= box[0] and box[2] <= right and bottom <= box[1] and box[3] <= top for box in boxes)
+        assert right - left < 9
+
+
+@pytest.mark.parametrize("values", [(0, 1), (-3.2, 7), (0, 1e-4), (5, 5), (0, 123456), (math.nan, 2, 3)])
+def test_axes_hold_their_values_and_have_round_ticks(values: tuple) -> None:
+    found = axis(values)
+    known = [value for value in values if math.isfinite(value)]
+    assert found.low <= min(known) and max(known) <= found.high
+    assert 2 <= len(found.ticks) <= 9
+    assert all(b > a for a, b in pairwise(found.ticks))
+    assert len(set(found.texts)) == len(found.texts)
+
+
+def test_numbers_of_ticks_are_written_as_in_print() -> None:
+    assert written(-1234.5, 1, ",") == "−1\u2009234,5"
+    assert written(-0.0001, 2, ".") == "0.00"
+    assert round_step(0.3) == 0.5
+    assert round_step(22, degrees=True) == 30
+
+
+def test_the_notes_have_the_plots_only_if_they_are_wanted() -> None:
+    plain, drawn = notes(derived("sliding-ladder")), notes(derived("sliding-ladder"), plots=True)
+    labels = {section.label for section in drawn.sections} - {section.label for section in plain.sections}
+    assert labels == {"section.plots"}
+    figures = [p for p in parts(drawn.sections) if isinstance(p, FigureBlock) and p.label.startswith("figure.")]
+    assert {f.label for f in figures} >= {"figure.works", "figure.energies", "figure.forces"}
+    for figure in figures[2:]:
+        assert "from" in figure.alt and "between" in figure.alt
+    section = plots_section(derived("sliding-ladder"), Words("en", derived("sliding-ladder").study.problem), 1)
+    told = [part.node for part in parts(section) if isinstance(part, Math)]
+    assert t.equation(t.Sym("M"), t.Word("10 kg")) in told
+    for name in ("tex", "typ", "html", "md", "docx", "ipynb", "beamer", "pdf"):
+        assert writer(name)(drawn)
+
+
+def test_plots_are_files(tmp_path) -> None:
+    result = CliRunner().invoke(main, ["plot", "sliding-ladder", "--format", "svg,pdf,png", "-o", str(tmp_path)])
+    assert result.exit_code == 0, result.output
+    names = {path.name for path in tmp_path.iterdir()}
+    parts_ = ("works", "energies", "forces")
+    assert names == {f"sliding-ladder-{part}.{kind}" for part in parts_ for kind in ("svg", "pdf", "png")}
