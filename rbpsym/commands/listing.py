@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import groupby
+from unicodedata import combining, normalize
 
 import click
 
@@ -13,21 +14,37 @@ LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard
 
 
 @click.command("list")
+@click.argument("words", metavar="[WORD]...", nargs=-1)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the titles.")
-def command(as_json: bool, lang: str) -> None:
-    """List the problems and courses that ship with rbpsym.
+def command(words: tuple[str, ...], as_json: bool, lang: str) -> None:
+    """List the problems and courses that ship with rbpsym: all, or those that have every WORD.
 
     \b
     Examples:
       rbpsym list
+      rbpsym list rolling introductory
       rbpsym list --lang es
       rbpsym list --json | jq -r '.problems[].name'
 
-    Any name in the list can stand where a command wants NAME|FILE.
+    A WORD may stand in the name, title, topic, level or source. Any name in the list can stand
+    where a command wants NAME|FILE.
     """
-    entries = list(shelf())
+    entries = [entry for entry in shelf() if all(is_about(entry, word, lang) for word in words)]
+    if not entries:
+        raise click.UsageError(f"nothing here is about {' and '.join(f'“{word}”' for word in words)}; try rbpsym list")
     click.echo(as_machine_text(entries, lang) if as_json else "\n".join(lines(entries, lang)))
+
+
+def is_about(entry: Entry, word: str, language: str) -> bool:
+    """Does the word stand in what is said of the entry? (Neither capitals nor accents matter.)"""
+    said = (entry.name, entry.title(language), entry.topic(language), entry.level(language), entry.source)
+    return plain(word) in plain(" ".join(said))
+
+
+def plain(text: str) -> str:
+    """The text without capitals and accents."""
+    return "".join(sign for sign in normalize("NFKD", text.casefold()) if not combining(sign))
 
 
 def lines(entries: Iterable[Entry], language: str) -> Iterator[str]:

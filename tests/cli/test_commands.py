@@ -26,6 +26,14 @@ def test_list_names_everything_that_ships():
     assert {p["name"] for p in found["problems"]} == set(problem_files())
 
 
+def test_list_can_be_searched():
+    found = json.loads(process("list", "--json", "--lang", "es", "PENDULOS", "introductorio").stdout)
+    assert {"rod-pendulum", "kater-pendulum"} <= {p["name"] for p in found["problems"]}
+    assert {(p["topic"], p["level"]) for p in found["problems"]} == {("péndulos físicos", "introductorio")}
+    none = process("list", "perpetual", "motion")
+    assert none.returncode == 2 and "“perpetual” and “motion”" in none.stderr
+
+
 @pytest.mark.parametrize("args", [("--help",), ("list",), ("solve", "--help"), ("notes", "--help")])
 def test_help_and_list_are_light(args):
     code = (
