@@ -12,13 +12,15 @@ from contextlib import suppress
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.normal import bases_of, normal
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, quotient
 from rbpsym.algebra.vector import Space
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import Undecided
+from rbpsym.verify.claims_glance import is_along_one_path, look_different
 from rbpsym.verify.claims_integrals import as_vector
 from rbpsym.verify.claims_question import HOW, Question, are_same
 from rbpsym.verify.claims_refute import disorder, refutation, witness_of
@@ -34,12 +36,25 @@ def equal_values(a: Scalar | Space, b: Scalar | Space, question: Question) -> Ve
 
 def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """Whether two scalars are equal, from the strongest depth to the weakest."""
-    for depth in question.depths:
-        if are_same(question.seen(a, depth), question.seen(b, depth), question):
-            return proved(HOW[depth])
+    tried = [depth for depth in question.depths if depth != "start"]
+    if (found := _at_depth(a, b, tried, question)) is not None:
+        return found
+    if question.witnesses and is_along_one_path(question.motion) and look_different(a, b, question.motion):
+        found = refutation(a, b, question)
+        if found.is_refuted:
+            return found
+    if (found := _at_depth(a, b, question.depths[len(tried) :], question)) is not None:
+        return found
     if _by_rates(a, b, question):
         return proved(HOW["rates"])
     return refutation(a, b, question) if question.witnesses else undecided("not proved")
+
+
+def _at_depth(a: Scalar, b: Scalar, depths: Iterable[str], question: Question) -> Verdict | None:
+    for depth in depths:
+        if are_same(question.seen(a, depth), question.seen(b, depth), question):
+            return proved(HOW[depth])
+    return None
 
 
 def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
@@ -89,10 +104,17 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     strict = op in ("<", ">")
     for depth in question.depths:
         pair = _squared([without_even_roots(question.seen(v, depth)) for v in (low, high)], question)
-        found = compare(*pair, question.motion.assumptions, strict=strict)
-        if found.is_proved:
-            return found
+        for one, other in (pair, (NOTHING, _in_normal_form(pair[1] - pair[0]))):
+            found = compare(one, other, question.motion.assumptions, strict=strict)
+            if found.is_proved:
+                return found
     return disorder(low, high, question, strict=strict)
+
+
+def _in_normal_form(value: Scalar) -> Scalar:
+    """The value with numerator and denominator in sines and cosines of the same angles."""
+    bases = bases_of(value.num + value.den)
+    return quotient(normal(value.num, bases), normal(value.den, bases))
 
 
 def _squared(pair: list[Scalar], question: Question) -> list[Scalar]:

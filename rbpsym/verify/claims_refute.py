@@ -6,24 +6,27 @@ speeds are those of the motion from the start. Where a speed remains, both signs
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, show, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.enclosure import Number, are_disjoint, sign_of
-from rbpsym.equality.verdict import Verdict, refuted, undecided
+from rbpsym.equality.verdict import Kind, Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.mechanics.motion import along_motion, with_squares
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
 from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
+
+PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
 
 
 def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -144,7 +147,36 @@ def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> 
     if motion.is_tied or any((_holds_speed(v) and not motion.is_free) or holds_unknowns(v, question) for v in pair):
         return undecided("the sign of the difference is not known for the motion from the start")
     signs = (0, 1) if strict else (1,)
-    return witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs)
+    found = witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs)
+    return found if found.is_refuted else _inside_ranges(pair, motion.assumptions, domain, signs)
+
+
+def _inside_ranges(pair: list[Scalar], assumptions: Assumptions, domain: list[Condition], signs: tuple) -> Verdict:
+    """Where a name has a range between other quantities, numbers alone hardly meet it: at parts of that range."""
+    for name, (lower, upper) in assumptions.ranges.items():
+        if not any(bound is not None and bound.atoms() for bound in (lower, upper)):
+            continue
+        for place, condition in _parts_of(lower, upper):
+            image = {name: place}
+            moved = [Condition(c.node, c.op, substitute(c.value, image)) for c in domain]
+            sides = [substitute(value, image) for value in pair]
+            found = witness_of(
+                *sides, assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs
+            )
+            if found.is_refuted:
+                return Verdict(Kind.REFUTED, reason=f"where {name} is {show(place)}: {found.witness}")
+    return undecided("no point was found")
+
+
+def _parts_of(lower: Scalar | None, upper: Scalar | None) -> Iterator[tuple[Scalar, Condition]]:
+    """Places in a range, with the condition that there is room for them."""
+    for part in PARTS:
+        if lower is not None and upper is not None:
+            yield lower + (upper - lower) * part, Condition(t.ZERO, ">", upper - lower)
+        elif lower is not None:
+            yield lower * (part + 1), Condition(t.ZERO, ">", lower)
+        elif upper is not None:
+            yield upper * (1 - part), Condition(t.ZERO, ">", upper)
 
 
 def _holds_speed(value: Scalar) -> bool:

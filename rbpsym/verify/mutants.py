@@ -180,10 +180,10 @@ def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
         if (varying := _side_of_constant(relation, ground)) is not None:
             return _varies(varying, ground, question)
         if question.motion.is_free and any(isinstance(node, t.Delta) for _, node in sites(relation)):
-            return _drifts(relation, ground, question)
+            return _drifts(relation, ground, question, looks)
         ready = t.Chain(tuple(prepared(item, ground) for item in relation.items), relation.ops)
         return any(_fails(ready, look) for look in looks) or (
-            looks[0].gap(ready) is None and _drifts(relation, ground, question)
+            bool(looks) and looks[0].gap(ready) is None and _drifts(relation, ground, question, looks)
         )
     except (RbpsymError, ArithmeticError, ValueError, KeyError, TypeError):
         return False
@@ -209,8 +209,23 @@ def _fails(relation: t.Chain, look: Sample) -> bool:
     gap = look.gap(relation)
     if gap is None or relation.ops[0] == "=":
         return gap is not None and gap > DIFFERENT
+    if not _is_in_range(look):
+        return False
     left, right = (look.gap(t.Chain((item, t.ZERO), ("=",))) for item in relation.items)
     return None not in (left, right) and _is_false(relation, look)
+
+
+def _is_in_range(look: Sample) -> bool:
+    """Do the numbers keep the declared ranges? Inequalities hold only there."""
+    try:
+        ranges = look.question.motion.assumptions.ranges.items()
+        return all(
+            (low is None or number(low, look.numbers) < look.numbers[name])
+            and (high is None or look.numbers[name] < number(high, look.numbers))
+            for name, (low, high) in ranges
+        )
+    except (ArithmeticError, ValueError, KeyError):
+        return False
 
 
 def _is_false(relation: t.Chain, look: Sample) -> bool:
@@ -221,16 +236,16 @@ def _is_false(relation: t.Chain, look: Sample) -> bool:
     return apart < -DIFFERENT
 
 
-def _drifts(relation: t.Chain, ground: Ground, question: Question) -> bool:
-    """Where a value has no closed form: do the sides differ at the start, or in their rates?"""
+def _drifts(relation: t.Chain, ground: Ground, question: Question, looks: list[Sample]) -> bool:
+    """Where a value has no closed form: do the sides differ at the start, or in their rates in a state of the motion?"""
     if relation.ops != ("=",):
         return False
     a, b = (valued(item, ground) for item in relation.items)
     pairs = zip(*(x.components() if isinstance(x, Space) else (x,) for x in (a, b)), strict=True)
-    numbers = Numbers(7)
+    numbers = looks[0].numbers if looks else Numbers(7)
     for x, y in pairs:
         begin = question.begin(x) - question.begin(y)
         rate = question.seen(question.rate(x - y), "start")
         if any(abs(number(part, numbers)) > DIFFERENT for part in (begin, rate) if part):
-            return question.motion.is_free
+            return True
     return False

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from rbpsym.verify.claims_check import Checker, decide, read, relations
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.claims_symbols import glossary
+from rbpsym.verify.claims_symbols import glossary, with_own_symbols
 from rbpsym.verify.claims_worlds import Worlds
 from rbpsym.verify.mutants import is_different, mutants
 from rbpsym.verify.mutants_rewrites import rewrites
@@ -50,7 +50,8 @@ def trials(path: Path, wanted: int = WANTED) -> Iterator[Trial]:
         true = claim.right if claim.expect == "refuted" else claim.printed
         if claim.not_computed or true is None:
             continue
-        words = glossary(claim.setting.symbols)
+        claim = replace(claim, setting=with_own_symbols(claim.setting, checker.world(claim.setting)))
+        words = checker.reading(glossary(claim.setting.symbols), claim.setting)
         node = read(true, words)
         ground = checker.ground(claim.setting, words, node)
         if checker.check(claim).outcome is not Outcome.DEFINITION:
