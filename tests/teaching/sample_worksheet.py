@@ -1,5 +1,7 @@
 """A worksheet with one item of every kind, made by hand: what exports and marks are tested on."""
 
+# ruff: noqa: E501  (a table)
+
 from __future__ import annotations
 
 from fractions import Fraction
