@@ -210,15 +210,13 @@ def _along_forces(system: System) -> list[Scalar]:
 def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
     """Solved with the accelerations as symbols, which are put in at the end."""
     unknowns = system.unknowns
-    if not unknowns:
-        return {}
     rows = [value for _, _, value in newton_euler_rows(system)]
     solution = solve_linear([*rows, *_along_forces(system)], unknowns)
     if solution.free:
         raise _indistinct(system, solution.free)
     images = accelerations or {}
     if accelerations is not None and any(is_surely_nonzero_on(value, images) for value in solution.left):
-        raise _contradictory(system)
+        raise _contradictory(system) if any(_asking(system)) else _unheld(system, images)
     return {name: _on_motion(solution.values[name], images) for name in unknowns}
 
 
@@ -256,14 +254,31 @@ def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
 
 def _contradictory(system: System) -> StatementError:
     """Named are the constraints that the poses do not keep by themselves, or else all of them."""
-    asking = dict.fromkeys(c.constraint for c in system.conditions if not is_zero(c.value))
-    names = tuple(asking) or tuple(element.name for element in system.problem.constraints)
+    names = _asking(system) or tuple(element.name for element in system.problem.constraints)
     fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
     return StatementError(
         f"the constraints contradict the motion of the bodies: their equations have no solution with "
         f"{', '.join(f'“{name}”' for name in names)}{fixed}",
         instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
         place=system.element(names[0]).place if names else None,
+    )
+
+
+def _asking(system: System) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(c.constraint for c in system.conditions if not is_zero(c.value)))
+
+
+def _unheld(system: System, images: Mapping[str, Scalar]) -> StatementError:
+    """A pose that ties a body to coordinates without a force that does it."""
+    known = set(system.unknowns)
+    rows = ((body, value) for body, _, value in newton_euler_rows(system) if not known & names_in(value))
+    name = next((body for body, value in rows if is_surely_nonzero_on(value, images)), system.problem.bodies[-1].name)
+    return StatementError(
+        f"the pose of the body “{name}” says more than its constraints hold: nothing exerts the force or couple that "
+        f"keeps it on its way",
+        instead="add the constraint that does it (contact, rolling, guide, pin, weld ...), or give the body coordinates "
+        "of its own.",
+        place=system.problem.body(name).place,
     )
 
 

@@ -58,7 +58,16 @@ def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> 
     if not names:
         return ()
     places = common_zeros(forces, names) or _all_zero(forces, names, assumptions)
-    return tuple(_describe(system, dynamics, forces, at, assumptions) for at in places if _within(system, at))
+    kept = (at for at in places if _within(system, at) and _is_regular(dynamics.mass_matrix, at))
+    return tuple(_describe(system, dynamics, forces, at, assumptions) for at in kept)
+
+
+def _is_regular(mass: Matrix, at: Mapping[str, Scalar]) -> bool:
+    """Whether the coordinates describe the neighbourhood of the place (r = 0 in polar coordinates does not)."""
+    try:
+        return not is_zero(determinant(tuple(tuple(substitute(entry, at) for entry in row) for row in mass)))
+    except ZeroDivisionError:
+        return False
 
 
 def _all_zero(forces: Iterable[Scalar], names: Iterable[str], assumptions: Assumptions) -> list[dict[str, Scalar]]:

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import all_conditions, solve_explicitly
 from rbpsym.mechanics.geometry import Geometry, start_numbers
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.rates import from_start, full_rates, integrated, rate_conditions
 from rbpsym.mechanics.system import BodyState, Condition, Pose, at_point
+from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Problem
 
 Rates = dict[int, Condition]  # conditions on the speeds by their place among all of them
@@ -42,8 +45,26 @@ def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, P
         conditions = (*conditions, found)
         solved, implicit = solve_explicitly(conditions, names, problem)
         rates = _rates(problem, inertias, given, solved, names)
+        _check_kept(found, rates.get(place), solved, implicit, problem)
         waiting = {place: rate for place, rate in rates.items() if place not in done}
     return Tied(solved, implicit, tuple(waiting.values()), conditions)
+
+
+def _check_kept(found: Condition, again: Condition | None, solved: Mapping[str, Scalar], implicit, problem) -> None:
+    """A condition that was solved holds from then on, unless its solution turned the geometry over (a string that
+    would run upwards instead of downwards, since nothing says where its end is)."""
+    if again is None or any(condition.constraint == found.constraint for condition in implicit):
+        return
+    used = [c for c in problem.coordinates if depends_on(found.value, c.name)]
+    open_ones = [c.name for c in used if c.start is None]
+    name = next((n for n in open_ones if n in solved), open_ones[0] if open_ones else used[-1].name)
+    place = to_machine(present(solved[name])) if name in solved else "this place"
+    raise StatementError(
+        f"the constraint “{found.constraint}” can't be kept as it is drawn: with {name} = {place} it would run the "
+        f"other way round",
+        instead=f'say where things are at the start, so that its length is known: start = "{name}_0" for {name}.',
+        place=next(e.place for e in problem.constraints if e.name == found.constraint),
+    )
 
 
 def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping[str, Pose]) -> Geometry:

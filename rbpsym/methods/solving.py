@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -14,6 +15,8 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
     """The unknown of one linear equation as a quotient that keeps the form of both sides."""
     coefficient = derivative(left - right, name)
     rest = substitute(right - left, {name: NOTHING})
+    if is_zero(rest):
+        return draft.show(NOTHING)
     if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
         return draft.show(rest / coefficient, factor=True)
     return present_ratio(rest.num, coefficient.num, draft.study.style, factor=coefficient.num.is_monomial())
