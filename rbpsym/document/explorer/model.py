@@ -61,7 +61,10 @@ def model(problem: Problem, language: str) -> Model:
         },
         "bodies": {name: said.body(name) for name in problem.body_names},
         "origins": {name: label(t.Sym(name), notation) for name in study.origins},
-        "phases": [{**found.data, "name": part.name} for part, found in zip(parts, phases, strict=True)],
+        "phases": [
+            {**found.data, "name": part.name if k else ""}
+            for k, (part, found) in enumerate(zip(parts, phases, strict=True))
+        ],
     }
     return Model(data, phases, plain("explorer.picture", language, parts=_bodies(study, said)), partial)
 

@@ -14,6 +14,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics import strings
+from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.points import pair
@@ -112,7 +113,7 @@ def fixed_ends(seen: Scenery) -> Iterator[Any]:
 
 
 def lines(seen: Scenery) -> Iterator[Part]:
-    """Lines that are touched: a x + b y = c, in the frame of the body `of` or in space."""
+    """Lines that are touched: a x + b y = c, in the frame of the body `of` or in space; a slot has no normal."""
     done = set()
     for element in seen.study.problem.constraints:
         line, of = element.values.get("line"), element.values.get("of")
@@ -120,7 +121,8 @@ def lines(seen: Scenery) -> Iterator[Part]:
             continue
         done.add((line.label, of))
         values = {key: seen.node(getattr(line, key)) for key in "abc"}
-        yield {**values, "of": of, "slot": element.kind == "guide", "through": touched(seen, element)}
+        normal = None if element.kind == "guide" else seen.at(meeting(element, seen.geometry).normal)
+        yield {**values, "of": of, "normal": normal, "through": touched(seen, element)}
 
 
 def touched(seen: Scenery, element: Element) -> list[int]:

@@ -23,10 +23,12 @@ from rbpsym.mechanics.elimination import CONSTANT, linear_row
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.numbers import sample
+from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Coordinate
+from rbpsym.statement.paths import runs
 
 
 @dataclass(frozen=True)
@@ -219,6 +221,7 @@ def _events(study: Study) -> Iterator[dict[str, Any]]:
             for left in (limit - grip, limit + grip):
                 yield {"kind": "slips", "name": element.name, "value": left}
     yield from _slips(study)
+    yield from _used_up(study)
     for coordinate in study.problem.coordinates:
         yield from _edges(coordinate)
 
@@ -228,6 +231,19 @@ def _slips(study: Study) -> Iterator[dict[str, Any]]:
     for name, sense in senses.items():
         slip = slip_speed(geometry, meeting(study.system.element(name), geometry))
         yield {"kind": "holds", "name": name, "value": slip * sense}
+
+
+def _used_up(study: Study) -> Iterator[dict[str, Any]]:
+    """The straight pieces of a string between a pulley and something else, as long as there is any."""
+    geometry = geometry_of(study.system)
+    for element in study.problem.constraints:
+        if element.kind != "string":
+            continue
+        for piece in (piece for run in runs(element["path"]) for piece in segments(run, geometry)):
+            if (piece.first.sense or piece.second.sense) and any(
+                depends_on(piece.length, n) for n in study.system.coordinates
+            ):
+                yield {"kind": "short", "name": element.name, "value": piece.length}
 
 
 def _edges(coordinate: Coordinate) -> Iterator[dict[str, Any]]:

@@ -112,7 +112,8 @@ const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
 
 function phaseName(motion, moment) {
   if (motion.nudged) return told("nudged", { name: motion.data.coordinates[motion.nudged].here.text });
-  return motion.code.length > 1 ? told("phase", { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";
+  const key = moment.data.name ? "phase" : "phase_first";
+  return motion.code.length > 1 ? told(key, { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";
 }
 
 /** What ended a motion, in words. */

@@ -91,7 +91,7 @@ class Drawing {
   /** A line of the ground with its hatching; one that a body carries only as a thin slot. */
   line(line, data) {
     const out = this.out, of = line.of && data.bodies.find((body) => body.name === line.of);
-    if (of && !line.slot) return [];
+    if (of && line.normal) return [];
     let [a, b, c] = [out[line.a], out[line.b], out[line.c]];
     if (of) {
       const angle = out[of.angle], [u, v] = pick(of.at, out);
@@ -99,29 +99,27 @@ class Drawing {
       c += a * u + b * v;
     }
     const size = Math.hypot(a, b);
-    const piece = this.visible([a / size, b / size, c / size], line.slot || of ? [] : this.others(line, data), of);
+    const piece = this.visible([a / size, b / size, c / size], !line.normal || of ? [] : this.others(line, data));
     if (!piece) return [];
-    if (line.slot) return [make("path", { d: path(piece), class: "slot" })];
-    return [make("path", { d: hatching(piece, this.free(line, data)), class: "hatch" }), make("path", { d: path(piece), class: "edge" })];
+    if (!line.normal) return [make("path", { d: path(piece), class: "slot" })];
+    return [make("path", { d: hatching(piece, this.free(line)), class: "hatch" }), make("path", { d: path(piece), class: "edge" })];
   }
 
   /** Which side of a line is free: +1 where a x + b y > c. */
-  free(line, data) {
-    const first = this.motion.frames[0], then = this.motion.look(first.phase, first.y, 0);
-    const height = (body) => then[line.a] * then[body.cm[0]] + then[line.b] * then[body.cm[1]] - then[line.c];
-    const sum = data.bodies.reduce((total, body) => total + height(body), 0);
-    return Math.abs(sum) > 1e-9 ? Math.sign(sum) : Math.sign(then[line.b]) || Math.sign(then[line.a]);
+  free(line) {
+    const out = this.out, [x, y] = pick(line.normal, out);
+    return Math.sign(out[line.a] * x + out[line.b] * y) || 1;
   }
 
   /** The free half planes of the other solid lines: walls end in their corners. */
   others(line, data) {
     const out = this.out;
-    return (data.lines || []).filter((other) => other !== line && !other.of && !other.slot)
-      .map((other) => { const s = this.free(other, data); return [s * out[other.a], s * out[other.b], s * out[other.c]]; });
+    return (data.lines || []).filter((other) => other !== line && !other.of && other.normal)
+      .map((other) => { const s = this.free(other); return [s * out[other.a], s * out[other.b], s * out[other.c]]; });
   }
 
   /** The piece of a line in the picture and in some half planes, in picture units; null if there is none. */
-  visible([a, b, c], planes, of) {
+  visible([a, b, c], planes) {
     const foot = [a * c, b * c], way = [-b, a], [mx, my] = this.scale.middle;
     const w = (ROOM / 2 - 8) / this.scale.factor, h = (this.scale.height / 2 - 8) / this.scale.factor;
     const limits = [[1, 0, mx - w], [-1, 0, -mx - w], [0, 1, my - h], [0, -1, -my - h], ...planes];

@@ -80,6 +80,7 @@ function seenPoints(motion, frame) {
   const found = data.bodies.flatMap((body) => outlineOf(body, out).flatMap((piece) => piece.points));
   found.push(...(data.points || []).map((point) => pick(point.at, out)));
   for (const link of [...(data.links || []), ...(data.cords || [])]) found.push(...link.ends.map((end) => pick(end, out)));
+  for (const circle of data.circles || []) found.push(...round(circle, out));
   for (const turn of (data.cords || []).map((cord) => cord.turn).filter(Boolean)) found.push(...round(turn, out));
   for (const line of (data.lines || []).filter((one) => !one.of)) found.push(pick(line.through, out));
   return found;
