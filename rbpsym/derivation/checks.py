@@ -298,14 +298,6 @@ def _substituted_back(context: Context, rows: tuple[Scalar, ...], values: Mappin
     return weakest([same(context, substitute(row, values), NOTHING) for row in rows])
 
 
-def series(context: Context, step: Step) -> Verdict:
-    """f(q₀) = 0 and f'(q₀) as stated: what is left out is of second order (`data`: "value", "at", "slope")."""
-    data, name = step.data, step.data["name"]
-    here = substitute(data["value"], data["at"])
-    slope = substitute(derivative(data["value"], name), data["at"])
-    return weakest([same(context, here, NOTHING), same(context, slope, data["slope"])])
-
-
 def constant(context: Context, step: Step) -> Verdict:
     """d/dt of the first item vanishes on the motion (`data`: "value")."""
     found = context.on_motion(context.rate_of(step.data["value"]))
@@ -334,30 +326,6 @@ def start_state(context: Context, step: Step) -> Verdict:
     begin = context.start(square) - start.get(speed, NOTHING) ** 2
     growth = context.rate_of(square) - symbol(speed) * symbol(f"{name}_ddot") * 2
     return weakest([same(context, begin, NOTHING), same(context, context.along(growth), NOTHING)])
-
-
-def at_rest(context: Context, step: Step) -> Verdict:
-    """With all speeds zero at the stated place, all accelerations vanish (`data`: "at")."""
-    still = dict.fromkeys(context.study.system.speeds, NOTHING)
-    found = []
-    for value in context.study.dynamics.forcing:
-        found.append(same(context, substitute(substitute(value, still), step.data["at"]), NOTHING))
-    return weakest(found)
-
-
-def characteristic(context: Context, step: Step) -> Verdict:
-    """Each stated λ makes K - λ M singular, and K, M are the derivatives of the forces at the place (`data`: "item")."""
-    from rbpsym.mechanics.elimination import determinant
-
-    item = step.data["item"]
-    found = []
-    for square in item.frequencies_squared:
-        matrix = tuple(
-            tuple(k - square * m for k, m in zip(a, b, strict=True))
-            for a, b in zip(item.stiffness, item.inertia, strict=True)
-        )
-        found.append(same(context, determinant(matrix), NOTHING))
-    return weakest(found)
 
 
 def _divides(factor: Scalar, value: Scalar) -> Verdict:

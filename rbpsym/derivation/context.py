@@ -10,14 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.verdict import Verdict
+from rbpsym.errors import Undecided
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import Add, Delta, Deriv, Integral, Node, PathIntegral, Sym, walk
 
 
 @dataclass(frozen=True)
@@ -57,15 +59,34 @@ class Context:
 
     def value(self, node: Node) -> Value:
         """The value of a tree in coordinates, speeds, accelerations and unknown forces."""
+        for part in walk(node):
+            if isinstance(part, Deriv) and part.wrt == "t":
+                self._refuse_unknown_rates(value(part.of, self.scope))
         return value(node, self.scope)
 
     def rate(self, node: Node) -> Scalar:
         """d/dt of a tree that may hold integrals along the motion."""
+        if isinstance(node, Add):
+            return sum((self.rate(term) for term in node.terms), NOTHING)
+        if not any(isinstance(part, (Integral, PathIntegral, Delta)) or self._is_work(part) for part in walk(node)):
+            self._refuse_unknown_rates(value(node, self.scope))
         return rate(node, self.scope)
 
     def rate_of(self, found: Scalar) -> Scalar:
         """d/dt of a value."""
+        self._refuse_unknown_rates(found)
         return time_derivative(found, self.scope)
+
+    def _is_work(self, node: Node) -> bool:
+        return isinstance(node, Sym) and node.name in self.works
+
+    def _refuse_unknown_rates(self, found: Value) -> None:
+        """Raises Undecided for a value with accelerations or unknown forces, whose rates no one knows: they are no constants."""
+        parts = found.components() if isinstance(found, Space) else (found,)
+        system = self.study.system
+        held = [n for n in (*system.accelerations, *system.unknowns) if any(depends_on(part, n) for part in parts)]
+        if held:
+            raise Undecided(f"the rate of change of {held[0]} is not known")
 
     def start(self, found: Scalar) -> Scalar:
         """The value in the start state."""

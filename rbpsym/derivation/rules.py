@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
+from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
@@ -41,9 +42,14 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "first_integral": (c.along_motion, c.start_state),
     "substitution": (c.along_motion,),
     "stays": (c.along_motion,),
-    "linearization": (c.series,),
-    "equilibrium": (c.identity, c.at_rest),
-    "normal_modes": (c.identity, c.characteristic),
+    "rest": (o.forces_at_rest,),
+    "equilibrium": (o.place_stated, o.at_rest),
+    "linearization": (o.series,),
+    "linear_system": (o.linear_rows,),
+    "minors": (o.positive_minors,),
+    "secular": (o.secular,),
+    "normal_modes": (c.identity, o.characteristic),
+    "mode_shape": (c.identity, o.mode_shape),
     "vanishing": (c.vanishing, c.holds_there),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),

@@ -213,12 +213,16 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
     """
     teller = Teller(said)
     yield from _intro("oscillations", derivation, said)
+    silent = [s for s in derivation.chapter("oscillations") if s.rule == "equilibrium" and not s.slots["told"]]
+    unstable = [step for step in silent if step.phrase == "oscillations.unstable" and step not in steps]
     for step in derivation.chapter("oscillations"):
-        told = step.slots.get("told", False)
         if step in steps:
-            yield from (display(step, said),) if told else teller.step(step)
-        elif step.rule == "equilibrium" and not told:
+            yield from (display(step, said),) if step.slots.get("told", False) else teller.step(step)
+        elif step in silent and not (step in unstable and len(unstable) > 1):
             yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
+    if len(unstable) > 1:
+        places = [said.say("oscillations.place", place=step.slots["place"]) for step in unstable]
+        yield Paragraph(said.say("oscillations.unstable_many", places=places))
 
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {

@@ -1,13 +1,16 @@
-"""Positions of rest, their stability, and small oscillations about them."""
+"""Positions of rest, their stability, and small oscillations of one coordinate about them."""
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import derivative, root, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.chapters import modes
 from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
-from rbpsym.derivation.step import FULL, STANDARD
+from rbpsym.derivation.step import FULL
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, resting_forces
 from rbpsym.notation import tree as t
 
@@ -15,31 +18,40 @@ from rbpsym.notation import tree as t
 def write(draft: Draft) -> None:
     """The chapter."""
     draft.chapter = "oscillations"
+    if draft.study.equilibria:
+        _rest(draft)
     for place, item in enumerate(draft.study.equilibria, 1):
         _equilibrium(draft, item, place)
 
 
+def _rest(draft: Draft) -> None:
+    """The generalized forces at rest, which vanish there and nowhere else."""
+    forces = [force for force in resting_forces(draft.study.system, draft.study.dynamics) if force]
+    rows = [t.equation(draft.show(force, factor=True), t.ZERO) for force in forces]
+    draft.add(
+        "rest",
+        "rest",
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        "oscillations.rest",
+        level=FULL,
+        premises=[f"motion.{n}" for n in draft.study.system.independent],
+        count=len(rows),
+    )
+
+
 def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
-    names = [t.Sym(name) for name in item.at]
-    forces = [force for force in resting_forces(draft.study.system, draft.study.dynamics) if force]
-    zero = (
-        t.System(tuple(t.equation(draft.show(f, factor=True), t.ZERO) for f in forces))
-        if len(forces) > 1
-        else (t.equation(draft.show(forces[0], factor=True), t.ZERO))
-    )
     verdict = {True: "stable", False: "unstable", None: "unclear"}[item.stable]
     linear = _is_linearized(draft, item)
-    there = _at(draft, zero, item)
     draft.add(
         f"equilibrium.{place}",
         "equilibrium",
-        there if isinstance(there, t.System) else t.System((there,)),
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
         f"oscillations.{verdict}",
-        level=FULL if linear or item.stable is False else STANDARD,
-        premises=[f"motion.{n}" for n in draft.study.system.independent],
-        names=names,
-        count=len(names),
+        level=FULL,
+        premises=["rest"],
+        names=[t.Sym(name) for name in item.at],
+        count=len(rows),
         place=rows,
         told=linear,
         data={"at": item.at},
@@ -47,32 +59,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{verdict}", rows)
     elif item.stable:
-        _modes(draft, item, place)
-
-
-def _at(draft: Draft, zero: t.Node, item: Equilibrium) -> t.Node:
-    """The equations of rest with the place put in: identities."""
-
-    def put(node: t.Node) -> t.Node:
-        if isinstance(node, t.Sym) and node.name in item.at:
-            return draft.show(item.at[node.name])
-        return node
-
-    return _mapped(zero, put)
-
-
-def _mapped(node: t.Node, change) -> t.Node:
-    """The tree with every node changed from the leaves upwards."""
-    from dataclasses import fields, replace
-
-    values = {}
-    for field in fields(node):
-        value = getattr(node, field.name)
-        if isinstance(value, t.Node):
-            values[field.name] = _mapped(value, change)
-        elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
-            values[field.name] = tuple(_mapped(v, change) for v in value)
-    return change(replace(node, **values) if values else node)
+        modes.write(draft, item, place)
 
 
 def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
@@ -83,37 +70,74 @@ def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
 
 
 def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
-    """q̈ ≈ -ϑ² (q - q₀) and the frequency."""
-    accelerations = draft.study.dynamics.accelerations
+    """q̈ ≈ -ϑ² (q - q₀) - (damping) q̇, and the frequency."""
     [name] = item.at
-    value = _at_rest(draft, accelerations[f"{name}_ddot"])
-    slope = substitute(derivative(value, name), item.at)
-    letter = t.Sym(draft.free(_letter(draft, item)))
+    value = draft.study.dynamics.accelerations[f"{name}_ddot"]
     square = item.frequencies_squared[0]
     shown = _forms(draft, _frequency(draft, item, square), square)
+    damping = _damping(draft, item, value, name)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
-    linear = _linear(draft, shown[-1], deviation)
+    pull = _linear(draft, shown[-1], deviation)
+    drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
     draft.add(
         f"linear.{place}",
         "linearization",
-        t.relation(t.Sym(f"{name}_ddot"), "~", linear),
-        phrase,
+        t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
+        f"{phrase}_damped" if damping and item.stable else phrase,
         place=there,
         premises=[f"equilibrium.{place}", f"motion.{name}"],
         coordinate=t.Sym(name),
-        data={"value": value, "name": name, "at": item.at, "slope": slope, "scalar": -square},
+        data={"value": value, "name": name, "at": item.at},
     )
     if item.stable:
-        draft.context.scalars[letter.name] = _root(square)
-        draft.add(
-            f"frequency.{place}",
-            "identity",
-            t.equation(t.Pow(letter, t.TWO), *shown),
-            "oscillations.frequency",
-            premises=[f"linear.{place}"],
-            is_result=True,
-            letter=letter,
-        )
+        _frequencies(draft, item, place, shown, damping)
+
+
+def _damping(draft: Draft, item: Equilibrium, value: Scalar, name: str) -> Scalar:
+    """What multiplies -q̇ close to the place."""
+    slope = derivative(value, f"{name}_dot")
+    still = dict.fromkeys(draft.study.system.speeds, NOTHING)
+    return short(-substitute(substitute(slope, still), item.at)) if slope else NOTHING
+
+
+def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node], damping: Scalar) -> None:
+    """ϑ without damping, and with it."""
+    square = item.frequencies_squared[0]
+    letter = t.Sym(draft.free(_letter(draft, item)))
+    draft.context.scalars[letter.name] = root(square)
+    draft.add(
+        f"frequency.{place}",
+        "identity",
+        t.equation(t.Pow(letter, t.TWO), *shown),
+        "oscillations.frequency_undamped" if damping else "oscillations.frequency",
+        premises=[f"linear.{place}"],
+        is_result=True,
+        letter=letter,
+    )
+    if not damping or is_zero(damping):
+        return
+    decay = draft.define(draft.free("gamma"), damping / 2)
+    damped = short(square - damping * damping / 4)
+    slower = t.Sym(draft.free(f"{letter.name}_d"))
+    draft.context.scalars[slower.name] = root(damped)
+    draft.add(
+        f"decay.{place}",
+        "identity",
+        t.equation(decay, draft.show(damping / 2, factor=True)),
+        "oscillations.decay",
+        premises=[f"linear.{place}"],
+        letter=decay,
+        coordinate=t.Sym(next(iter(item.at))),
+    )
+    draft.add(
+        f"damped.{place}",
+        "identity",
+        t.equation(t.Pow(slower, t.TWO), t.add(t.Pow(letter, t.TWO), t.neg(t.Pow(decay, t.TWO)))),
+        "oscillations.damped",
+        premises=[f"frequency.{place}", f"decay.{place}"],
+        is_result=True,
+        letter=slower,
+    )
 
 
 def _letter(draft: Draft, item: Equilibrium) -> str:
@@ -138,34 +162,3 @@ def _forms(draft: Draft, raw: t.Node, square: Scalar) -> list[t.Node]:
 def _linear(draft: Draft, shown: t.Node, deviation: t.Node) -> t.Node:
     around = t.Group(deviation) if isinstance(deviation, t.Add) else deviation
     return t.neg(t.mul(shown, around))
-
-
-def _root(square: Scalar) -> Scalar:
-    from rbpsym.algebra.calculus import root
-
-    return root(square)
-
-
-def _at_rest(draft: Draft, value: Scalar) -> Scalar:
-    return substitute(value, dict.fromkeys(draft.study.system.speeds, NOTHING))
-
-
-def _modes(draft: Draft, item: Equilibrium, place: int) -> None:
-    """Squares of the frequencies of the normal modes."""
-    rows = []
-    for k, square in enumerate(item.frequencies_squared, 1):
-        letter = draft.free(f"vartheta_{k}" if place == 1 else f"vartheta_{place}{k}")
-        draft.context.scalars[letter] = _root(square)
-        rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
-    if rows:
-        statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-        draft.add(
-            f"modes.{place}",
-            "normal_modes",
-            statement,
-            "oscillations.modes",
-            count=len(rows),
-            is_result=True,
-            premises=[f"equilibrium.{place}"],
-            data={"item": item},
-        )

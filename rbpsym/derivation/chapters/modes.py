@@ -1,0 +1,167 @@
+"""Normal modes about a stable position of rest: linear equations, characteristic equation, frequencies, shapes.
+
+M q̈ = -K (q - q₀) with K = -∂Q/∂q; q - q₀ = A cos ϑt solves it if det(K - λ M) = 0 with λ = ϑ², and then
+(K - λ M) A = 0. Meriam & Kraige, Dynamics, 8; Goldstein, 6.2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import derivative, root, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.derivation.draft import Draft, length
+from rbpsym.derivation.step import FULL, STANDARD
+from rbpsym.mechanics.elimination import determinant, short
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.notation import tree as t
+
+LAMBDA = "lamda"
+LONGEST, LONGEST_RATIO = 120, 30
+
+
+def write(draft: Draft, item: Equilibrium, place: int) -> None:
+    """The steps for one stable place; nothing where speeds act on each other there (dampers, turning frames)."""
+    if _has_drag(draft, item):
+        return
+    _equations(draft, item, place)
+    _stability(draft, item, place)
+    if item.frequencies_squared:
+        _characteristic(draft, item, place)
+        _frequencies(draft, item, place)
+
+
+def _has_drag(draft: Draft, item: Equilibrium) -> bool:
+    still = dict.fromkeys(draft.study.system.speeds, NOTHING)
+    slopes = (derivative(f, speed) for f in draft.study.dynamics.forcing for speed in draft.study.system.speeds)
+    return any(not is_zero(substitute(substitute(slope, still), item.at)) for slope in slopes if slope)
+
+
+def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
+    """Σ M_ij q̈_j ≈ -Σ K_ij (q_j - q_j0), row by row."""
+    names, rows = draft.study.system.independent, []
+    for inertias, stiffnesses in zip(item.inertia, item.stiffness, strict=True):
+        left = [draft.show(m * symbol(f"{n}_ddot")) for n, m in zip(names, inertias, strict=True) if m]
+        right = [_pull(draft, k, n, item) for n, k in zip(names, stiffnesses, strict=True) if not is_zero(k)]
+        rows.append(t.relation(t.add(*left), "~", t.add(*right)))
+    draft.add(
+        f"linear.{place}",
+        "linear_system",
+        t.System(tuple(rows)),
+        "oscillations.linear_system",
+        level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
+        premises=[f"equilibrium.{place}", *(f"motion.{name}" for name in names)],
+        data={"at": item.at},
+    )
+
+
+def _pull(draft: Draft, stiffness: Scalar, name: str, item: Equilibrium) -> t.Node:
+    """-k (q - q₀), with a sign that is read off."""
+    there = item.at.get(name, NOTHING)
+    deviation = t.Group(t.add(t.Sym(name), t.neg(draft.show(there)))) if there else t.Sym(name)
+    shown = draft.show(stiffness)
+    around = t.Group(shown) if isinstance(shown, t.Add) else shown
+    return t.mul(shown.arg, deviation) if isinstance(shown, t.Neg) else t.neg(t.mul(around, deviation))
+
+
+def _stability(draft: Draft, item: Equilibrium, place: int) -> None:
+    """The leading minors of K over the coordinates that are not arbitrary are positive."""
+    kept = [k for k, name in enumerate(draft.study.system.independent) if name in item.at]
+    matrix = tuple(tuple(item.stiffness[i][j] for j in kept) for i in kept)
+    minors = [determinant(tuple(row[:k] for row in matrix[:k])) for k in range(1, len(kept) + 1)]
+    rows = [t.relation(draft.show(minor, factor=True), ">", t.ZERO) for minor in minors]
+    draft.add(
+        f"stability.{place}",
+        "minors",
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        "oscillations.minors",
+        level=FULL,
+        premises=[f"equilibrium.{place}"],
+        count=len(rows),
+        data={"at": item.at},
+    )
+
+
+def _matrix(item: Equilibrium, value: Scalar) -> tuple[tuple[Scalar, ...], ...]:
+    rows = zip(item.stiffness, item.inertia, strict=True)
+    return tuple(tuple(k - value * m for k, m in zip(a, b, strict=True)) for a, b in rows)
+
+
+def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
+    """det(K - λ M) = 0."""
+    style = replace(draft.study.style, moving=draft.study.style.moving | {LAMBDA})
+    shown = present(determinant(_matrix(item, symbol(LAMBDA))), style, factor=True)
+    draft.add(
+        f"characteristic.{place}",
+        "secular",
+        t.equation(shown, t.ZERO),
+        "oscillations.characteristic",
+        level=STANDARD if length(shown) <= LONGEST else FULL,
+        premises=[f"linear.{place}"],
+        letter=t.Sym(LAMBDA),
+        data={"at": item.at},
+    )
+
+
+def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
+    """Squares of the frequencies, the slowest first, and the shapes of the modes."""
+    rows, found = [], _sorted(draft, item.frequencies_squared)
+    for k, square in enumerate(found, 1):
+        letter = _name(draft, "vartheta", place, k)
+        draft.context.scalars[letter] = root(square)
+        rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
+    draft.add(
+        f"modes.{place}",
+        "normal_modes",
+        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        "oscillations.modes",
+        count=len(rows),
+        is_result=True,
+        premises=[f"characteristic.{place}"],
+        data={"item": item, "squares": tuple(found)},
+    )
+    ratios = [_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
+    if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
+        for k, (square, ratio) in enumerate(zip(found, ratios, strict=True), 1):
+            _shape(draft, item, place, k, square, ratio)
+
+
+def _name(draft: Draft, letter: str, place: int, k: int) -> str:
+    """ϑ_k, with the place before it if there are several stable ones."""
+    several = sum(item.stable is True for item in draft.study.equilibria) > 1
+    return draft.free(f"{letter}_{place}{k}" if several else f"{letter}_{k}")
+
+
+def _sorted(draft: Draft, squares: tuple[Scalar, ...]) -> list[Scalar]:
+    """By size at sample numbers; as they are where these don't tell."""
+    try:
+        return sorted(squares, key=lambda value: number(value, sample(draft.study.problem)))
+    except (KeyError, ValueError, ZeroDivisionError):
+        return list(squares)
+
+
+def _ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
+    """The second amplitude over the first."""
+    row = next((r for r in _matrix(item, square) if not is_zero(r[1])), None)
+    return None if row is None else short(-(row[0] / row[1]))
+
+
+def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, ratio: Scalar) -> None:
+    """The ratio of the amplitudes of the two coordinates in one mode."""
+    first, second = draft.study.system.independent
+    letters = [_name(draft, f"A_{name}", place, k) for name in (first, second)]
+    draft.context.scalars.update(zip(letters, (UNITY, ratio), strict=True))
+    draft.add(
+        f"shape.{place}.{k}",
+        "mode_shape",
+        t.equation(t.Div(t.Sym(letters[1]), t.Sym(letters[0])), draft.show(ratio, factor=True)),
+        "oscillations.shape",
+        premises=[f"modes.{place}"],
+        frequency=t.Sym(_name(draft, "vartheta", place, k)),
+        first=t.Sym(first),
+        second=t.Sym(second),
+        data={"at": item.at, "square": square},
+    )
