@@ -1,0 +1,162 @@
+"""The fields of a page in which answers are typed or picked, and what its script checks them against."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from markupsafe import escape
+
+from rbpsym.document.writers.html import content
+from rbpsym.document.writers.html_math import inline_math
+from rbpsym.document.writers.page import Page
+from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.text import to_text
+from rbpsym.notation.tree import Node, Sym
+from rbpsym.teaching import model as m
+from rbpsym.teaching.papers.blocks import LETTERS
+from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
+from rbpsym.teaching.papers.samples import sample_points, sampled
+from rbpsym.teaching.units import UNITS, si
+from rbpsym.teaching.wording import plain_text
+
+Fields = Iterator[tuple[str, dict]]
+
+
+def _choice(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    rows = "".join(
+        f'<label><input type="radio" name="t{item.id}" value="{k}"> {LETTERS[k]}) {content(option.content, page)}</label>'
+        for k, option in enumerate(item.key.options)
+    )
+    comments = [_comment(o.slip, item, worksheet, page) if o.slip else "" for o in item.key.options]
+    yield rows, {"check": "choose", "right": item.key.right, "comments": comments}
+
+
+def _comment(slip: m.Slip, item: m.Item, worksheet: m.Worksheet, page: Page) -> str:
+    return page.inlines(feedback(slip, item, worksheet))
+
+
+def _field(label: str, about: str) -> str:
+    return (
+        f'<label>{label} <input type="text" autocomplete="off" spellcheck="false" aria-label="{escape(about)}"></label>'
+    )
+
+
+def _number(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    key = item.key
+    dimension = UNITS[key.units[0]][0] if key.units and key.units[0] in UNITS else None
+    units = {unit: scale for unit, (known, scale) in UNITS.items() if known == dimension} or {key.measure.unit: 1.0}
+    slips = [{"exact": si(a.number), "comment": _comment(a.slip, item, worksheet, page)} for a in key.anticipated]
+    left = f"{inline_math(key.left, page)} ="
+    yield (
+        _field(left, to_text(key.left, page.notation)),
+        {
+            "check": "number",
+            "exact": key.exact,
+            "tolerance": float(key.tolerance.relative),
+            "digits": key.tolerance.digits,
+            "units": units,
+            "slips": slips,
+        },
+    )
+
+
+def _formula(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    key = item.key
+    found = _formula_key(key.value, key.anticipated, key.names, item, worksheet, page)
+    if found is not None:
+        yield _field(f"{inline_math(key.left, page)} =", to_text(key.left, page.notation)), found
+
+
+def _blanks(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    for blank in item.key.blanks:
+        found = _formula_key(blank.value, blank.anticipated, item.key.names, item, worksheet, page)
+        if found is not None:
+            yield _field(f"{inline_math(m.blank(blank.number), page)} =", str(blank.number)), found
+
+
+def _formula_key(value: Node, anticipated, names, item: m.Item, worksheet: m.Worksheet, page: Page) -> dict | None:
+    points = sample_points(sorted({*names}), 5)
+    values = sampled(value, points)
+    if values is None:
+        return None
+    slips = [(a, sampled(a.formula, points)) for a in anticipated if a.formula is not None]
+    return {
+        "check": "formula",
+        "points": points,
+        "values": values,
+        "spellings": spellings(names, page.notation),
+        "slips": [{"values": v, "comment": _comment(a.slip, item, worksheet, page)} for a, v in slips if v is not None],
+    }
+
+
+def spellings(names, notation: Notation) -> dict[str, str]:
+    """How the names may be typed: as in the file, as printed, and in plain letters where that is not ambiguous."""
+    found: dict[str, str] = {}
+    for name in names:
+        printed = to_text(Sym(name), notation)
+        alias = notation.aliases.get(name, "")
+        for spelling in (name, printed, alias, printed.translate(LOWERED), name.replace("_", "")):
+            if spelling and not any(c.isspace() for c in spelling):
+                found.setdefault(spelling, name)
+    for plain, name in (("l", "ell"), ("L", "ell")):
+        if name in names and plain not in found:
+            found[plain] = name
+    return found
+
+
+LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓ", "0123456789x")
+
+
+def _order(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    key = item.key
+    label = escape(plain_text("paper.order", page.language)) + ":"
+    yield _field(label, "order"), {"check": "order", "count": len(key.pieces), "before": sorted(key.before)}
+
+
+def _slip(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    key = item.key
+    radios = "".join(
+        f'<label class="beside"><input type="radio" name="t{item.id}" value="{k}"> {k + 1}</label>'
+        for k in range(len(key.lines))
+    )
+    comments = ["" if k != key.wrong else _comment(key.slip, item, worksheet, page) for k in range(len(key.lines))]
+    label = escape(plain_text("paper.line", page.language))
+    yield f"<div>{label}: {radios}</div>", {"check": "choose", "right": key.wrong, "comments": comments}
+
+
+def _signs(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    choices = "".join(
+        f'<option value="{sign}">{escape(plain_text(f"signs.{word}", page.language))}</option>'
+        for sign, word in SIGN_WORDS.items()
+    )
+    first = f'<option value="">{escape(plain_text("paper.choose", page.language))}</option>'
+    select = f'<select aria-label="+ − 0">{first}{choices}</select>'
+    head = "".join(
+        f"<th>{escape(plain_text(f'signs.{key}', page.language))}</th>"
+        for key in ("force", "translational", "rotational")
+    )
+    rows = "".join(
+        f"<tr><td>{page.inlines(row.label)}</td><td>{select}</td><td>{select}</td></tr>" for row in item.key.rows
+    )
+    cells = [sign for row in item.key.rows for sign in (row.translational, row.rotational)]
+    yield (
+        f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>',
+        {"check": "cells", "cells": cells},
+    )
+
+
+def _none(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
+    yield from ()
+
+
+FIELDS: Mapping[type, Callable[[m.Item, m.Worksheet, Page], Fields]] = {
+    m.ChoiceKey: _choice,
+    m.ComparisonKey: _choice,
+    m.NumberKey: _number,
+    m.FormulaKey: _formula,
+    m.BlanksKey: _blanks,
+    m.OrderKey: _order,
+    m.SlipKey: _slip,
+    m.SignsKey: _signs,
+    m.ExplanationKey: _none,
+}

@@ -1,0 +1,144 @@
+"""A worksheet as one HTML file that checks itself: no server, no network, nothing that is typed is run.
+
+The script gets values of the key at some points, not the key itself: a typed formula is right if it has the same
+values there. The key stands behind a fold, also where scripts are off.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+
+from markupsafe import Markup, escape
+
+from rbpsym.document.model import Document, Inlines, Section
+from rbpsym.document.numbering import numbered
+from rbpsym.document.resources import data_folder
+from rbpsym.document.writers.html import HTML, font, style
+from rbpsym.document.writers.html import section as titled_section
+from rbpsym.document.writers.page import Page, Print, page_for, shell
+from rbpsym.document.writers.plain_text import plain_text as bare
+from rbpsym.notation.tree import Node
+from rbpsym.teaching import model as m
+from rbpsym.teaching.papers.blocks import Form, Lead, Marked
+from rbpsym.teaching.papers.html_fields import FIELDS
+from rbpsym.teaching.papers.layout import key_document, paper_document, points_text
+from rbpsym.teaching.wording import plain_text
+
+COLUMN = 34.0
+VERDICTS = {"right": "correct", "wrong": "wrong", "invalid": "invalid", "unit": "wrong_unit",
+            "few": "too_few_digits", "many": "too_many_digits"}  # fmt: skip
+
+
+def write_html(worksheet: m.Worksheet) -> str:
+    """The file."""
+    document = numbered(_without_areas(paper_document(worksheet), worksheet))
+    page = page_for(document, PAPER, COLUMN)
+    keys: dict[str, dict] = {}
+    body = "\n".join(_sections(document, worksheet, page, keys))
+    language, student = worksheet.language, worksheet.student
+    words = {verdict: plain_text(f"paper.{key}", language) for verdict, key in VERDICTS.items()}
+    return shell(
+        "worksheet.html",
+        autoescape=True,
+        title=Markup(page.inlines(document.title)),
+        plain_title=bare(document.title, document.notation),
+        language=language,
+        student=(student.name or student.id) if student else "",
+        points=points_text(worksheet.points, language),
+        code=plain_text("paper.form", language, code=worksheet.code),
+        noscript=plain_text("paper.noscript", language),
+        style=Markup(style()),
+        font=Markup(font()),
+        body=Markup(body),
+        keys=Markup(_safe_json({"keys": keys, "words": words})),
+        script=Markup((data_folder("templates") / "worksheet.js").read_text(encoding="utf-8")),
+    )
+
+
+def _safe_json(value: object) -> str:
+    """JSON that can't close the script element that it stands in."""
+    return json.dumps(value, ensure_ascii=False).replace("<", "\\u003c").replace("&", "\\u0026")
+
+
+def _without_areas(document: Document, worksheet: m.Worksheet) -> Document:
+    """The paper without the room for answers: the page has fields for them."""
+    from dataclasses import replace
+
+    def kept(part: Section) -> Section:
+        return replace(
+            part,
+            blocks=tuple(
+                b
+                for b in part.blocks
+                if not type(b).__module__.endswith("papers.blocks") or isinstance(b, (Lead, Marked))
+            ),
+        )
+
+    return replace(document, sections=tuple(map(kept, document.sections)))
+
+
+def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict) -> Iterator[str]:
+    """Statements and tasks; under each task its fields and the fold with its key."""
+    solved = {part.blocks[0].number: part for part in numbered(key_document(worksheet)).sections if _is_task(part)}
+    for part in document.sections:
+        if not _is_task(part):
+            yield titled_section(part, page)
+            continue
+        item = worksheet.item(part.blocks[0].number)
+        yield page.blocks(part.blocks, "\n")
+        yield from _areas(item, page, worksheet, keys)
+        fold = page.blocks(tuple(b for b in solved[item.id].blocks), "\n")
+        yield f'<details class="key"><summary>{escape(plain_text("paper.key", page.language))}</summary>{fold}</details>'
+
+
+def _is_task(part: Section) -> bool:
+    return bool(part.blocks) and isinstance(part.blocks[0], Lead)
+
+
+def _areas(item: m.Item, page: Page, worksheet: m.Worksheet, keys: dict) -> Iterator[str]:
+    """The fields of a task, each group with a button and what it is checked against."""
+    button = escape(plain_text("paper.show", page.language))
+    for place, (fields, key) in enumerate(FIELDS[type(item.key)](item, worksheet, page)):
+        name = f"{item.id}.{place}"
+        keys[name] = key
+        told = '<p class="verdict" role="status"></p>'
+        yield f'<div class="answer" data-key="{name}">{fields}<button type="button">{button}</button>{told}</div>'
+
+
+# --- blocks
+
+
+def lead(block: Lead, page: Page) -> str:
+    """The number, question and points of a task."""
+    return (
+        f'<div class="task"><span class="number">{escape(block.number)}.</span>'
+        f'<span class="question">{page.inlines(block.inlines)}</span><span class="points">{escape(block.points)}</span></div>'
+    )
+
+
+def marked(block: Marked, page: Page) -> str:
+    """Formulas with their marks."""
+    rows = "".join(f"<b>{mark}</b><div>{_wide(node, page)}</div>" for mark, node in block.lines)
+    return f'<div class="marked">{rows}</div>'
+
+
+def _wide(node: Node, page: Page) -> str:
+    from rbpsym.document.model import Display
+    from rbpsym.document.writers.html_math import display_math
+
+    return display_math(Display(node, numbered=False), page)
+
+
+def form(block: Form, page: Page) -> str:
+    """A table, filled in."""
+    head = "".join(f'<th scope="col">{page.inlines(cell)}</th>' for cell in block.header)
+    rows = "".join(f"<tr>{''.join(_cell(cell, page) for cell in row)}</tr>" for row in block.rows)
+    return f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
+
+
+def _cell(cell: Inlines, page: Page) -> str:
+    return f"<td>{page.inlines(cell)}</td>"
+
+
+PAPER: Mapping[type, Print] = {**HTML, Lead: lead, Marked: marked, Form: form}
