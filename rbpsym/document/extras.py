@@ -11,7 +11,6 @@ from rbpsym.errors import RbpsymError
 # module -> (package, the extra of rbpsym that brings it)
 EXTRAS: Mapping[str, tuple[str, str]] = {
     "docx": ("python-docx", "docx"),
-    "matplotlib": ("matplotlib", "plots"),
 }
 
 
