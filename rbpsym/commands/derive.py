@@ -82,11 +82,20 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
     from rbpsym.document.notes_phases import phase_sections
 
     problem = derivation.study.problem
-    of_method = {step.id for step in derivation.steps if method == "all" or step.chapter in CHAPTERS[method]}
-    said = words_of(derivation, shown_steps(derivation, detail) & of_method, language)
+    said = words_of(derivation, road(derivation, shown_steps(derivation, detail), method), language)
     later = phase_sections(derivation, said, 1, phase_words(detail, language)) if method == "all" else ()
     sections = (*chapter_sections(derivation, said, 1), *later)
     return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation))
+
+
+def road(derivation: Derivation, shown: frozenset[str], method: str) -> frozenset[str]:
+    """Of the shown steps those of one method, up to the equation of motion that it finds."""
+    if method == "all":
+        return shown
+    own = [step for step in derivation.steps if step.chapter in CHAPTERS[method]]
+    ends = {step.id for step in own if step.id.startswith("motion.from_")}
+    foreign = {step.id for step in own if method == "energy" and step.id.startswith("split.")}
+    return frozenset(({step.id for step in own} & shown | ends) - foreign)
 
 
 def reasons(derivation: Derivation, method: str, language: str) -> Iterator[str]:

@@ -105,17 +105,18 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     yield forces_table(steps, derivation, said)
 
 
-def _manner_of_motion(derivation: Derivation) -> str:
-    """At rest, driven all through, or with accelerations that were found before."""
+def _manner_of_motion(derivation: Derivation, said: Words) -> str:
+    """At rest, driven all through, with accelerations that were found before, or that are to be found."""
     if derivation.study.system.independent:
-        return "newton_euler"
+        known = any(step.id in said.shown for step in derivation.chapter("motion"))
+        return "newton_euler" if known else "newton_euler.alone"
     return "newton_euler.driven" if derivation.study.system.has_clock else "newton_euler.rest"
 
 
 def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The equations of each body, then the unknown forces together."""
     teller = Teller(said)
-    yield from _intro(_manner_of_motion(derivation), derivation, said)
+    yield from _intro(_manner_of_motion(derivation, said), derivation, said)
     others, reactions = by_kind(steps, ("newton_euler.reaction",))
     yield from teller.steps(others)
     yield from teller.together(reactions, "newton_euler.reactions")

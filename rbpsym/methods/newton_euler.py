@@ -89,4 +89,17 @@ def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
     if any(name not in solution.values for name in system.accelerations):
         draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
         return None
-    return {name: solution.values[name] for name in system.accelerations}
+    found = {name: solution.values[name] for name in system.accelerations}
+    for name, value in found.items():
+        draft.add(
+            f"motion.from_newton.{name.removesuffix('_ddot')}",
+            "solution",
+            t.equation(t.Sym(name), draft.show(value, factor=True)),
+            "newton_euler.motion",
+            premises=[f"free_body.{body}" for body in system.bodies],
+            level=FULL,
+            acceleration=t.Sym(name),
+            count=len(found),
+            data={"rows": draft.study.newton_euler_rows, "values": {n: solution.values[n] for n in unknowns}},
+        )
+    return found
