@@ -12,12 +12,17 @@ from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.speech import to_speech
 from rbpsym.notation.text import to_text
 
 
 def label(node: t.Node, notation: Notation) -> dict[str, str]:
-    """A formula as MathML, and as text for a screen reader's name of a control."""
-    return {"math": accented(to_mathml(node, notation)), "text": to_text(node, notation)}
+    """A formula as MathML, as text, and as it is spoken."""
+    return {
+        "math": accented(to_mathml(node, notation)),
+        "text": to_text(node, notation),
+        "spoken": to_speech(node, notation),
+    }
 
 
 def force_labels(system: System, notation: Notation, said: Words) -> dict[str, dict[str, Any]]:
@@ -25,7 +30,8 @@ def force_labels(system: System, notation: Notation, said: Words) -> dict[str, d
     several = len(system.bodies) > 1
     found = {}
     for force in system.forces:
-        body = said.body(force.on) if several else ""
+        is_told = force_node(system, force) == t.Vec(f"{force.name}_{force.on}")
+        body = said.body(force.on) if several and not is_told else ""
         key = f"{force.name}@{force.on}"
         found.setdefault(key, {**label(force_node(system, force), notation), "on": body})
         if force.couple:

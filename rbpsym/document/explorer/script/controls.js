@@ -38,7 +38,7 @@ function slider(one) {
   const id = "number-" + one.name, size = one.unit_size, now = state.numbers[one.name];
   const least = Math.min(one.least, now), most = Math.max(one.most, now);
   const input = element("input", { type: "range", id, min: least, max: most, step: (most - least) / 200, "data-name": one.name });
-  input.setAttribute("aria-label", [one.text, one.meaning].filter(Boolean).join(", "));
+  input.setAttribute("aria-label", [one.spoken, one.meaning].filter(Boolean).join(", "));
   const reading = new Reading("p." + one.name, one.unit, size);
   const tell = () => { reading.set(state.numbers[one.name]); input.setAttribute("aria-valuetext", reading.node.textContent); };
   input.value = now;
@@ -58,7 +58,8 @@ function rebuild() {
   state.motions = MODELS.map((model) => new Motion(model, model.data.numbers.map((one) => state.numbers[one.name])));
   const fine = state.motions.filter((motion) => motion.end.kind !== "numbers");
   const whole = fine.length ? fine.map(boxOfMotion).reduce(joinBoxes) : [-1, -1, 1, 1], force = forceScale(fine);
-  const scaled = () => new Scale(whole, Math.max(...fine.map((motion) => extentOf(motion, motion.frames[0])), 1e-9));
+  const size = Math.max(...fine.map((motion) => extentOf(motion, motion.frames[0])), 1e-9);
+  const beyond = new Scale(whole, size).beyond(fine, force), scaled = () => new Scale(whole, size, beyond);
   state.drawings = state.motions.map((motion, k) => new Drawing(byId("picture-" + k), motion, scaled(), force));
   state.readings = state.motions.map((motion, k) => new Readings(byId("readings-" + k), motion, k));
   const slider = byId("time");
@@ -133,7 +134,7 @@ function seeker(motion, place, name) {
   const least = Math.min(...values), most = Math.max(...values), id = `place-${place}-${name}`;
   const input = element("input", { type: "range", id, min: least, max: most, step: (most - least) / 500 || 1 });
   const several = state.motions.length > 1 ? motion.data.title : "";
-  input.setAttribute("aria-label", [of.here.text, of.meaning, several].filter(Boolean).join(", "));
+  input.setAttribute("aria-label", [of.here.spoken, of.meaning, several].filter(Boolean).join(", "));
   input.disabled = !(most - least > 1e-9);
   const reading = new Reading(`${place}.at.${name}`, of.unit, of.size);
   const update = () => {

@@ -1,7 +1,7 @@
 // The system in SVG, drawn to scale; forces as arrows of true length.
 
 const SVG = "http://www.w3.org/2000/svg", XHTML = "http://www.w3.org/1999/xhtml";
-const ROOM = 400, MARGIN = 62, TALLEST = 420, LABEL = [40, 24], FOLLOW = 11;
+const ROOM = 400, MARGIN = 62, TALLEST = 420, LABEL = [40, 24], FOLLOW = 11, EDGE = 22, FARTHEST = 80;
 
 function make(tag, attributes = {}, inside = []) {
   const node = document.createElementNS(SVG, tag);
@@ -23,14 +23,31 @@ function boxOfMotion(motion) {
 
 /** From metres to the units of the picture; the same for all motions that are compared. */
 class Scale {
-  constructor(whole, size) {
+  constructor(whole, size, beyond = [0, 0, 0, 0]) {
     this.follows = Math.hypot(whole[2] - whole[0], whole[3] - whole[1]) > FOLLOW * size;
     const around = [-1, -0.6, 1, 0.6].map((share) => share * 1.5 * size), box = this.follows ? around : whole;
     const [left, bottom, right, top] = box, wide = Math.max(right - left, 1e-9), high = Math.max(top - bottom, 1e-9);
-    this.factor = Math.min((ROOM - 2 * MARGIN) / wide, (TALLEST - 2 * MARGIN) / high);
+    const across = 2 * MARGIN + beyond[0] + beyond[2], upright = 2 * MARGIN + beyond[1] + beyond[3];
+    this.factor = Math.min((ROOM - across) / wide, (TALLEST - upright) / high);
     if (!(wide > 1e-6 || high > 1e-6)) this.factor = 80;
-    this.middle = [(left + right) / 2, (bottom + top) / 2];
-    this.height = Math.max(220, Math.min(TALLEST, high * this.factor + 2 * MARGIN));
+    const shift = [(beyond[2] - beyond[0]) / 2, (beyond[3] - beyond[1]) / 2].map((length) => length / this.factor);
+    this.middle = [(left + right) / 2 + shift[0], (bottom + top) / 2 + shift[1]];
+    this.height = Math.max(220, Math.min(TALLEST, high * this.factor + upright));
+  }
+
+  /** How far the arrows of some motions reach beyond the picture: left, bottom, right, top. */
+  beyond(motions, forceScale) {
+    const found = [0, 0, 0, 0];
+    if (this.follows) return found;
+    for (const { data, out } of motions.flatMap(sampled)) {
+      for (const force of data.forces) {
+        const [x, y] = this.point(pick(force.at, out)), [u, v] = pick(force.vector, out).map((part) => part * forceScale.factor);
+        [EDGE - x - u, y - v + EDGE - this.height, x + u + EDGE - ROOM, EDGE - y + v].forEach((over, k) => {
+          if (over > found[k]) found[k] = Math.min(over, FARTHEST);
+        });
+      }
+    }
+    return found;
   }
 
   point([x, y]) { return [ROOM / 2 + (x - this.middle[0]) * this.factor, this.height / 2 - (y - this.middle[1]) * this.factor]; }

@@ -15,11 +15,11 @@ function element(tag, attributes = {}, inside = []) {
   return node;
 }
 
-/** A formula of the model. */
+/** A formula of the model: seen as it is printed, heard as it is spoken. */
 function formula(label) {
-  const node = element("span", { class: "formula" });
-  node.innerHTML = label.math;
-  return node;
+  const seen = element("span", { class: "formula", "aria-hidden": "true" });
+  seen.innerHTML = label.math;
+  return element("span", {}, [seen, element("span", { class: "hidden" }, label.spoken)]);
 }
 
 /** A number that is read out: `key` names it, `value` holds it in SI units. */
@@ -54,7 +54,7 @@ const LOOKS = { [WORDS.translational]: "translational", [WORDS.orbital]: "transl
 
 /** A table with a caption, a row of heads, and rows that begin with a head. */
 function tableOf(caption, heads, rows) {
-  const head = element("tr", {}, heads.map((text) => element("th", { scope: "col", class: LOOKS[text] || "" }, text)));
+  const head = element("tr", {}, heads.map((text) => (text ? element("th", { scope: "col", class: LOOKS[text] || "" }, text) : element("td"))));
   const lines = rows.map(([first, ...cells]) => element("tr", {}, [element("th", { scope: "row" }, first), ...cells.map((cell) => element("td", {}, cell))]));
   return element("div", { class: "scroll" }, element("table", {}, [element("caption", {}, caption), ...(heads.length ? [element("thead", {}, head)] : []), element("tbody", {}, lines)]));
 }
