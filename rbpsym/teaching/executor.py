@@ -131,7 +131,7 @@ def _client(address: str) -> Any:
         hint = "install the extra: pip install 'rbpsym[cluster]'."
         raise RbpsymError("dask.distributed is not installed", instead=hint) from None
     try:
-        return Client(address, timeout=10)
+        return Client(address, timeout=5)
     except OSError as error:
         host = address.removeprefix("tcp://")
         raise RbpsymError(f"no dask scheduler answers at {host}", instead="start one: dask scheduler.") from error

@@ -31,18 +31,18 @@ from rbpsym.teaching.units import unit_text
 
 def export_gift(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     """One GIFT file with the questions of all students, item by item in categories."""
-    lines, missing = [], []
+    lines, missing, drawn = [], [], {}
     for place in range(max((len(sheet.items) for sheet in worksheets), default=0)):
         sheets = [sheet for sheet in worksheets if place < len(sheet.items)]
         item = sheets[0].items[place]
-        title = Desk(sheets[0], _paper(), missing).plain(sheets[0].title).replace("/", "-")
+        title = Desk(sheets[0], _paper(drawn), missing).plain(sheets[0].title).replace("/", "-")
         lines.append(f"$CATEGORY: $course$/{' '.join(title.split())}/{item.id} {item.kind}")
-        lines += [question(sheet.items[place], Desk(sheet, _paper(), missing)) for sheet in sheets]
+        lines += [question(sheet.items[place], Desk(sheet, _paper(drawn), missing)) for sheet in sheets]
     return Exported({"questions.gift": "\n\n".join(lines) + "\n"}, left_out("GIFT", missing))
 
 
-def _paper() -> Paper:
-    return Paper(tag=lambda path, alt: f"<em>[{alt}]</em>")
+def _paper(drawn: dict) -> Paper:
+    return Paper(tag=lambda path, alt: f"<em>[{alt}]</em>", drawn=drawn)
 
 
 def question(item: Item, desk: Desk) -> str:
