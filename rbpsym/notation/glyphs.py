@@ -46,6 +46,9 @@ class Notation:
     decimal: str = "."
     differential: str = "italic"
 
+    def __hash__(self) -> int:
+        return hash((tuple(sorted(self.aliases.items())), self.vector, self.decimal, self.differential))
+
     def glyph(self, name: str) -> Glyph:
         """The glyph of a quantity, after aliases."""
         return glyph(self.aliases.get(name, name))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
@@ -36,13 +37,22 @@ class Reader(Cursor[Token]):
 
 def symbol_named(token: Token, reader: Reader) -> str | None:
     """The symbol of the problem that a token names, by its own name or an alias."""
-    names = [reader.aliases.get(name, name) for name in (*token.names, *_squeezed(token))]
+    spellings = (*token.names, *_squeezed(token), *_spread(token))
+    names = [reader.aliases.get(name, name) for name in spellings]
     return next((name for name in names if name in reader.symbols), None)
 
 
 def _squeezed(token: Token) -> tuple[str, ...]:
     """ω₁ may also be omega1."""
     return tuple(name.replace("_", "") for name in token.names if name != token.text)
+
+
+def _spread(token: Token) -> tuple[str, ...]:
+    """v0 and theta0 may also be v_0 and theta_0."""
+    return tuple(f"{found[1]}_{found[2]}" for name in token.names if (found := _NUMBERED.fullmatch(name)))
+
+
+_NUMBERED = re.compile(r"([A-Za-z]+)(\d+)")
 
 
 def function_named(token: Token, reader: Reader) -> str | None:
@@ -61,6 +71,11 @@ def unknown(token: Token, reader: Reader) -> RbpsymError:
         hint = f"Did you mean “{near[0]}”?"
     if pieces:
         hint = f"If a product is meant, write {'*'.join(pieces)}."
+    numbered = _NUMBERED.fullmatch(token.text)
+    if numbered and numbered[1] in reader.functions:
+        hint = f"Write {numbered[1]}({numbered[2]}*x), or {numbered[1]}(x)^{numbered[2]}."
+    elif numbered and numbered[1] in ("e", "E") and reader.position > 1:
+        hint = f"Write 10^{numbered[2]} for a power of ten."
     shown = token.text if len(token.text) <= 40 else token.text[:40] + "…"
     return reader.error(f"unknown symbol “{shown}”", hint, token)
 

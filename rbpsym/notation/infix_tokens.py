@@ -31,13 +31,14 @@ _DOTS = {"\u0307": "dot", "\u0308": "ddot", "\u20db": "dddot"}
 
 _PATTERNS = re.compile(
     r"(?P<blank>\s+)"
-    r"|(?P<number>\d+(?:\.\d+)?|\.\d+)"
+    r"|(?P<number>\d+(?:\.\d+|,\d+(?![\d,.]))?|\.\d+)"
     r"|(?P<name>[A-Za-z_]\w*)"
     r"|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<operator>\*\*|<=|>=|==|!=|.)",
     re.ASCII | re.DOTALL,
 )
 _TAIL = re.compile(r"[₀-₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵪ]*(?:_[A-Za-z0-9]+)*")
+_DIGITS = re.compile(r"[0-9]+(?![0-9.,])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,10 +81,20 @@ def _tokens(source: Source) -> Iterator[Token]:
 
 def _number(source: Source, found: re.Match[str], spaced: bool) -> Token:
     text, (start, end) = found[0], found.span()
+    if "," in text:
+        text = _with_point(source, text, start, end)
     if len(text) > MAX_DIGITS:
         what = f"a number of {len(text)} digits; at most {MAX_DIGITS} are read"
         raise source.limit(what, start, end)
     return Token("number", text, start, end, Fraction(text), spaced=spaced)
+
+
+def _with_point(source: Source, text: str, start: int, end: int) -> str:
+    """1,5 is 1.5; 1,500 may be a thousand and a half thousand. Raises ReadError."""
+    if len(text.partition(",")[2]) == 3:
+        raise source.error("is this comma a decimal mark, or does it group thousands?", start, end,
+                           "Write a point, as in 1.500, or no mark, as in 1500.")  # fmt: skip
+    return text.replace(",", ".")
 
 
 def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
@@ -132,12 +143,21 @@ def _character(source: Source, char: str, start: int, spaced: bool) -> Token:
     """A single character that is no operator: a letter, ½, ẋ. Raises ReadError for others."""
     names = names_of_letter(char)
     if names:
-        return _with_tail(source, names, start, start + 1, spaced)
+        return _greek(source, names, start, spaced)
     parts = unicodedata.normalize("NFKD", char)
     if "⁄" in parts and unicodedata.category(char) == "No":
         value = Fraction(parts.replace("⁄", "/"))
         return Token("number", char, start, start + 1, value, spaced=spaced)
     return _dotted(source, char, start, spaced)
+
+
+def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> Token:
+    """A letter with its tail; θ0 is θ₀."""
+    digits = _DIGITS.match(source.text, start + 1)
+    if digits is None:
+        return _with_tail(source, names, start, start + 1, spaced)
+    text, end = source.text[start : digits.end()], digits.end()
+    return Token("name", text, start, end, names=tuple(f"{n}_{digits[0]}" for n in names), spaced=spaced)
 
 
 def _dotted(source: Source, char: str, start: int, spaced: bool) -> Token:

@@ -37,6 +37,17 @@ class Source:
         return LimitError(what, place=self.at(start, end))
 
 
+_LIKE = {"‐": "-", "‑": "-", "‒": "-", "—": "-", "―": "-", "⁃": "-", "﹣": "-", "ꞏ": "*", "•": "*", "⸱": "*", "∣": "|"}
+_INSTEAD = {
+    "°": "Angles are in radians: 30° is pi/6.",
+    "{": "Use parentheses.",
+    "}": "Use parentheses.",
+    "%": "Write a fraction, as in 3/100.",
+    "\\": "This looks like LaTeX; write names and signs as on a keyboard: theta, sqrt(x), a/b.",
+    "'": "A derivative is written with its name: the speed of theta is theta_dot.",
+}
+
+
 def refused(source: Source, char: str, start: int) -> RbpsymError:
     """The error for a character that can't be read, by its name."""
     code = f"U+{ord(char):04X}"
@@ -45,6 +56,7 @@ def refused(source: Source, char: str, start: int) -> RbpsymError:
         what = f"an invisible character stands here: {name} ({code})"
         return source.error(what, start, start + 1, "Delete it and type the expression again.")
     likeness = unicodedata.normalize("NFKC", char)
-    hint = f"Type “{likeness}” instead." if likeness != char and likeness.isascii() else ""
+    likeness = _LIKE.get(char, likeness)
+    hint = f"Type “{likeness}” instead." if likeness != char and likeness.isascii() else _INSTEAD.get(char, "")
     what = f"the character “{char}” ({name}, {code}) can't be read"
     return source.error(what, start, start + 1, hint or "Use plain letters and Greek letters.")

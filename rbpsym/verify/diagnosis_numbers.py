@@ -98,8 +98,18 @@ def _reached(question: Question, count: int) -> list[tuple[int, dict[str, float]
     """Seeds with what they give for the coordinates and speeds; every second one is near the start."""
     if not (_SEEDS and _SEEDS[-1][0] is question.motion and _SEEDS[-1][1] >= count):
         found = [(seed, known) for seed in range(60) if (known := _state(question.motion, seed)) is not None]
-        _SEEDS[:] = [(question.motion, count, found[:count])]
+        _SEEDS[:] = [(question.motion, count, found[:count] or _start_state(question.motion))]
     return _SEEDS[-1][2][:count]
+
+
+def _start_state(motion: Motion) -> list[tuple[int, dict[str, float]]]:
+    """The start alone, for a motion that stays there."""
+    numbers = Numbers(0)
+    try:
+        known = {name: number(value, numbers) for name, value in motion.scope.start.items()}
+    except (ArithmeticError, ValueError):
+        return []
+    return [(0, {**numbers, **known})]
 
 
 def _state(motion: Motion, seed: int) -> dict[str, float] | None:

@@ -50,6 +50,16 @@ MEANINGS = {
     "9.81 m": "981/100*m",
     "ln(m/M) + arcsin(1/2)": "log(m/M) + asin(1/2)",
     "2**3**2": None,
+    "θ0 + sin θ0": "theta_0 + sin(theta_0)",
+    "theta0": "theta_0",
+    "ω1 R": "omega_1*R",
+    "2*sin θ": "2*sin(theta)",
+    "2sinθ cosθ": "2*sin(theta)*cos(theta)",
+    "sin^2(θ) + cos²(θ)": "sin(theta)**2 + cos(theta)**2",
+    "1,5 m": "3/2*m",
+    "m·g×k": "m*g*k",
+    "3/4 g/ell": "3/4*g/ell",
+    "ℓ": "ell",
     "k**(1/2)": "k**(1/2)",
 }
 
@@ -119,6 +129,16 @@ REFUSED = {
     "ｍ": "Type “m” instead",
     "m²²²²²²": "too large",
     "m²^2": "exponent",
+    "1,500 m": "decimal mark",
+    "1,5,2": "not expected",
+    "sin2θ": "Write sin(2*x), or sin(x)^2",
+    "2e3": "Write 10^3",
+    "30°": "pi/6",
+    "{m}": "Use parentheses",
+    "\\theta": "looks like LaTeX",
+    "m—g": "Type “-” instead",
+    "n2": "unknown symbol “n2”",
+    "θ0.5": "number can't follow",
 }
 
 
