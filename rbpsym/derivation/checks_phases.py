@@ -67,6 +67,9 @@ def reached_there(context: Context, step: Step) -> Verdict:
     phase, place = step.data["ending"].phase, {step.data["name"]: context.value(right)}
     if phase.event == "reaches":
         return same(context, substitute(_of(context, phase.subject), place), scalar(phase.value))
+    if phase.event == "no slip":
+        slip = slip_at(context.study.system, context.study.system.element(phase.subject))
+        return same(context, substitute(context.along(slip * slip), place), NOTHING)
     along = context.study.reactions_along_motion
     if phase.event == "lost":
         return same(context, substitute(along[phase.subject], place), NOTHING)

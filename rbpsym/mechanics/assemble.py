@@ -25,6 +25,8 @@ from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 
+CLOSE = 1e-7  # at sample numbers, which are near 1
+
 
 def assemble(problem: Problem) -> System:
     """Kinematics and forces of a problem. Raises StatementError if the poses can't be or contradict."""
@@ -43,6 +45,7 @@ def assemble(problem: Problem) -> System:
     scope = _with_clock(scope, problem, placed)
     states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
     bare = System(problem, free, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
+    _check_starts(bare)
     _check_start_speeds(bare)
     return _with_forces(bare, locator(problem, inertias, placed))
 
@@ -59,6 +62,23 @@ def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose]) -> S
 def _nodes(value: object) -> list[Node]:
     parts = value if isinstance(value, tuple) else (value,)
     return [part for part in parts if isinstance(part, Node)]
+
+
+def _check_starts(system: System) -> None:
+    """A start that a constraint ties to others must agree with them."""
+    for coordinate in system.problem.coordinates:
+        value = system.dependent.get(coordinate.name)
+        if value is None or coordinate.start is None:
+            continue
+        gap = substitute(value, system.scope.start) - scalar(coordinate.start)
+        if any(depends_on(gap, name) for name in (*system.coordinates, CLOCK)) or is_zero(gap):
+            continue
+        if abs(number(gap, sample(system.problem))) > CLOSE:
+            raise StatementError(
+                f"the start of “{coordinate.name}” contradicts the constraints: they do not hold where the bodies are",
+                instead="leave it out, for they tie it to the other coordinates, or mend a place in them.",
+                place=coordinate.place,
+            )
 
 
 def _check_start_speeds(system: System) -> None:

@@ -107,17 +107,26 @@ def _names_in(value: Scalar, names: tuple[str, ...]) -> list[str]:
 
 def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | None:
     """Where a condition on one coordinate of several holds it: the zero that is nearest to 0 of those
-    that its range allows. None if it is not so, or if the coordinate is let go from a start of its own."""
+    that its range allows, or its start if it has one. None if it does not hold there."""
     from rbpsym.mechanics.roots import zeros
 
     used = _names_in(value, names)
     coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
-    if coordinate is None or coordinate.start is not None or len(names) < 2:
+    if coordinate is not None and coordinate.start is not None:
+        return _held_at_start(value, coordinate)
+    if coordinate is None or len(names) < 2:
         return None
     numbers = sample(problem)
     places = [(_place(zero, numbers), zero) for zero in zeros(value, coordinate.name)]
     places = [item for item in places if item[0] is not None and _is_allowed(item[0], coordinate, numbers)]
     return min(places, key=lambda item: abs(item[0]))[1] if places else None
+
+
+def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:
+    """The start, if the condition holds there and nothing moves: it is held until a later phase."""
+    start = scalar(coordinate.start)
+    moves = coordinate.speed is not None and not is_zero(scalar(coordinate.speed))
+    return None if moves or not is_zero(substitute(value, {coordinate.name: start})) else start
 
 
 def _place(zero: Scalar, numbers: Mapping[str, float]) -> float | None:

@@ -77,6 +77,8 @@ def slip_ends(study: Study, phase: Phase) -> State:
         )
     geometry = geometry_of(study.system)
     slip = short(substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent))
+    if not _are_uniform(study):
+        return _at_rest(study, phase, slip)
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
     start = at_start(study)
     first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
@@ -87,6 +89,17 @@ def slip_ends(study: Study, phase: Phase) -> State:
             place=element.place,
         )
     return _after(study, phase, start, short(-(first / gain)))
+
+
+def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
+    """Where the one coordinate that moves comes to rest, and with it the slip."""
+    name = _mover(study)
+    if name is None or not is_zero(substitute(slip, {f"{name}_dot": NOTHING})):
+        _uniform(study, phase)  # says that there is no closed form
+    place = _next(study, name, zeros(study.squares[name], name))
+    if place is None:
+        raise _no_closed_form(f"the place where “{phase.subject}” stops slipping")
+    return _at_place(study, name, place)
 
 
 def contact_lost(study: Study, phase: Phase) -> State:

@@ -21,7 +21,8 @@ def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -
     For several degrees of freedom, for each coordinate whose acceleration depends on itself alone; then,
     for the one that is left, from the first integral. Coordinates without a start are left out.
     """
-    found = _decoupled(system, dynamics) if len(system.independent) > 1 else {}
+    alone = len(system.independent) == 1 and integral is not None
+    found = {} if alone else _decoupled(system, dynamics)
     left = [name for name in system.independent if name not in found]
     if len(left) == 1 and integral is not None:
         square = from_integral(system, integral, left[0], found)

@@ -37,5 +37,12 @@ line = "y = 0"
 
 
 def test_a_rate_without_a_closed_place_is_integrated_once():
-    with pytest.raises(StatementError, match="cos"):
-        _ = Study(load_text(LEANING)).system
+    with pytest.raises(StatementError, match="contradicts the constraints"):
+        _ = Study(load_text(LEANING.replace('start = "ell*cos(beta_0)"', 'start = "ell"'))).system
+
+
+def test_what_holds_at_the_start_is_held_there():
+    """A ladder that leans at rest is a problem of statics."""
+    study = Study(load_text(LEANING))
+    assert study.system.independent == ()
+    assert study.dynamics.reactions.keys() == {"N_w", "N_f", "f_N_f"}

@@ -30,6 +30,7 @@ VALUES = {
 OWN = {
     "touch": {"body": "disk", "of": "rod"},
     "rolling": {"body": "disk", "of": "rod"},
+    "gear": {"body": "disk", "of": "rod"},
     **{name: {"of": "disk"} for name in ("contact", "guide", "slider", "sticking")},
 }
 LEFT_OUT = ("circle", "radius")

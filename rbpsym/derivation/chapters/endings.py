@@ -130,7 +130,7 @@ def _place(draft: Draft, ending: Ending) -> None:
     )
 
 
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value"}
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "no slip": "rest"}
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:

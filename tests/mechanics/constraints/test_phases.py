@@ -3,12 +3,13 @@
 import pytest
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import substitute
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import results
 from rbpsym.statement import build as rb
-from tests.mechanics.constraints.closed_forms import assert_same, check, stated
+from tests.mechanics.constraints.closed_forms import assert_same, check, stated, value
 
 BALL = "M: mass, R: length, mu: number, g: acceleration"
 ROLLING = [{"name": "rolling", "event": "no slip", "of": "N", "constraints": {"N": {"type": "rolling"}}}]
@@ -313,3 +314,34 @@ def test_energy_lost_holds_no_squared_root():
     lost = second.began.energy_lost
     assert_same(lost, "(1 - e**2)*M*m*3*g*ell/(2*(M + 3*m))", second.study)
     assert not any(atoms.atom(i).kind == "root" for i in lost.atoms())
+
+
+def test_slip_ends_where_a_spring_brings_it_to_rest():
+    """A block on a spring, let go at x_0, slides back against μ m g and stops at -x_0 + 2 μ m g/k."""
+    problem = stated(
+        "m: mass, k: stiffness, mu: number, d: length, x_0: length, g: acceleration",
+        coordinates={"x": rb.coordinate(dimension="length", start="2*mu*m*g/k + x_0", range=("-d", ""))},
+        bodies={"block": rb.particle(mass="m", center=("d + x", "0"))},
+        interactions={"S": rb.spring(["O", "block.center"], "k", natural_length="d")},
+        constraints={"N": rb.contact("block.center", "y = 0", coefficient="mu", slip="backward")},
+        phases=[{"name": "still", "event": "no slip", "of": "N", "constraints": {"N": {"type": "sticking"}}}],
+    )
+    _, second = stages(problem)
+    assert_same(second.began.before.places["x"], "-x_0", second.study)
+    assert second.began.before.time is None
+
+
+def test_one_of_two_supports_is_taken_away():
+    """The other one then bears m g/4."""
+    problem = stated(
+        "m: mass, L: length, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="0")},
+        bodies={"beam": rb.rod("L", mass="m", start="O", angle="-theta")},
+        constraints={"A": rb.pivot("beam.start"), "B": rb.contact("beam.end", "y = 0")},
+        phases=[{"name": "released", "without": ["B"]}],
+    )
+    first, second = stages(problem)
+    assert_same(first.study.dynamics.reactions["A_y"], "m*g/2", first.study)
+    assert first.study.system.independent == ()
+    still = {"theta": value("0", second.study), "theta_dot": value("0", second.study)}
+    assert_same(substitute(second.study.dynamics.reactions["A_y"], still), "m*g/4", second.study)
