@@ -95,7 +95,7 @@ def note(name: str) -> Element:
     return element("displayfeedback", None, feedbacktype="Response", linkrefid=f"{name}_fb")
 
 
-def equals(text: str, name: str = "response1") -> Element:
+def answered(text: str, name: str = "response1") -> Element:
     """Is this the response?"""
     return element("varequal", text, respident=name)
 
@@ -118,8 +118,8 @@ def choice(item: Item, desk: Desk, options: tuple[Option, ...], right: int, befo
         for place, (name, o) in enumerate(zip(names, options, strict=True))
         if place != right and o.slip
     }
-    rules = [condition(equals(name), note(name), goes_on=True) for name in notes]
-    rules.append(condition(equals(names[right]), score("100")))
+    rules = [condition(answered(name), note(name), goes_on=True) for name in notes]
+    rules.append(condition(answered(names[right]), score("100")))
     text = material(desk.question(item) + before)
     return item_element(item, "multiple_choice_question", [text, field], rules, notes)
 
@@ -146,7 +146,7 @@ def _number(item: Item, desk: Desk) -> Element:
         element("vargte", f"{low:.10g}", respident="response1"),
         element("varlte", f"{high:.10g}", respident="response1"),
     )
-    test = element("or", None, equals(f"{float(key.measure.value):.15g}"), bounds)
+    test = element("or", None, answered(f"{float(key.measure.value):.15g}"), bounds)
     unit = f"<p>[{desk.word('unit')}: {unit_text(key.measure.unit)}]</p>" if key.measure.unit else ""
     box = element("render_fib", None, element("response_label", None, ident="answer1"), fibtype="Decimal")
     field = element("response_str", None, box, ident="response1", rcardinality="Single")
@@ -165,7 +165,7 @@ def dropdowns(item: Item, desk: Desk, markup: str, fields: Fields) -> Element:
         ]
         inner = (element("material", None, element("mattext", name)), element("render_choice", None, *labels))
         shown.append(element("response_lid", None, *inner, ident=f"response_{name}"))
-        rules.append(condition(equals(f"{name}{right}", f"response_{name}"), score(f"{100 / len(fields):.4f}", "Add")))
+        rules.append(condition(answered(f"{name}{right}", f"response_{name}"), score(f"{100 / len(fields):.4f}", "Add")))
     return item_element(item, "multiple_dropdowns_question", shown, rules, {})
 
 
