@@ -138,7 +138,20 @@ def drawn_numbers(problem: Problem) -> dict[str, float]:
     for coordinate in problem.coordinates:
         if coordinate.quantity.dimension == NUMBER and abs(numbers[coordinate.name]) < LEAST_ANGLE:
             numbers[coordinate.name] = _opened(coordinate, numbers)
+    _spread_angles(problem, numbers)
     return numbers
+
+
+def _spread_angles(problem: Problem, numbers: dict[str, float]) -> None:
+    """Two angles that are equal by chance would hide that they are two."""
+    seen: list[float] = []
+    apart = 0.45 if any(map(_joins, problem.constraints)) else -0.35
+    for coordinate in problem.coordinates:
+        if coordinate.quantity.dimension == NUMBER:
+            here = numbers[coordinate.name]
+            if any(abs(here - other) < 0.1 for other in seen):
+                numbers[coordinate.name] = _shown(coordinate, numbers, here + apart)
+            seen.append(numbers[coordinate.name])
 
 
 def _open_displacements(problem: Problem, numbers: dict[str, float]) -> None:
@@ -167,7 +180,8 @@ def _extent(problem: Problem, numbers: Mapping[str, float]) -> float:
 
 def _joins(element: Element) -> bool:
     """Does it join two bodies?"""
-    return element.kind in ("pin", "weld", "string") or bool(element.values.get("of"))
+    ends = [turn.body for turn in element.values.get("path") or () if turn.body]
+    return element.kind in ("pin", "weld") or len(ends) > 1 or bool(element.values.get("of"))
 
 
 def _is_plain(coordinate: Coordinate, problem: Problem) -> bool:

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from rbpsym.algebra.calculus import derivative
+from rbpsym.document.figures.outlines import turned
 from rbpsym.document.figures.sketch import AngleMark, LengthMark, Point, RadiusMark
-from rbpsym.document.pose import DrawnPose, other_numbers
-from rbpsym.document.sketch_supports import circles, elements, lines, points
+from rbpsym.document.pose import RADII, DrawnPose, other_numbers
+from rbpsym.document.sketch_supports import circles, cords, elements, lines, points
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, NUMBER
-from rbpsym.statement.model import PointRef
+from rbpsym.statement.model import PlacedShape, PointRef
 
 ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
 CLOSE = 1e-9
@@ -147,9 +148,10 @@ def _is(value: float, pose: DrawnPose, name: str) -> bool:
 
 def lengths(pose: DrawnPose) -> Iterator[LengthMark]:
     """Sizes of bodies, length coordinates, and distances that are parameters and not shown otherwise."""
-    found = [*_sizes(pose), *_displacements(pose)]
+    found = [*_sizes(pose), *_part_lengths(pose), *_displacements(pose)]
     yield from found
-    shown = {leaf.name for mark in (*found, *radii(pose)) for leaf in t.walk(mark.label) if isinstance(leaf, t.Sym)}
+    told = [mark.label for mark in (*found, *radii(pose), *cords(pose)) if mark.label is not None]
+    shown = {leaf.name for label in told for leaf in t.walk(label) if isinstance(leaf, t.Sym)}
     yield from _distances(pose, shown)
 
 
@@ -176,6 +178,25 @@ def _sizes(pose: DrawnPose) -> Iterator[LengthMark]:
             yield LengthMark(start, end, size)
         elif key == "height":
             yield from _triangle_height(pose, name, size)
+
+
+def _parts(pose: DrawnPose) -> Iterator[tuple[PlacedShape, Point, float]]:
+    """The parts of composites with their places and angles in space."""
+    for body in pose.study.problem.bodies:
+        state = pose.study.system.bodies[body.name]
+        origin, turn = pose.point(state.pose.origin), pose.value(state.pose.angle)
+        for part in body.shape.parts:
+            at = turned((pose.node(part.at[0]), pose.node(part.at[1])), origin, turn)
+            yield part, at, turn + pose.node(part.angle)
+
+
+def _part_lengths(pose: DrawnPose) -> Iterator[LengthMark]:
+    """Lengths of the rods that composites have."""
+    for part, at, angle in _parts(pose):
+        size = part.shape.sizes.get("length")
+        if size is not None and part.shape.kind == "rod":
+            half = pose.node(size) / 2
+            yield LengthMark(turned((-half, 0.0), at, angle), turned((half, 0.0), at, angle), size)
 
 
 def _triangle_height(pose: DrawnPose, name: str, size: t.Node) -> Iterator[LengthMark]:
@@ -273,6 +294,10 @@ def radii(pose: DrawnPose) -> Iterator[RadiusMark]:
             yield RadiusMark(
                 pose.point(pose.study.system.bodies[name].pose.origin), pose.node(size), size, _inside(pose, name)
             )
+    for part, at, _ in _parts(pose):
+        for size in (node for key, node in part.shape.sizes.items() if key in RADII and node not in seen):
+            seen.add(size)
+            yield RadiusMark(at, pose.node(size), size)
     for circle in circles(pose):
         if circle.label not in seen:
             seen.add(circle.label)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
@@ -37,6 +38,7 @@ class Stroke:
     box: Box
 
 
+@lru_cache(maxsize=256)
 def placed(scene: Scene, notation: Notation = DEFAULT) -> Scene:
     """The scene with a place for each label; the most constrained first. One that has a place keeps it."""
     strokes = tuple(strokes_of(scene))

@@ -80,6 +80,7 @@ def fitted(sketch: Sketch) -> Sketch:
 def roundest(sketch: Sketch) -> float:
     """The factor that draws the largest round body with the greatest radius allowed."""
     radii = [body.sizes.get(key, 0.0) for body in sketch.bodies for key in ("radius", "outer")]
+    radii += [part.sizes.get("radius", 0.0) for body in sketch.bodies for part in body.parts]
     radii += [0.3 * body.sizes.get("size", 0.0) for body in sketch.bodies]
     return ROUND / max([*radii, 1e-9])
 
