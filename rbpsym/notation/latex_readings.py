@@ -16,7 +16,7 @@ from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import SymbolTable
 
-MOST_READINGS = 128
+MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
 Read = Callable[[Reader], t.Node]
 
 
@@ -71,10 +71,11 @@ def _reading(
 def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, first: Reading) -> list[Reading]:
     """Every reading: of each, those that choose otherwise at one of the questions behind its script."""
     found, waiting = [first], [(first, 0)]
+    most = min(MOST_READINGS, max(MOST_TOKENS // len(tokens), 2))
     while waiting:
         reading, fixed = waiting.pop()
         for place in range(fixed, len(reading.met)):
-            if len(found) >= MOST_READINGS:
+            if len(found) >= most:
                 raise reading.met[place]
             other = _reading(source, tokens, table, read, (*reading.script[:place], True))
             found.append(other)
