@@ -28,6 +28,7 @@ COMMANDS: dict[str, str] = {
     "solve": "rbpsym.commands.solve",
     "check": "rbpsym.commands.check",
     "explore": "rbpsym.commands.explore",
+    "worksheet": "rbpsym.commands.worksheet",
     "grade": "rbpsym.commands.grade",
     "new": "rbpsym.commands.new",
 }

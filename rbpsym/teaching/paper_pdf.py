@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cache
 
 from rbpsym.document.model import Document
 from rbpsym.errors import RbpsymError
@@ -35,7 +36,16 @@ def by_typst(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:
 
     from rbpsym.teaching.papers.typst_paper import write_paper
 
-    return typst.compile(write_paper(document, worksheet, is_key=is_key).encode(), pdf_standards=["ua-1"])
+    source = write_paper(document, worksheet, is_key=is_key).encode()
+    return typst.compile(source, pdf_standards=["ua-1"], font_paths=_fonts())
+
+
+@cache
+def _fonts() -> object:
+    """The fonts that come with Typst, looked up once for all papers."""
+    import typst
+
+    return typst.Fonts(include_system_fonts=False)
 
 
 def by_pdflatex(document: Document, worksheet: Worksheet, is_key: bool) -> bytes:

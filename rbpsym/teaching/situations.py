@@ -173,7 +173,8 @@ def _gets_anywhere(study: Study, ranges: Mapping[str, Range], coordinate: str) -
 def _scenery(
     study: Study, ranges: Mapping[str, Range], coordinate: str | None, wished: Range | None, is_timed: bool
 ) -> Scenery:
-    still = (*_sound(study), *_ordered(study, ranges), *(_measurable(study, ranges) if is_timed else ()))
+    sizes = (*_sound(study), *_ordered(study, ranges))
+    still = (*_held_in_the_middle(sizes, ranges), *(_measurable(study, ranges) if is_timed else ()))
     along = () if coordinate is None else tuple(_kept(study, coordinate))
     return Scenery(
         study,
@@ -208,6 +209,12 @@ def names_in(value: Scalar) -> set[str]:
         elif hasattr(atom.arg, "atoms"):
             found |= names_in(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg))
     return found
+
+
+def _held_in_the_middle(conditions, ranges: Mapping[str, Range]) -> list[tuple[str, Scalar]]:
+    """Those that the middle of the ranges keeps; another (a pulley without mass) is what the author wants."""
+    values = compiled([value for _, value in conditions])({name: _middle(r) / 2 for name, r in ranges.items()})
+    return [condition for condition, value in zip(conditions, values, strict=True) if value > SMALLEST]
 
 
 def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:

@@ -37,7 +37,7 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
         styles=f"{PREAMBLE}\n{tikz_styles()}",
         is_key=is_key,
         code=latex_text(plain_text("paper.form", language, code=worksheet.code)),
-        student=latex_text(student.name or student.id) if student else "",
+        student=latex_text((student.name or student.id) if is_key else student.name) if student else "",
         words={key: latex_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
         points=f"{float(worksheet.points):g}",
         body="\n\n".join(_sections(document, page)),

@@ -33,7 +33,7 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
         language=language,
         is_key=is_key,
         code=typst_text(plain_text("paper.form", language, code=worksheet.code)),
-        student=typst_text(student.name or student.id) if student else "",
+        student=typst_text((student.name or student.id) if is_key else student.name) if student else "",
         words={key: typst_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
         points=typst_text(f"{float(worksheet.points):g}"),
         body=body(document, page),

@@ -1,0 +1,154 @@
+"""`rbpsym worksheet`: worksheets with keys, a variant for each student, on paper or for a learning platform."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rbpsym.commands.arguments import Listed, ShelfName
+
+PAPERS = ("pdf", "tex", "html")  # a file for each student
+PLATFORMS = ("moodle", "qti", "canvas", "prairielearn", "gift")  # all students together
+ENGINES = ("typst", "pdflatex")
+FILE = click.Path(dir_okay=False, path_type=Path)
+FOLDER = click.Path(file_okay=False, path_type=Path)
+MOST = 100_000
+
+
+@click.command("worksheet")
+@click.argument("name", metavar="[WORKSHEET|PROBLEM|FILE]", type=ShelfName(), required=False)
+@click.option("-o", "--output", metavar="DIR", type=FOLDER, default=".", show_default=True, help="Folder of the files.")
+@click.option("--students", metavar="CSV", type=FILE, help="The class: a column id and, if you like, name.")
+@click.option("--variants", metavar="N", type=click.IntRange(1, MOST), help="N different forms, for nobody by name.")
+@click.option(
+    "--from-code", "code", metavar="CODE", help="The form with this code (it stands at the foot of each paper)."
+)
+@click.option(
+    "--seed", "secret", metavar="S", default="", help="A secret: with it, and only with it, the same forms come again."
+)
+@click.option("--key", is_flag=True, help="Write keys too.")
+@click.option("--solution", is_flag=True, help="Write keys, and solutions with the whole derivation.")
+@click.option("--lang", metavar="LANGUAGE", default="", help="en or es; else that of the worksheet.")
+@click.option(
+    "--format", "formats", type=Listed((*PAPERS, *PLATFORMS)), default="pdf", show_default=True,
+    help="Formats, separated by commas: " + ", ".join((*PAPERS, *PLATFORMS)) + ".",
+)  # fmt: skip
+@click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
+@click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
+def command(
+    name: str | None,
+    output: Path,
+    students: Path | None,
+    variants: int | None,
+    code: str | None,
+    secret: str,
+    key: bool,
+    solution: bool,
+    lang: str,
+    formats: tuple[str, ...],
+    engine: str,
+    jobs: int,
+) -> int:
+    """Make a worksheet from a worksheet file or straight from any problem, with keys that are proved.
+
+    \b
+    Examples:
+      rbpsym worksheet sliding-ladder --key
+      rbpsym worksheet my-worksheet.toml --students class.csv --seed autumn --key -o papers
+      rbpsym worksheet my-worksheet.toml --variants 30 --format pdf,moodle
+      rbpsym worksheet --from-code my-worksheet.en.7K3F-9QTM-2CAB-4D --seed autumn --key
+
+    Without a worksheet file a sensible worksheet is made for the problem. Each student's numbers and
+    choices come from the seed, the worksheet and the student alone. An interrupted run goes on when the same
+    command is given again.
+    """
+    from rbpsym.teaching.batch import Order
+
+    _check_choice(name, students, variants, code)
+    order = Order(name or "", secret, lang, formats, str(output), key or solution, solution, engine)
+    if code is not None:
+        return _from_code(order, code)
+    people = _people(students, variants)
+    lines = _papers(order, people, jobs) + _platforms(order, people)
+    for line in lines:
+        click.echo(line)
+    return 0
+
+
+def _check_choice(name: str | None, students: Path | None, variants: int | None, code: str | None) -> None:
+    if sum(option is not None for option in (students, variants, code)) > 1:
+        raise click.UsageError("give one of --students, --variants and --from-code.")
+    if name is None and code is None:
+        raise click.UsageError("say which worksheet or problem: its name or its file (see “rbpsym list”).")
+
+
+def _people(students: Path | None, variants: int | None) -> tuple:
+    """The students of a roster, so many nameless ones, or nobody."""
+    from rbpsym.teaching.model import Student
+    from rbpsym.teaching.roster import load_roster
+
+    if students is not None:
+        return load_roster(students)
+    if variants is None:
+        return (None,)
+    width = max(2, len(str(variants)))
+    return tuple(Student(f"{k:0{width}d}") for k in range(1, variants + 1))
+
+
+def _papers(order, people: tuple, jobs: int) -> list[str]:
+    """The formats with a file a student; a line for each file, or one for all if there are many."""
+    from dataclasses import replace
+
+    from rbpsym.commands.progress import Progress
+    from rbpsym.teaching.batch import papers
+    from rbpsym.teaching.executor import Crew
+
+    own = replace(order, formats=tuple(f for f in order.formats if f in PAPERS))
+    if not own.formats:
+        return []
+    with Progress("worksheets") as bar:
+        found = papers(own, people, Crew("", jobs), lambda n, of: bar.reached(n, of, f"{n} of {of} worksheets"))
+    paths = [path for row in found for path in row]
+    return paths if len(paths) <= 12 else [f"{len(paths)} files for {len(people)} students in {order.folder}"]
+
+
+def _platforms(order, people: tuple) -> list[str]:
+    """The formats of learning platforms: all students together; what they can't carry is told."""
+    from rbpsym.document.files import write_all
+    from rbpsym.teaching.batch import known_plan
+    from rbpsym.teaching.formats import Options, exporter
+
+    wanted = [f for f in order.formats if f in PLATFORMS]
+    if not wanted:
+        return []
+    plan = known_plan(order.source)
+    worksheets = tuple(plan.worksheet(student, order.secret, order.language) for student in people)
+    options = Options(order.key, True, order.engine, order.solution, plan.derivations)
+    made = {name: exporter(name)(worksheets, options) for name in wanted}
+    for name, exported in made.items():
+        for sentence in exported.left_out:
+            click.echo(f"{name}: {sentence}", err=True)
+    files = {path: content for exported in made.values() for path, content in exported.files.items()}
+    paths = [str(path) for path in write_all(Path(order.folder), files)]
+    return paths if len(paths) <= 12 else [f"{len(paths)} files in {order.folder}"]
+
+
+def _from_code(order, code: str) -> int:
+    """The form of a code, and its key if asked for; the worksheet is found by the name in the code."""
+    from dataclasses import replace
+
+    from rbpsym.commands.progress import Progress
+    from rbpsym.teaching.batch import known_plan, written
+    from rbpsym.teaching.codes import name_in
+
+    worksheet, _ = name_in(code)
+    beside = f"{worksheet}.toml"
+    source = order.source or (beside if Path(beside).is_file() else worksheet)
+    order = replace(order, source=source, formats=tuple(f for f in order.formats if f in PAPERS))
+    with Progress("the form"):
+        plan = known_plan(order.source)
+        paths = written(plan.from_code(code, order.secret), plan, order)
+    for path in paths:
+        click.echo(path)
+    return 0

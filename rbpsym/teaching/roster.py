@@ -1,0 +1,85 @@
+"""The class list: a CSV file with a key for each student and, if there is one, the name to print."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+from rbpsym.errors import Place, ReadError
+from rbpsym.teaching.model import Student
+
+IDS = ("id", "student", "email", "e-mail", "username", "matricula", "matrícula", "correo", "clave")
+NAMES = ("name", "full name", "nombre", "nombre completo")
+MOST_BYTES, MOST_STUDENTS, LONGEST = 8 * 1024 * 1024, 100_000, 200
+
+
+def load_roster(path: Path) -> tuple[Student, ...]:
+    """The students in the order of the file. Raises ReadError with the line of what is wrong."""
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise ReadError(f"the roster is larger than {MOST_BYTES} bytes", place=Place(str(path)))
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ReadError(
+            "the roster is not UTF-8 text", instead="save it as CSV UTF-8.", place=Place(str(path))
+        ) from None
+    except OSError as error:
+        why = (error.strerror or "it can't be read").lower()
+        raise ReadError(f"can't read the roster: {why}", place=Place(str(path))) from None
+    return roster_of(text, str(path))
+
+
+def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
+    """The students in a CSV text; a first line without a known heading is a student already."""
+    rows = _rows(text, file)
+    if not rows:
+        raise ReadError("the roster is empty", instead="write a line for each student: id,name", place=Place(file))
+    heading = [cell.strip().lower() for cell in rows[0][1]]
+    key = next((heading.index(name) for name in IDS if name in heading), None)
+    name = next((heading.index(n) for n in NAMES if n in heading), None)
+    if key is None and name is None:
+        key, name = 0, 1
+    else:
+        rows = rows[1:]
+    return _students(rows, key if key is not None else name, name, file)
+
+
+def _rows(text: str, file: str) -> list[tuple[int, list[str]]]:
+    """(line, cells) of the rows that hold something; commas, semicolons or tabs part them."""
+    first = text.split("\n", 1)[0]
+    mark = max(",;\t", key=first.count)
+    reader = csv.reader(io.StringIO(text), delimiter=mark)
+    try:
+        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise ReadError(f"the roster is no CSV: {error}", place=Place(file, reader.line_num)) from None
+
+
+def _students(rows: list[tuple[int, list[str]]], key: int, name: int | None, file: str) -> tuple[Student, ...]:
+    if len(rows) > MOST_STUDENTS:
+        raise ReadError(f"the roster has more than {MOST_STUDENTS} students", place=Place(file))
+    seen: dict[str, int] = {}
+    found = []
+    for line, row in rows:
+        student = _student(row, key, name, Place(file, line))
+        if student.id in seen:
+            raise ReadError(
+                f"“{student.id}” is there twice, in lines {seen[student.id]} and {line}",
+                instead="give each student a key of their own.",
+                place=Place(file, line),
+            )
+        seen[student.id] = line
+        found.append(student)
+    return tuple(found)
+
+
+def _student(row: list[str], key: int, name: int | None, place: Place) -> Student:
+    cells = [cell.strip() for cell in row]
+    id = cells[key] if key < len(cells) else ""
+    if not id:
+        raise ReadError("a student without a key", instead="fill in the first column.", place=place)
+    shown = cells[name] if name is not None and name < len(cells) else ""
+    if len(id) > LONGEST or len(shown) > LONGEST or not (id + shown).isprintable():
+        raise ReadError("a key or name that can't be printed", instead=f"use up to {LONGEST} letters.", place=place)
+    return Student(id, shown or id)
