@@ -168,16 +168,23 @@ def _squared(poly: Poly) -> set[int]:
 
 
 def shorten(poly: Poly) -> Poly:
-    """The shortest of: as it is, without sin², without cos² (angle by angle)."""
+    """The shortest of: as it is, without sin², without cos² (angle by angle); without squares of numbers' roots."""
+    squared = _squared(poly)
+    for index in [i for i in squared if _is_root_of_number(i)]:
+        poly = _without_even_powers(poly, index, atoms.atom(index).arg.num)
     if len(poly) < 2:
         return poly
-    squared = _squared(poly)
     for index in sorted(poly.atoms()) if squared else ():
         if index in squared and atoms.atom(index).kind in ("cos", "sin"):
             other = without_squares(poly, index)
             if len(other) < len(poly):
                 poly, squared = other, _squared(other)
     return poly
+
+
+def _is_root_of_number(index: int) -> bool:
+    found = atoms.atom(index)
+    return found.kind == "root" and found.arg.number() is not None
 
 
 def reduce_roots(poly: Poly) -> Poly:

@@ -7,6 +7,7 @@ import pytest
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.normal import same, without_even_roots
 from rbpsym.algebra.scalar import Scalar, lift, symbol
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import inertia, tidy
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
@@ -34,6 +35,13 @@ def test_tidying_keeps_the_value(value: Scalar) -> None:
     at = {"x": 0.37, "y": 0.21}
     assert number(tidy(value), at) == pytest.approx(number(value, at), rel=1e-12)
     assert number(Scalar(without_even_roots(value.num), value.den), at) == pytest.approx(number(value, at), rel=1e-12)
+
+
+def test_squares_of_roots_of_numbers_are_numbers() -> None:
+    """A triangle of rods once had 3 + 2√3² below its bars."""
+    three = root(lift(3))
+    assert short(three**2 * X) == 3 * X
+    assert short(three**3 * X + Y) == 3 * three * X + Y
 
 
 def test_even_powers_are_gone() -> None:
