@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy, times
 from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
@@ -30,6 +31,8 @@ def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
 
 def is_inertia(poly: Poly, style: Style) -> bool:
     """Whether the parameters of every term form a moment of inertia, which a reader wants to see one by one."""
+    if any(c < 0 for c in poly.terms.values()) or square(poly.scaled(1, inverse(_common_powers(poly)))) is not None:
+        return False
     return bool(style.dimensions) and all(_is_inertia_term(split(m, style)[0], style) for m in poly.terms)
 
 
@@ -60,6 +63,9 @@ def _nearer(a: int, b: int) -> int:
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:
     """The number, its sign included, that is taken out of a sum (1 where a reader would leave it)."""
+    found = square(poly)
+    if found is not None:
+        return found[0]
     values = list(poly.terms.values())
     sign = -1 if leads_negative(poly, style) else 1
     content = poly.content()[0]
@@ -80,8 +86,45 @@ def starts_negative(poly: Poly, style: Style) -> bool:
 
 
 def leads_negative(poly: Poly, style: Style) -> bool:
-    """Whether all terms are negative."""
-    return all(c < 0 for c in poly.terms.values())
+    """Whether all terms are negative, or the one that is taken off is known to be the greater."""
+    return all(c < 0 for c in poly.terms.values()) or (len(poly) == 2 and _names(poly, -1, 1) in style.greater)
+
+
+def leads_positive(poly: Poly, style: Style) -> bool:
+    """Whether a difference is known to be positive."""
+    return len(poly) == 2 and _names(poly, 1, -1) in style.greater
+
+
+def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
+    """The two symbols of c (x - y), x the one with the sign `first`."""
+    found = {}
+    for m, c in poly.terms.items():
+        if len(m) == 1 and m[0][1] == 1:
+            found[c] = atoms.symbol_name(m[0][0])
+    size = next(iter(found), 0)
+    return (found.get(first * abs(size)), found.get(second * abs(size)))
+
+
+def square(poly: Poly) -> tuple[Coefficient, Poly] | None:
+    """(c, x ± y) for c (x² ± 2 x y + y²), None for other sums."""
+    squares = [(m, c) for m, c in poly.terms.items() if all(e % 2 == 0 for _, e in m)]
+    if len(poly) != 3 or len(squares) != 2:
+        return None
+    [(mixed, twice)] = [item for item in poly.terms.items() if item not in squares]
+    number = poly.content()[0] * (1 if squares[0][1] > 0 else -1)
+    (x, c), (y, d) = ((tuple((i, e // 2) for i, e in m), _root(c / number)) for m, c in squares)
+    twice = twice / number
+    if c is None or d is None or times(x, y) != mixed or abs(twice) != 2 * c * d:
+        return None
+    return tidy(number), Poly({x: c, y: d if twice > 0 else -d})
+
+
+def _root(c: Coefficient) -> Coefficient | None:
+    """The rational square root."""
+    if c < 0:
+        return None
+    top, low = isqrt(c.numerator), isqrt(c.denominator)
+    return tidy(Fraction(top, low)) if (top * top, low * low) == (c.numerator, c.denominator) else None
 
 
 def shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None:

@@ -18,9 +18,11 @@ from rbpsym.algebra.grouping import (
     common_coefficient,
     is_worth_factoring,
     leads_negative,
+    leads_positive,
     ratio_to,
     shared_coefficient,
     splits_by_parameters,
+    square,
     starts_negative,
     taken_out,
 )
@@ -46,7 +48,7 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     den = present_poly(den, style, factor)
     coefficient, common, rest = taken_out(num, style)
     more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
-    coefficient, pieces = _turned(coefficient * more, pieces)
+    coefficient, pieces = _turned(coefficient * more, pieces, style)
     sign = coefficient < 0
     before, behind = split(common, style)
     inside = [p for p, moving in pieces if not moving]
@@ -72,6 +74,10 @@ def _number(poly: Poly) -> float | None:
 def _is_upside_down(den: Poly, style: Style) -> bool:
     """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
+    if leads_negative(den, style) or leads_positive(den, style):
+        return leads_negative(den, style)
+    if square(den) is not None:
+        return square(den)[0] < 0
     if len(still) == 2 == len(den.terms):
         value = _number(den)
         return starts_negative(den, style) if value is None else value < 0
@@ -93,15 +99,20 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     return _assembled(coefficient, common, pieces, style)
 
 
-def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]]) -> tuple[Coefficient, list]:
-    """-(a - b) is printed b - a."""
+def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
+    """-(a - b) is printed b - a, unless a is known to be the greater."""
     if coefficient > 0:
         return coefficient, pieces
     for k, (node, moving) in enumerate(pieces):
-        if isinstance(node, t.Add) and len(node.terms) == 2 and _is_taken_off(node.terms[1]):
+        if isinstance(node, t.Add) and len(node.terms) == 2 and _is_taken_off(node.terms[1]) and _may_turn(node, style):
             turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
             return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
     return coefficient, pieces
+
+
+def _may_turn(node: t.Add, style: Style) -> bool:
+    first, second = node.terms[0], getattr(node.terms[1], "arg", None)
+    return (getattr(first, "name", None), getattr(second, "name", None)) not in style.greater
 
 
 def _is_taken_off(node: t.Node) -> bool:
@@ -109,7 +120,7 @@ def _is_taken_off(node: t.Node) -> bool:
 
 
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
-    coefficient, pieces = _turned(coefficient, pieces)
+    coefficient, pieces = _turned(coefficient, pieces, style)
     before, behind = split(common, style)
     fixed = [node for node, moving in pieces if not moving]
     moving = [node for node, moves in pieces if moves]
@@ -169,7 +180,9 @@ def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coeff
 
 
 def _sum(poly: Poly, style: Style) -> t.Node:
-    """A sum, coefficients of the same moving part collected, a positive term first."""
+    """A sum, coefficients of the same moving part collected, a positive term first; a square as such."""
+    if square(poly) is not None:
+        return _plain_sum(poly, style)
     parts = by_moving(poly, style)
     if len(parts) == 1:
         return _plain_sum(poly, style)
@@ -179,6 +192,11 @@ def _sum(poly: Poly, style: Style) -> t.Node:
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
+    found = square(poly)
+    if found is not None:
+        number, side = found
+        whole = t.power(_plain_sum(-side if leads_negative(side, style) else side, style), 2)
+        return whole if number == 1 else t.mul(_monomial_node(number, UNIT, style), whole)
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))
 

@@ -18,13 +18,15 @@ class Style:
     """Order of factors: `rank` sorts parameters, `moving` are names that vary with time.
 
     With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
-    `whole`, sums get whole coefficients, as above a bar whose denominator has them.
+    `whole`, sums get whole coefficients, as above a bar whose denominator has them. `greater` holds
+    pairs of parameters of which the first is known to be the greater one: R - a, never a - R.
     """
 
     rank: Mapping[str, tuple] = field(default_factory=dict)
     moving: frozenset[str] = frozenset()
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
     whole: bool = False
+    greater: frozenset[tuple[str, str]] = frozenset()
 
 
 PLAIN = Style()

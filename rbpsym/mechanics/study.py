@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import Style
@@ -103,7 +103,17 @@ class Study:
         rank |= {name: (0.5, place) for place, name in enumerate(self.system.unknowns)}
         moving = [c.name for c in self.problem.coordinates] + list(self.system.unknowns)
         dimensions = {q.name: q.dimension for q in self.problem.parameters}
-        return Style(rank, frozenset([*moving, *(f"{name}_dot" for name in moving), "t"]), dimensions)
+        varying = frozenset([*moving, *(f"{name}_dot" for name in moving), "t"])
+        return Style(rank, varying, dimensions, greater=self._greater)
+
+    @property
+    def _greater(self) -> frozenset[tuple[str, str]]:
+        """Pairs of parameters of which the first is known to be the greater one."""
+        lower, upper = [], []
+        for name, (low, high) in self.assumptions.ranges.items():
+            lower += [(name, other) for other in _single(low)]
+            upper += [(other, name) for other in _single(high)]
+        return frozenset((*lower, *upper))
 
     @cached_property
     def kinetic(self) -> tuple[Scalar, Scalar]:
@@ -177,6 +187,12 @@ RANKS = (
     (lambda d: d.mass, 2),
     (lambda d: d.length and not d.time, 4),
 )
+
+
+def _single(bound: Scalar | None) -> set[str]:
+    """The symbol that a bound is, if it is one."""
+    names = set() if bound is None else names_in(bound)
+    return names if len(names) == 1 and bound == symbol(*names) else set()
 
 
 def _rank(quantity: Quantity) -> tuple:
