@@ -9,9 +9,10 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.model import Problem
+from rbpsym.teaching.grading.equations import judge_equation, solved_side
 from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import Ground, bare_ground, ground_of
-from rbpsym.teaching.grading.judgement import Judgement
+from rbpsym.teaching.grading.judgement import Judgement, invalid
 from rbpsym.teaching.grading.number import Wanted, judge_number
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.units import read_unit
@@ -23,7 +24,7 @@ Symbols = Mapping[str, str] | Iterable[str]
 def grade_answer(
     answer: str, key: str | t.Node, symbols: Symbols | Problem | Ground, *, target: str = "", language: str = "en"
 ) -> Judgement:
-    """The judgement on a typed formula.
+    """The judgement on a typed formula, or on an equation where the key is one.
 
     symbols: the names with their signs (`{"m": "positive"}`), a problem, or a ground made before by
     `ground_of` (quicker for many answers). target: the symbol that is asked for. Raises ReadError if the key can't be read.
@@ -32,9 +33,21 @@ def grade_answer(
     'right'
     """
     ground = _ground(symbols, language)
-    value = key if isinstance(key, t.Node) else _key(key, ground)
+    value = key if isinstance(key, t.Node) else read_formula(key, ground.book)
     left = read_infix(target, ground.book.names | {target}) if target else None
+    if isinstance(value, t.Chain):
+        solved = solved_side(value)
+        if left is None and solved is None and len(value.items) == 2:
+            return _equation(answer, value, ground)
+        left, value = left or (solved[0] if solved else None), value.items[-1]
     return judge_formula(answer, Sought(value, ground, left))
+
+
+def _equation(answer: str, key: t.Chain, ground: Ground) -> Judgement:
+    try:
+        return judge_equation(read_formula(answer, ground.book), key, ground)
+    except RbpsymError as error:
+        return invalid(error)
 
 
 def _ground(symbols: Symbols | Problem | Ground, language: str) -> Ground:
@@ -45,11 +58,6 @@ def _ground(symbols: Symbols | Problem | Ground, language: str) -> Ground:
 
         return ground_of(Study(symbols), language)
     return bare_ground(symbols, language)
-
-
-def _key(text: str, ground: Ground) -> t.Node:
-    read = read_formula(text, ground.book)
-    return read.items[-1] if isinstance(read, t.Chain) else read
 
 
 def grade_number(

@@ -99,7 +99,8 @@ def _bare(node: t.Node) -> t.Node:
 
 def _with_chain(found: Judgement, read: t.Chain, sought: Sought) -> Judgement:
     """A chain with a side that is not equal to the result is remarked upon."""
-    sides = [side for side in read.items[:-1] if not _is_left(side, sought)]
+    first = 1 if _is_plain_chain(read, sought) else 0
+    sides = [side for side in read.items[first:-1] if not _is_left(side, sought)]
     odd = any(are_equal(side, sought.value, sought.ground).is_refuted for side in sides)
     return found.with_remark("chain") if odd else found
 
