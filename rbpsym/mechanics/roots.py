@@ -173,16 +173,26 @@ def _search(values: list[Scalar], names: tuple[str, ...], at: dict[str, Scalar],
             found.append(dict(at))
         return
     for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
-        for name in names:
-            if name in at or not depends_on(value, name):
-                continue
-            roots = [root for root in zeros(value, name) if _is_plain_in(root, names)]
-            for root in roots[: most - len(found)]:
-                image = {name: root}
+        ways = _ways(value, [name for name in names if name not in at], names)
+        for image in ways:
+            if len(found) < most:
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
                 _search([substitute(v, fixed) for v in values], names, fixed, found, most)
-            if roots:
-                return
+        if ways:
+            return
+
+
+def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str]) -> list[dict[str, Scalar]]:
+    """How each factor can vanish, solved for one of the names that are open: r sin θ by r = 0, θ = 0 and θ = π."""
+    found: list[dict[str, Scalar]] = []
+    for factor in numerator_factors(value):
+        solved = (_plain_zeros(Scalar(factor), name, names) for name in open_)
+        found += next(filter(None, solved), [])
+    return found
+
+
+def _plain_zeros(factor: Scalar, name: str, names: Sequence[str]) -> list[dict[str, Scalar]]:
+    return [{name: root} for root in zeros(factor, name) if _is_plain_in(root, names)]
 
 
 def _is_plain_in(value: Scalar, names: Sequence[str]) -> bool:
