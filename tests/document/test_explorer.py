@@ -23,7 +23,7 @@ from rbpsym.statement.loader import load_problem
 from tests.architecture.source import ROOT
 from tests.document import explored
 
-EXAMPLES = sorted((ROOT / "docs" / "examples").glob("[ci]*/*.toml"))
+EXAMPLES = sorted((ROOT / "docs" / "examples").glob("[cei]*/*.toml"))
 FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
 node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 browser = pytest.mark.skipif(shutil.which("chromium") is None, reason="needs Chromium")
@@ -46,6 +46,8 @@ def test_the_script_agrees_with_the_derivation(name: str) -> None:
     parts, _ = problem_stages(problem)
     for moment in explored.run(found):
         assert moment["end"]["kind"] not in ("numbers", "singular"), moment["end"]
+        assert not moment["end"].get("atOnce"), "the example's numbers fit the statement"
+        assert moment["end"]["kind"] != "holds" or moment["end"]["time"] > moment["began"], "friction opposes the slip"
         told = explored.told(moment)
         size = max(abs(value) for value in told.values())
         numbers = explored.state_numbers(found, moment)

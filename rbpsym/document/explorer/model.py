@@ -6,9 +6,10 @@ import json
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.explorer.labels import force_labels, label
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
-from rbpsym.document.explorer.stage import Phase, phase
+from rbpsym.document.explorer.stage import Ending, Phase, phase
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
@@ -82,12 +83,19 @@ def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
 
 
 def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...]) -> Phase:
-    """A phase with what ends it: the moment, and the constraint whose event is no surprise then."""
+    """A phase with what ends it: the moment, if it is known, and the event that is no surprise then."""
     if k + 1 == len(parts):
         return phase(parts[k].study, names)
-    event = problem.phases[k]
-    time = None if event.event == "lost" else parts[k + 1].began.before.time
-    return phase(parts[k].study, names, ends_at=time, ends_with=event.subject)
+    ending = problem.phases[k]
+    goal = None
+    if ending.event == "reaches":
+        goal = (ending.subject, scalar(ending.value))
+    names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
+    return phase(parts[k].study, names, Ending(parts[k + 1].began.before.time, names_of, goal))
+
+
+# event that begins a phase -> events of the explorer that end the phase before
+KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",)}
 
 
 def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:

@@ -39,17 +39,27 @@ class Phase:
     data: dict[str, Any]
 
 
-def phase(study: Study, names: tuple[str, ...], ends_at: Scalar | None = None, ends_with: str | None = None) -> Phase:
-    """A phase; `names` are those of the adjustable numbers in their order.
+@dataclass(frozen=True)
+class Ending:
+    """What ends a phase and begins the next: a time since its start (None: not known), events by (kind,
+    name) that are no surprise then, and a value that a coordinate reaches."""
 
-    It ends at the time `ends_at` (counted from its start), or when an event of `ends_with` comes.
-    """
+    time: Scalar | None = None
+    events: tuple[tuple[str, str | None], ...] = ()
+    goal: tuple[str, Scalar] | None = None
+
+
+LAST = Ending()
+
+
+def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST) -> Phase:
+    """A phase; `names` are those of the adjustable numbers in their order."""
     solved = is_lighter_solved_here(study, names)
-    look, data = _look(study, names, solved)
-    data["endsWith"] = ends_with
+    look, data = _look(study, names, solved, ending)
+    data["endsWith"] = [list(event) for event in ending.events]
     starts = _program(study, names, moving=False)
     state = [starts.output_again(value) for value in _start(study)]
-    data["endsAt"] = None if ends_at is None else starts.output(ends_at)
+    data["endsAt"] = None if ending.time is None else starts.output(ending.time)
     data["start"] = state
     gaps, data["gaps"] = _gaps(study, names)
     data["nudge"] = _nudge(study)
@@ -166,7 +176,7 @@ def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     return program.text, {"rows": rows, "held": held}
 
 
-def _look(study: Study, names: tuple[str, ...], solved: bool) -> tuple[Program, dict[str, Any]]:
+def _look(study: Study, names: tuple[str, ...], solved: bool, ending: Ending) -> tuple[Program, dict[str, Any]]:
     """The program of all numbers that are shown, and where each stands."""
     program, system = _program(study, names, solved=solved), study.system
     put = program.output
@@ -182,7 +192,7 @@ def _look(study: Study, names: tuple[str, ...], solved: bool) -> tuple[Program, 
         "forces": [_force(force, put) for force in system.forces],
         "potential": _potential(study, put),
         "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
-        "events": [{**event, "value": put(event["value"])} for event in _events(study)],
+        "events": [{**event, "value": put(event["value"])} for event in _events(study, ending)],
     }
     return program, {**data, **scenery(study, put)}
 
@@ -210,8 +220,11 @@ def _potential(study: Study, put) -> int | None:
     return put(sum(found, NOTHING)) if found else None
 
 
-def _events(study: Study) -> Iterator[dict[str, Any]]:
-    """What ends the phase, with the scalar that is positive until then."""
+def _events(study: Study, ending: Ending) -> Iterator[dict[str, Any]]:
+    """What ends the phase, with the scalar that is positive until then (one that reaches zero from either side)."""
+    if ending.goal is not None:
+        name, value = ending.goal
+        yield {"kind": "reaches", "name": name, "value": symbol(name) - value}
     for element in study.problem.constraints:
         for name in pushes(element):
             kind = "slack" if element.kind == "string" else "lost"

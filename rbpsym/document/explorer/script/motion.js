@@ -78,7 +78,7 @@ class Motion {
       if (!event && phase + 1 === this.code.length && this.isFar(phase)) event = { kind: "far" };
     }
     const last = this.frames[this.frames.length - 1];
-    if (event && data.endsWith === event.name) event = null;
+    if (event && data.endsWith.some(([kind, name]) => kind === event.kind && name === event.name)) event = null;
     if (event) this.end = { ...event, time: last.time };
     if (began + t >= LONGEST - 1e-9) this.end = this.end || { kind: "time", time: last.time };
     return [last.time, last.works];
@@ -156,21 +156,29 @@ class Watch {
     this.armed = this.events.map(() => false);
   }
 
-  value(event, y, t) { return this.look(y, t)[event.value]; }
+  value(event, y, t) { return this.signed(event, this.look(y, t)); }
+
+  /** The number of an event; what is reached may come from either side. */
+  signed(event, out) {
+    const value = out[event.value];
+    if (event.kind !== "reaches") return value;
+    if (!event.side && Math.abs(value) > HARDLY) event.side = Math.sign(value);
+    return value * (event.side || 0);
+  }
 
   /** An event that is there from the start. */
   first(y) {
     const out = this.look(y, 0);
-    this.events.forEach((event, k) => { this.armed[k] = out[event.value] > HARDLY; });
-    const found = this.events.find((event) => out[event.value] < -HARDLY);
+    this.events.forEach((event, k) => { event.side = 0; this.armed[k] = this.signed(event, out) > HARDLY; });
+    const found = this.events.find((event) => this.signed(event, out) < -HARDLY);
     return found ? { ...found, atOnce: true } : null;
   }
 
   /** The first event that has come since the last time. */
   passed(y, t) {
     const out = this.look(y, t);
-    const found = this.events.find((event, k) => out[event.value] < (this.armed[k] ? 0 : -HARDLY));
-    this.events.forEach((event, k) => { this.armed[k] = this.armed[k] || out[event.value] > HARDLY; });
+    const found = this.events.find((event, k) => this.signed(event, out) < (this.armed[k] ? 0 : -HARDLY));
+    this.events.forEach((event, k) => { this.armed[k] = this.armed[k] || this.signed(event, out) > HARDLY; });
     return found || null;
   }
 }
