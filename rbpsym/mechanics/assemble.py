@@ -68,7 +68,8 @@ def _check_starts(system: System) -> None:
     """A start that a constraint ties to others must agree with them."""
     for coordinate in system.problem.coordinates:
         value = system.dependent.get(coordinate.name)
-        if value is None or coordinate.start is None:
+        free = getattr(coordinate.start, "name", None) in system.problem.implicit  # whatever it is
+        if value is None or coordinate.start is None or free:
             continue
         gap = substitute(value, system.scope.start) - scalar(coordinate.start)
         if any(depends_on(gap, name) for name in (*system.coordinates, CLOCK)) or is_zero(gap):
