@@ -89,6 +89,7 @@ def node_width(node: Node, notation: Notation = DEFAULT) -> float:
     return width(layout(node, notation))
 
 
+@lru_cache(maxsize=4096)
 def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
     """The lines of a displayed formula in a column of that many em."""
     parts = node.rows if isinstance(node, System) else (node,)

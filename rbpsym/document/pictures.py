@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from rbpsym.document.figures.placing import placed
+from rbpsym.document.figures.scene import Scene
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.model import Document, FigureBlock
 from rbpsym.document.numbering import parts
 from rbpsym.document.writers.page import shell
 from rbpsym.notation.glyphs import Notation
 
+ROW, GAP = 16.0, 0.5  # cm
 RESOLUTION = 200.0  # dots an inch of a PNG
 
 
@@ -48,7 +51,7 @@ def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: fl
         return []
     import typst
 
-    groups = [",\n".join(to_typst_drawing(scene, notation) for scene in group) for group, notation in scenes]
+    groups = [drawn(*group) for group in scenes]
     if kind == "pdf":  # one file a picture
         return [typst.compile(source_of([group])) for group in groups]
     found = typst.compile(source_of(groups), format=kind, ppi=resolution)
@@ -57,7 +60,15 @@ def drawings(scenes: Sequence[tuple[tuple, Notation]], kind: str, resolution: fl
 
 def source_of(groups: Sequence[str]) -> bytes:
     """The Typst source that has a page for each group of drawings."""
-    return shell("pictures.typ", pictures="\n".join(f"#picture(\n{group},\n)" for group in groups)).encode()
+    return shell("pictures.typ", pictures="\n".join(groups)).encode()
+
+
+def drawn(scenes: Sequence[Scene], notation: Notation) -> str:
+    """The Typst of scenes side by side."""
+    bounds = [placed(scene, notation).bounds for scene in scenes]
+    wide = sum(right - left for left, _, right, _ in bounds) + GAP * (len(bounds) - 1)
+    inner = ",\n".join(to_typst_drawing(scene, notation) for scene in scenes)
+    return f"#picture({'auto' if wide <= ROW else f'{ROW}cm'},\n{inner},\n)"
 
 
 def picture(number: str, content: bytes, kind: str, resolution: float) -> Picture:

@@ -99,11 +99,11 @@ def lines(points: list[Point], style: str) -> Iterator[Item]:
 
 
 def thinned(points: list[Point]) -> Iterator[Point]:
-    """Points at least a third of a millimetre apart, and the ends."""
+    """Points at least half a millimetre apart, and the ends."""
     last = points[0]
     yield last
     for point in points[1:-1]:
-        if math.dist(point, last) > 0.035:
+        if math.dist(point, last) > 0.055:
             last = point
             yield point
     yield points[-1]
