@@ -70,13 +70,37 @@ DIMENSIONS: dict[str, Dimension] = {
 }
 
 
+OTHER_NAMES = {
+    "velocity": "speed",
+    "angular velocity": "angular speed",
+    "angular frequency": "angular speed",
+    "frequency": "angular speed",
+    "weight": "force",
+    "tension": "force",
+    "couple": "torque",
+    "moment": "torque",
+    "work": "energy",
+    "spring constant": "stiffness",
+    "torsion constant": "torsion stiffness",
+    "damping coefficient": "damping",
+    "distance": "length",
+    "radius": "length",
+    "width": "length",
+    "height": "length",
+    "duration": "time",
+    "coefficient": "number",
+    "dimensionless": "number",
+}
+
+
 def dimension_named(name: str) -> Dimension:
-    """The dimension called `name`. Raises DimensionError with the nearest known name."""
+    """The dimension called `name` ("velocity" is another name of "speed"). Raises DimensionError with the nearest known name."""
     from difflib import get_close_matches
 
-    if name in DIMENSIONS:
-        return DIMENSIONS[name]
-    near = get_close_matches(name, DIMENSIONS, n=1)
+    found = DIMENSIONS.get(OTHER_NAMES.get(name, name))
+    if found is not None:
+        return found
+    near = get_close_matches(name, (*DIMENSIONS, *OTHER_NAMES), n=1)
     hint = f"did you mean “{near[0]}”?" if near else "known: " + ", ".join(DIMENSIONS) + "."
     raise DimensionError(f"unknown dimension “{name}”", instead=hint)
 

@@ -7,7 +7,7 @@ Used for drawing, for the simulation and to choose between two equally valid con
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
@@ -65,7 +65,24 @@ def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[s
 
     `example` holds the author's own numbers for some of them ("0.25 m", "60 deg").
     """
-    numbers = {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}
+    return _filled(problem, {q.name: _parameter(place, q) for place, q in enumerate(problem.parameters)}, example)
+
+
+def samples(problem: Problem, count: int = 24) -> Iterator[dict[str, float]]:
+    """Sample numbers, and others in which the parameters have other sizes (the same on every machine)."""
+    first = sample(problem)
+    yield first
+    for k in range(1, count):
+        scaled = {q.name: first[q.name] * _factor(k, place) for place, q in enumerate(problem.parameters)}
+        yield _filled(problem, scaled, None)
+
+
+def _factor(k: int, place: int) -> float:
+    """Between 1/50 and 50, scattered, the same on every machine."""
+    return 50 ** ((k * 7919 + place * 104729 + k * place * 31) % 201 / 100 - 1)
+
+
+def _filled(problem: Problem, numbers: dict[str, float], example: Mapping[str, str] | None) -> dict[str, float]:
     _make_room(problem, numbers)
     _keep_bounds(problem, numbers)
     numbers |= _starts(problem, numbers)

@@ -22,7 +22,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.roots import common_zeros, numerator_factors
 from rbpsym.mechanics.system import System
 
@@ -96,8 +96,11 @@ def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
 
 
 def _within(system: System, at: Mapping[str, Scalar]) -> bool:
-    """Whether the place lies in the declared ranges, as far as sample numbers tell."""
-    numbers = sample(system.problem)
+    """Whether the place lies in the declared ranges for some of the sample numbers."""
+    return any(_within_at(system, at, numbers) for numbers in samples(system.problem))
+
+
+def _within_at(system: System, at: Mapping[str, Scalar], numbers: Mapping[str, float]) -> bool:
     for coordinate in system.problem.coordinates:
         if coordinate.name not in at:
             continue
