@@ -87,8 +87,8 @@ def gaps(statement: t.Node) -> list[Gap]:
     found: list[Gap] = []
     for path, row in rows:
         if isinstance(row, t.Chain) and set(row.ops) == {"="} and len(row.items) > 1:
-            left = _in_side((*path, ("items", 0)), row.items[0])
-            found += [gap for gap in left if gap.is_term]  # I α beside M R² α: the spin part of a balance
+            for place, side in enumerate(row.items[:-1]):  # the spin part of a balance, or of L = (.. + ..) k = I ω
+                found += [gap for gap in _in_side((*path, ("items", place)), side) if gap.is_term]
             found += _in_side((*path, ("items", len(row.items) - 1)), row.items[-1])
     return found
 

@@ -18,7 +18,7 @@ from rbpsym.quantities import ACCELERATION, NUMBER, TIME, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.units import UNITS, known_unit, unit_of
+from rbpsym.teaching.units import known_unit, unit_of
 
 DIGITS = 3
 LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example
@@ -115,6 +115,4 @@ def read_measure(text: str, dimension: Dimension, what: str) -> Measure:
     except InvalidOperation:
         raise RbpsymError(f"{what}: “{first}” is no number", instead='write a number and a unit: "0.25 m".') from None
     unit = "*".join(unit.split())  # “kg m^2” is “kg*m^2”
-    if unit in UNITS or dimension in {known for known, _ in UNITS.values()}:
-        unit = known_unit(unit, dimension, what)
-    return Measure(Fraction(value), unit, DIGITS)
+    return Measure(Fraction(value), known_unit(unit, dimension, what), DIGITS)

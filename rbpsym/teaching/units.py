@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
 from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
+from rbpsym.statement.units import unit_named
 from rbpsym.teaching.model import Measure
 
 # unit -> (dimension, how many SI units it is)
@@ -64,13 +65,17 @@ def si(measure: Measure) -> float:
 
 
 def scale_of(unit: str) -> float:
-    """How many SI units a unit is; 1 for a composed one."""
-    return UNITS[unit][1] if unit in UNITS else 1.0
+    """How many SI units a unit is; 1 for one that nobody knows."""
+    if unit in UNITS:
+        return UNITS[unit][1]
+    found = unit_named(unit)
+    return 1.0 if found is None else found[1]
 
 
 def known_unit(unit: str, dimension: Dimension, what: str) -> str:
     """The unit, if it is one of the dimension. Raises RbpsymError with those that are."""
-    if unit in UNITS and UNITS[unit][0] == dimension:
+    found = UNITS.get(unit) or unit_named(unit)
+    if found is not None and found[0] == dimension:
         return unit
     fitting = [name for name, (known, _) in UNITS.items() if known == dimension and name]
     what = f"“{unit}” is no unit of {what}" if unit else f"{what} needs a unit"

@@ -50,7 +50,7 @@ def paper_document(worksheet: m.Worksheet) -> Document:
         sections.append(Section((), worksheet.introduction, level=3))
     for part in worksheet.parts:
         heading = part.title if len(worksheet.parts) > 1 else ()
-        sections.append(Section(heading, part.statement, level=3))
+        sections.append(Section(heading, part.statement, level=1 if heading else 3))
         sections += [Section((), tuple(task_blocks(item, worksheet)), level=3) for item in part.items]
     return Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
 
@@ -126,7 +126,7 @@ def key_document(worksheet: m.Worksheet) -> Document:
     sections = [Section((), tuple(_key_head(worksheet)), level=3)]
     for part in worksheet.parts:
         if len(worksheet.parts) > 1:
-            sections.append(Section(part.title, (), level=3))
+            sections.append(Section(part.title, (), level=1))
         sections += [Section((), tuple(key_blocks(item, worksheet)), level=3) for item in part.items]
     title = say("paper.key_of", worksheet.language, title=worksheet.title)
     return Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)

@@ -21,7 +21,7 @@ MOST_PREMISES = 3
 
 def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a step that has a reason and premises; `about` names ids of steps."""
-    steps = [s for s in bench.derivation.steps if s.rule in QUESTIONS and _premises(bench, s)]
+    steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s)]
     named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
     if not named and wish.at is not None:
         ids = ", ".join(s.id for s in steps)
@@ -29,8 +29,13 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             f"“{bench.name}” has no step “{', '.join(wish.about)}” to be explained",
             f"steps that can be asked: {ids}." if ids else "choose another kind of task.",
         )
-    for step in sorted(named, key=lambda s: -QUESTIONS[s.rule]):
+    for step in sorted(named, key=lambda s: -_interest(s)):
         yield Prepared("explain", None, (), lambda setting, step=step: _item(bench, setting, wish, step))
+
+
+def _interest(step: Step) -> int:
+    """How interesting it is; of the works only a result (equal halves) is asked for."""
+    return 3 if step.rule == "work" and step.is_result else QUESTIONS.get(step.rule, 0)
 
 
 def _premises(bench: Bench, step: Step) -> list[Step]:
