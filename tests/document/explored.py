@@ -25,7 +25,9 @@ const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
   const momenta = Object.keys(data.origins).flatMap((o) => data.bodies.map((b) => [b.name, o, ...momentum(moment, b.name, o)]));
   return {
     end: motion.end, duration: motion.duration, frames: motion.frames.length, time: moment.time, local: moment.local,
-    phase: moment.phase, began: motion.frames.find((f) => f.phase === motion.code.length - 1)?.time ?? 0, q: named(data.coordinates), v: named(data.speeds), a: named(data.accelerations),
+    phase: moment.phase,
+    began: motion.frames[motion.frames.length - 1].began, unfit: motion.unfit && motion.unfit.kind,
+    q: named(data.coordinates), v: named(data.speeds), a: named(data.accelerations),
     R: named(data.unknowns), works: Object.fromEntries(motion.works.map((key, k) => [key, moment.works[k]])),
     K: [translation(moment), rotation(moment)], U: potential(moment), momenta,
     box: boxOfMotion(motion),

@@ -112,6 +112,7 @@ function seek(time) {
 const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
 
 function phaseName(motion, moment) {
+  if (motion.unfit) return ending({ end: { ...motion.unfit, atOnce: true }, data: motion.data });
   if (motion.nudged) return told("nudged", { name: motion.data.coordinates[motion.nudged].here.text });
   const key = moment.data.name ? "phase" : "phase_first";
   return motion.code.length > 1 ? told(key, { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";

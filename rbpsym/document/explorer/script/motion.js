@@ -58,13 +58,14 @@ class Motion {
     const watch = new Watch(data, (x, t) => this.look(phase, x, t));
     const pack = (y) => this.frame(phase, y, worksBefore, places);
     let y = [...this.start(phase), ...data.forces.flatMap(() => [0, 0])], t = 0;
-    const push = () => { const frame = pack(y); frame.time = began + t; frame.local = t; this.frames.push(frame); };
+    const push = () => { const frame = pack(y); Object.assign(frame, { time: began + t, local: t, began }); this.frames.push(frame); };
     push();
     if (!y.every(Number.isFinite) || !this.look(phase, y, 0).every(Number.isFinite)) {
       this.end = { kind: "numbers", time: began };
       return [began, worksBefore];
     }
-    let event = watch.first(y);
+    this.unfit = this.unfit || watch.first(y);
+    let event = null;
     while (!event && t < ends && began + t < LONGEST - 1e-9) {
       const span = Math.min(FRAME, ends - t, LONGEST - began - t), next = this.after(phase, y, t, span);
       if (!next) { event = { kind: "singular" }; break; }
@@ -166,12 +167,14 @@ class Watch {
     return value * (event.side || 0);
   }
 
-  /** An event that is there from the start. */
+  /** An event that is there from the start: it is told, and watched no more. */
   first(y) {
     const out = this.look(y, 0);
     this.events.forEach((event, k) => { event.side = 0; this.armed[k] = this.signed(event, out) > HARDLY; });
     const found = this.events.find((event) => this.signed(event, out) < -HARDLY);
-    return found ? { ...found, atOnce: true } : null;
+    this.events = this.events.filter((event) => !(this.signed(event, out) < -HARDLY));
+    this.armed = this.events.map((event) => this.signed(event, out) > HARDLY);
+    return found || null;
   }
 
   /** The first event that has come since the last time. */
