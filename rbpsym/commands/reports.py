@@ -43,7 +43,7 @@ def lines(result: Result) -> Iterator[str]:
     if not result.links and result.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
         yield result.detail
     if result.diagnosis:
-        yield f"near miss: {result.diagnosis}"
+        yield result.diagnosis if result.diagnosis.startswith("in fact") else f"near miss: {result.diagnosis}"
     if result.right:
         yield f"right form {result.right}: {result.right_latex.strip()}"
 

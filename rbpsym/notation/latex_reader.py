@@ -110,19 +110,21 @@ def _rows(reader: Reader) -> t.Node:
             rows[-1] = _continued(reader, rows[-1])
         else:
             rows.append(relation(reader))
-        if not _next_row(reader):
+        if not _next_row(reader, rows[-1]):
             break
     if reader.token.kind != "end":
         raise reader.error(f"“{reader.token.text}” is not expected here")
     return rows[0] if len(rows) == 1 else t.System(tuple(rows), span=(0, reader.previous_end))
 
 
-def _next_row(reader: Reader) -> bool:
-    """Pass the end of a row, with a comma before it; was it there?"""
-    if reader.sees_sign(",", ".") and reader.ahead().kind == "row":
+def _next_row(reader: Reader, row: t.Node) -> bool:
+    """Pass the end of a row, or a comma behind a relation (`a = b, c = d`); was it there?"""
+    comma = reader.sees_sign(",", ".") and (reader.ahead().kind == "row" or isinstance(row, t.Chain))
+    reader.position += comma
+    found = comma
+    while reader.token.kind == "row":
         reader.take()
-    found = reader.token.kind == "row"
-    reader.position += found
+        found = True
     return found
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_table import Reader
+from rbpsym.notation.latex_table import Question, Reader
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import SymbolTable
@@ -25,7 +25,7 @@ class Reading:
     """A formula as it was read with some choices: the tree or the error, the questions met, how unusual it is."""
 
     script: tuple[bool, ...]
-    met: tuple[RbpsymError, ...]
+    met: tuple[Question, ...]
     cost: int
     node: t.Node | None
     error: RbpsymError | None
@@ -46,7 +46,7 @@ def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, 
     rank = (faults[best.script], best.cost)
     rivals = [r for r in ranked if (faults[r.script], r.cost) == rank and r.node != best.node]
     if rivals:
-        raise _parting(best, rivals[0])
+        raise _asked(source, _parting(best, rivals[0]))
     return best.node
 
 
@@ -76,14 +76,19 @@ def _all(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Re
         reading, fixed = waiting.pop()
         for place in range(fixed, len(reading.met)):
             if len(found) >= most:
-                raise reading.met[place]
+                raise _asked(source, reading.met[place])
             other = _reading(source, tokens, table, read, (*reading.script[:place], True))
             found.append(other)
             waiting.append((other, place + 1))
     return found
 
 
-def _parting(one: Reading, other: Reading) -> RbpsymError:
+def _asked(source: Source, question: Question) -> RbpsymError:
+    what, instead, token = question
+    return source.error(what, token.start, token.end, instead)
+
+
+def _parting(one: Reading, other: Reading) -> Question:
     """The question that the two readings answer differently."""
     pairs = zip(one.script, other.script, strict=False)
     place = next((k for k, (a, b) in enumerate(pairs) if a != b), 0)

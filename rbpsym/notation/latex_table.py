@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.cursor import Cursor
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import SymbolTable
+
+Question = tuple[str, str, Token]  # what is asked, what to write instead, at which token
 
 
 @dataclass(slots=True)
@@ -24,7 +25,7 @@ class Reader(Cursor[Token]):
     integrals: int = 0
     bars: bool = False
     script: tuple[bool, ...] = ()
-    met: list[RbpsymError] = field(default_factory=list)
+    met: list[Question] = field(default_factory=list)
     cost: int = 0
 
     def decide(self, what: str, instead: str, *, yes: int = 0, no: int = 0) -> bool:
@@ -32,11 +33,10 @@ class Reader(Cursor[Token]):
 
         Raises ReadError with the question if nothing is known by which to choose.
         """
-        error = self.error(what, instead)
         if self.table.faults is None:
-            raise error
+            raise self.error(what, instead)
         chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
-        self.met.append(error)
+        self.met.append((what, instead, self.token))
         self.cost += yes if chosen else no
         return chosen
 

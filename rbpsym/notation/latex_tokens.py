@@ -43,6 +43,10 @@ _ALIASES = {
     r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat",
     r"\overrightarrow": r"\vec", "−": "-",
 }  # fmt: skip
+JOINING = frozenset({
+    "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
+    "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
+})  # fmt: skip
 _ENVIRONMENTS = frozenset({
     "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
     "gathered", "gather", "gather*", "array", "cases", "alignedat",
@@ -102,9 +106,10 @@ def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
 
 
 def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    """Upright text; `and` between relations begins a new one."""
+    """Upright text; a word such as `and` between relations begins a new one."""
     word = re.search(r"\{([^{}]*)\}", text)[1].strip()
-    return Token("row" if word in ("and", "y") and "text" in text else "text", word, start, end)
+    joins = word.strip(" ,;:.") in JOINING and not text.startswith((r"\mathrm", r"\operatorname"))
+    return Token("row" if joins else "text", word, start, end)
 
 
 def _differential(source: Source, kind: str, text: str, start: int, end: int) -> Token:

@@ -11,6 +11,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
@@ -20,7 +24,7 @@ from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.claims_question import Question
+from rbpsym.verify.claims_question import Question, holds_unknowns
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
 from rbpsym.verify.diagnosis_sites import is_in_exponent, put, sites, terms
 
@@ -76,7 +80,32 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> str:
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
         if link.outcome is Outcome.PROVED:
             return f"{repair.words}: {to_text(repair.relation)}"
-    return ""
+    return _actual(relation, ground)
+
+
+FACT = "in fact"  # begins a diagnosis that is no near miss
+LONGEST = 120  # characters of a value that is told
+
+
+def _actual(relation: t.Chain, ground: Ground) -> str:
+    """What a quantity that stands alone on one side really is; "" if that is not known or too long to read."""
+    alone = next((node for node in relation.items if isinstance(node, t.Sym)), None)
+    question = Question(ground)
+    if alone is None or question.motion.is_free or ground.kind(alone.name) != "value":
+        return ""
+    try:
+        found = question.seen(scalar(alone, ground.scope), "start")
+    except (RbpsymError, ZeroDivisionError):
+        return ""
+    if found == symbol(alone.name) or holds_unknowns(found, question) or tells_of_work(found, question):
+        return ""
+    told = to_text(present(found))
+    return f"{FACT} {to_text(alone)} is {told}" if len(told) <= LONGEST else ""
+
+
+def tells_of_work(found: Scalar, question: Question) -> bool:
+    """Does it hold a work that was not carried out?"""
+    return any(depends_on(found, name) for name in question.motion.ledger)
 
 
 def _is_likely(repair: Repair, ground: Ground, looks: list) -> bool | None:
@@ -122,7 +151,7 @@ def _extra(relation: t.Chain) -> Iterator[Repair]:
 
 
 def _factors(relation: t.Chain) -> Iterator[Repair]:
-    for path, node in terms(relation):
+    for path, node in sorted(terms(relation), key=lambda item: item[0][-1][0] != "terms"):
         for factor in FACTORS:
             yield Repair(put(relation, path, _times(factor, node)), f"factor {factor} at {to_text(node)}")
 

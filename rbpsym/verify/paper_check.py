@@ -18,6 +18,7 @@ from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 
 UNBOUND = "no claim binds its symbols"
+IN_TEXT = "it stands in a sentence, and no claim asks for it"
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,7 @@ class PaperChecker:
             formula.latex,
             Outcome.NOT_COMPUTED,
             True,
-            detail=UNBOUND,
+            detail=UNBOUND if formula.displayed else IN_TEXT,
         )
         if setting is None or not formula.displayed or not formula.is_relation:
             return blank

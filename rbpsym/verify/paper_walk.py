@@ -30,6 +30,7 @@ _CLOSE = {r"\[": r"\]", r"\(": r"\)", "$": "$", "$$": "$$"}
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _SILENT = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+_GOES_ON = re.compile(r"(?:\s|&|\{\})*(?:=|<|>|\\(?:leq?|geq?|approx|simeq)(?![A-Za-z]))")
 _RELATION = re.compile(r"=|<|>|\\(?:leq?|geq?|neq?|approx|simeq|equiv|to|rightarrow)(?![A-Za-z])")
 
 
@@ -117,13 +118,15 @@ class _Walker:
     def _environment(self, name: str, star: bool, start: int, end: int) -> Iterator[Formula]:
         rows = list(_rows(self.text, start, end)) if name in ROWED else [(start, end)]
         silent = star or name in UNNUMBERED
-        begin = start
+        begin = whole = start
         numbered = [row for row in rows if not self._is_silent(row, silent)]
         for first, last in rows:
             if (first, last) in numbered or (last == rows[-1][1] and not numbered):
                 is_last = not numbered or (first, last) == numbered[-1]
                 stop = end if is_last else last
-                yield self._formula(begin, stop, self._number(begin, stop, (first, last) in numbered), True)
+                number = self._number(begin, stop, (first, last) in numbered)
+                whole = whole if _GOES_ON.match(self.text, begin, stop) else begin
+                yield self._formula(begin, stop, number, True, whole)
                 begin = stop
             if begin == end:
                 return
@@ -140,12 +143,16 @@ class _Walker:
             return tag[1].strip() if tag else ""
         return self.counters.next()
 
-    def _formula(self, start: int, end: int, number: str, displayed: bool) -> Formula:
+    def _formula(self, start: int, end: int, number: str, displayed: bool, whole: int | None = None) -> Formula:
+        """The formula from `start`, with the rows from `whole` on if it goes on with a chain begun there."""
         raw = self.text[start:end]
         labels = tuple(found[1].strip() for found in _LABEL.finditer(raw))
-        latex = _TAG.sub("", _LABEL.sub("", raw))
         first = start + len(raw) - len(raw.lstrip())
         file, line = self.source.origin(start if displayed else first)
+        if whole is not None and whole < start:
+            raw = self.text[whole:end]
+            first = whole + len(raw) - len(raw.lstrip())
+        latex = _TAG.sub("", _LABEL.sub("", raw))
         return Formula(latex.strip("\n"), number, labels, file, line, first, displayed)
 
 

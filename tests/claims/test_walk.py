@@ -54,6 +54,16 @@ def test_displayed_formulas_have_the_numbers_that_latex_gives(paper):
 
 
 E = r"\begin{equation}a=b\end{equation}"
+
+
+def test_a_numbered_row_that_goes_on_has_what_it_goes_on_from(tmp_path):
+    path = tmp_path / "text.tex"
+    path.write_text("\\begin{align}\na&=b\\label{x}\\\\\n&=c\\\\ d&=e\n\\end{align}")
+    rows = [("".join(f.latex.split()), f.number, f.line) for f in read_paper(path).displayed]
+    assert [row[0] for row in rows] == [r"a&=b\\", r"a&=b\\&=c\\", "d&=e"]
+    assert [row[1] for row in rows] == ["1", "2", "3"]
+
+
 NUMBERED = {  # text -> numbers
     rf"{E}\setcounter{{equation}}{{7}}{E}\addtocounter{{equation}}{{-2}}{E}": ["1", "8", "7"],
     rf"\numberwithin{{equation}}{{section}}\section{{A}}{E}{E}\section*{{B}}{E}\section{{C}}{E}": [

@@ -47,6 +47,8 @@ READ = {
     r"\mathcal W_T": "𝒲_T",
     r"e = 1": None,
     r"x = m,": "x = m",
+    r"x = m, \quad y = k": "x = m\ny = k",
+    r"x = m, \quad\text{so that}\quad y = k.": "x = m\ny = k",
     r"\left( m + M \right. \\ &\qquad {}+ \left. k \right) g": "(m + M + k) g",
     r"\left( m + M \right. \\ \left. + k \right) g": "(m + M + k) g",
     r"\sqrt[3]{x}": "x¹ᐟ³",
