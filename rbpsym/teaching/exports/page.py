@@ -13,7 +13,6 @@ from hashlib import sha256
 from markupsafe import escape
 
 from rbpsym.document.figures.scene import Scene
-from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.model import (
     Block,
     Callout,
@@ -29,7 +28,8 @@ from rbpsym.document.model import (
     Table,
     Text,
 )
-from rbpsym.document.writers.page import Page, Print, shell
+from rbpsym.document.pictures import drawings
+from rbpsym.document.writers.page import Page, Print
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.mathml import to_mathml
@@ -93,10 +93,7 @@ class Paper:
 
 def svg(scenes: tuple[Scene, ...], notation: Notation) -> bytes:
     """Scenes side by side as an SVG file of their own."""
-    import typst
-
-    group = ",\n".join(to_typst_drawing(scene, notation) for scene in scenes)
-    return typst.compile(shell("pictures.typ", pictures=f"#picture(\n{group},\n)").encode(), format="svg")
+    return drawings([(scenes, notation)], "svg", 200.0)[0]
 
 
 def _table(paper: Paper) -> Mapping[type, Print]:
