@@ -36,15 +36,20 @@ def writing(rounds: int) -> dict[str, float]:
     """Seconds of the derivation and of each writer, in this process; the first round is not counted."""
     sys.path.insert(0, str(ROOT))
     from rbpsym.courses import derive_course
+    from rbpsym.document.breaking import lines
+    from rbpsym.document.figures.placing import placed
     from rbpsym.document.notes import course_notes
     from rbpsym.document.writers import writer
     from rbpsym.document.writers.markdown import markdown_files
+    from rbpsym.notation.layout import layout, layout_rows
     from rbpsym.statement.course import load_course
     from rbpsym.statement.library import course_files
 
     times: dict[str, list[float]] = {}
     course = load_course(course_files()["paper"])
     for turn in range(rounds + 1):
+        for kept in (layout, layout_rows, lines, placed):
+            kept.cache_clear()  # each round lays out anew
         spent, derived = timed(lambda: derive_course(course))
         own = {"derivation": spent}
         own["document"], document = timed(lambda: course_notes(derived, plots=True))  # noqa: B023
@@ -59,6 +64,7 @@ def writing(rounds: int) -> dict[str, float]:
 def process(arguments: list[str]) -> float:
     """Wall time of one run; SystemExit if it does not end well."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # as where it is installed: compiled once
     spent, done = timed(
         lambda: subprocess.run([sys.executable, *arguments], env=environment, capture_output=True, check=False)
     )
