@@ -52,9 +52,9 @@ def placed(scene: Scene, notation: Notation = DEFAULT) -> Scene:
 def label_size(label: Label, notation: Notation) -> tuple[float, float]:
     """Width and height of a label, in cm."""
     if isinstance(label.content, str):
-        return 0.5 * EM * len(label.content), EM
+        return EM * (0.5 * len(label.content) + 0.25), EM
     wide, high = node_width(label.content, notation), node_height(label.content, notation)
-    return EM * (wide + 0.1), EM * high
+    return EM * (wide + 0.26), EM * high
 
 
 def strokes_of(scene: Scene) -> Iterator[Stroke]:
