@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import State
@@ -15,6 +16,7 @@ from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element, Phase, PointRef
+from rbpsym.statement.paths import round_size
 
 CLOSE = 1e-7
 
@@ -62,7 +64,8 @@ def check_collision(study: Study, element: Element, state: State) -> None:
     if abs(_at(study, along.dot(along), known) - 1) > CLOSE:
         raise _wrong(element, "goes along a direction that is no unit vector", 'write along = ["1", "0"].')
     gap = _where(study.system, element["points"][1]) - _where(study.system, element["points"][0])
-    if _at(study, gap.dot(gap), known) > CLOSE**2:
+    reach = sum((_radius(study.system, ref) for ref in element["points"]), NOTHING)
+    if min(_at(study, apart.dot(apart), known) for apart in (gap, gap - along * reach)) > CLOSE**2:
         raise _wrong(
             element, "is between points that do not meet at that moment", "check the points, the start, or the event."
         )
@@ -73,6 +76,14 @@ def check_collision(study: Study, element: Element, state: State) -> None:
             "is between points that do not approach each other",
             "along points from the first to the second body: check it, the order of the points, and the speeds before.",
         )
+
+
+def _radius(system: System, ref: PointRef) -> Scalar:
+    """How far its rim is from the point that is named: its radius for the centre of a round body."""
+    if ref.body is None or ref.point not in ("center", "cm"):
+        return NOTHING
+    size = round_size(system.problem.body(ref.body))
+    return NOTHING if size is None else scalar(size)
 
 
 def _wrong(element: Element, what: str, cure: str) -> StatementError:

@@ -48,7 +48,7 @@ IMPULSES: dict[str, Kind] = registry(
         "collision",
         "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
         (
-            Field("points", "points", "the two points that meet"),
+            Field("points", "points", "the two points that meet; of a round body its center will do"),
             Field("along", "pair", "unit vector of the normal, from the first to the second body", NUMBER),
             Field("restitution", "expression", "speed of parting over speed of approach", NUMBER, default="1"),
         ),

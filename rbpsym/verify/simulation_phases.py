@@ -212,6 +212,7 @@ def _struck(
     rows = [item.at(where, end.speed.tolist()) for item in after.equations.kept]
     names = [item.multiplier for item in after.equations.kept]
     matrix = [_dense(row.entries, size) for row in rows]
+    drags = [_dense(item.drag.at(where, []) if item.drag else (), size) for item in after.equations.kept]
     wanted = [-row.drift for row in rows]
     momentum = before.equations.masses * end.speed
     for element in impulses:
@@ -221,10 +222,12 @@ def _struck(
             continue
         restitution = before.placement.mechanism.number(element["restitution"])
         matrix.append(line)
+        drags.append(np.zeros(size))
         wanted.append(-restitution * float(line @ end.speed))
         names.append(element.name)
     g = np.array(matrix).reshape(len(matrix), size)
-    full = np.block([[np.diag(before.equations.masses), -g.T], [g, np.zeros((len(g), len(g)))]])
+    pushes = g + np.array(drags).reshape(len(drags), size)
+    full = np.block([[np.diag(before.equations.masses), -pushes.T], [g, np.zeros((len(g), len(g)))]])
     found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
     return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
 

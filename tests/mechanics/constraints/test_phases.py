@@ -345,3 +345,35 @@ def test_one_of_two_supports_is_taken_away():
     assert first.study.system.independent == ()
     still = {"theta": value("0", second.study), "theta_dot": value("0", second.study)}
     assert_same(substitute(second.study.dynamics.reactions["A_y"], still), "m*g/4", second.study)
+
+
+def test_two_disks_meet_with_their_rims():
+    """Of round bodies the centres will do: J = (1 + e) m M/(m + M) v along the line of centres."""
+    problem = stated(
+        "m: mass, M: mass, r: length, R: length, v: speed, e: number",
+        coordinates={
+            "x": rb.coordinate(dimension="length", start="0", speed="v"),
+            "a": rb.coordinate(start="0"),
+            "u": rb.coordinate(dimension="length", start="r + R"),
+            "b": rb.coordinate(start="0"),
+        },
+        bodies={
+            "one": rb.disk("r", mass="m", center=("x", "0"), angle="a"),
+            "two": rb.disk("R", mass="M", center=("u", "0"), angle="b"),
+        },
+        phases=[
+            {
+                "name": "apart",
+                "impulses": {
+                    "J": {
+                        "type": "collision",
+                        "points": ["one.center", "two.center"],
+                        "along": ["1", "0"],
+                        "restitution": "e",
+                    }
+                },
+            }
+        ],
+    )
+    _, second = stages(problem)
+    assert_same(second.began.impulses["J"], "(1 + e)*m*M/(m + M)*v", second.study)
