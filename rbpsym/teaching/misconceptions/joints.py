@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra.scalar import NOTHING, UNITY
 from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
@@ -113,26 +114,21 @@ def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Elemen
 
 
 def _friction_is_mu_n(study: Study) -> Iterator[Site]:
-    """f = μN though nothing slips."""
+    """f = μN though nothing slips: the balance of forces with the greatest friction there can be."""
     for element in of_kind(study, "rolling"):
-        if element["limit"] is None:
-            continue
-        friction = element["friction"]
-
-        def wrong(element: Element = element, friction: str = friction) -> Study:
-            held = study.dynamics.reactions[friction]
-            known = scalar(element["limit"]) * study.dynamics.reactions[element.name] * (sign_of(study, held) or 1)
-            return with_forces(study, lambda f: _put(f, friction, known))
-
-        yield Site({"friction": t.Sym(friction), "normal": t.Sym(element.name), "mu": element["limit"]}, wrong)
+        if element["limit"] is not None:
+            slots = {"friction": t.Sym(element["friction"]), "normal": t.Sym(element.name), "mu": element["limit"]}
+            yield Site(slots, partial(_with_greatest_friction, study, element))
 
 
-def _put(force, name: str, value):
-    """The force with its unknown replaced by a known value."""
-    if name not in force.unknowns:
-        return force
-    images = {name: value}
-    return replace(force, vector=force.vector.substitute(images), unknowns=(), law="friction")
+def _with_greatest_friction(study: Study, element: Element) -> Study:
+    """Kinetic friction, to the side to which the static friction pushes."""
+    name = element["friction"]
+    force = next(f for f in study.system.forces if f.name == name)
+    push = force.vector.substitute({name: UNITY}).dot(meeting(element, geometry_of(study.system)).forward)
+    way = sign_of(study, push) * sign_of(study, study.dynamics.reactions[name])
+    slip = "backward" if way > 0 else "forward"
+    return with_elements(study, lambda e: _touching(e, e["limit"], slip) if e is element else e)
 
 
 def _friction_wrong_way(study: Study) -> Iterator[Site]:

@@ -1,0 +1,165 @@
+"""Misconceptions are operators on the physics: each gives the textbook's wrong answer, refuted against the right one."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.equality.decide import equal, scalars_equal
+from rbpsym.equality.dimensions import dimension_of
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.teaching.bench import Bench
+from rbpsym.teaching.distractors import MOST, dimensions_of, pool
+from rbpsym.teaching.misconceptions.literature import SOURCES
+from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.plan import bench_of
+from rbpsym.teaching.targets import KINDS
+from rbpsym.teaching.wording import languages, say, teaching_phrases
+
+PENDULUM, BEARING = "rod-and-disk-fixed", "rod-and-disk-free"
+LADDER, SPRING, INCLINE = "sliding-ladder", "sliding-ladder-with-spring", "disk-on-incline"
+SAMPLE = (PENDULUM, BEARING, LADDER, SPRING, INCLINE)
+
+
+# problem, misconception, quantity, what it makes of it: worked out by hand
+BY_HAND = [
+    (BEARING, "spin-dropped", "axis-moment.rod", "m*ell**2/4"),
+    (BEARING, "spin-dropped", "momentum.disk", "M*ell**2*theta_dot"),
+    (BEARING, "free-taken-as-welded", "momentum.disk", "(M*ell**2 + M*R**2/2)*theta_dot"),
+    (BEARING, "parallel-axis-forgotten", "axis-moment.rod", "m*ell**2/12"),
+    (BEARING, "parallel-axis-twice", "axis-moment.rod", "m*ell**2/3 + m*ell**2/4"),
+    (BEARING, "moment-of-another-shape", "moment.disk", "M*R**2"),
+    (BEARING, "mass-dropped", "frequency.1", "3*g/(2*ell)"),
+    (BEARING, "tension-is-weight", "reaction.N_y", "M*g"),
+    (BEARING, "third-law-forgotten", "acceleration.theta", "-3*g/(2*ell)*sin(theta)"),
+    (BEARING, "whole-length-for-lever-arm", "frequency.1", "(m + M)*g*ell/(m*ell**2/3 + M*ell**2)"),
+    (PENDULUM, "welded-taken-as-free", "momentum.disk", "M*ell**2*theta_dot"),
+    (PENDULUM, "small-angle-for-large", "acceleration.theta",
+     "-(m/2 + M)*g*ell/(m*ell**2/3 + M*ell**2 + M*R**2/2)*theta"),
+    (PENDULUM, "start-speed-forgotten", "speed.theta",
+     "2*(m/2 + M)*g*ell*(cos(theta) - cos(theta_0))/(m*ell**2/3 + M*ell**2 + M*R**2/2)"),
+    (LADDER, "spin-dropped", "acceleration.theta", "-g/ell*cos(theta)"),
+    (LADDER, "moment-about-wrong-point", "moment.ladder", "4*M*ell**2/3"),
+    (LADDER, "wrong-sense-of-rotation", "momentum.ladder", "4*M*ell**2/3*theta_dot"),
+    (LADDER, "rotational-energy-left-out", "speed.theta", "2*g/ell*(sin(theta_0) - sin(theta))"),
+    (LADDER, "forces-as-at-rest", "reaction.N_f", "M*g"),
+    (LADDER, "orbital-part-dropped", "momentum.ladder", "-M*ell**2/3*theta_dot"),
+    (LADDER, "contact-forces-do-no-work", "work.T.N_f.ladder", "0"),
+    (LADDER, "centripetal-forgotten", "reaction.N_w", "3*M*g/4*sin(theta)*cos(theta)"),
+    (SPRING, "works-always-cancel", "work.theta.F_s.ladder", "k*ell**2*(cos(theta) - cos(theta_0))**2"),
+    (SPRING, "work-at-application-point", "work.T.F_s.ladder", "-2*k*ell**2*(cos(theta) - cos(theta_0))**2"),
+    (SPRING, "force-sign", "work.T.W.ladder", "-M*g*ell*(sin(theta_0) - sin(theta))"),
+    (INCLINE, "rolling-taken-as-sliding", "acceleration.s", "g*sin(beta)"),
+    (INCLINE, "friction-wrong-way", "acceleration.s", "2*g*sin(beta)"),
+    (INCLINE, "friction-is-mu-n", "acceleration.s", "g*sin(beta) - mu*g*cos(beta)"),
+    (INCLINE, "sine-for-cosine", "acceleration.s", "2*g/3*cos(beta)"),
+    (INCLINE, "moment-of-another-shape", "acceleration.s", "g/2*sin(beta)"),
+    (INCLINE, "work-at-application-point", "work.T.f.drum", "0"),
+]  # fmt: skip
+
+
+@cache
+def bench(name: str) -> Bench:
+    return bench_of(load_problem(find_problem(name)))
+
+
+@pytest.mark.parametrize(("problem", "name", "id", "wrong"), BY_HAND, ids=lambda x: str(x)[:40])
+def test_the_engine_makes_the_textbook_mistake(problem: str, name: str, id: str, wrong: str) -> None:
+    here = bench(problem)
+    target = here.targets[id]
+    made = [w for w in here.pool.wrongs if w.misconception.name == name and target.kind in w.misconception.about]
+    values = [value for w in made if (value := target.value(w.study)) is not None]
+    wanted = scalar(read_infix(wrong, dimensions_of(here.study)))
+    verdicts = [scalars_equal(value, wanted, here.study.assumptions) for value in values]
+    assert any(verdict.is_proved for verdict in verdicts), (len(values), verdicts)
+
+
+@pytest.mark.parametrize("problem", SAMPLE)
+def test_accepted_ones_are_refuted_sound_and_few(problem: str) -> None:
+    here = bench(problem)
+    for target in list(here.targets.values())[::3]:
+        found = here.pool.of(target)
+        assert len(found) <= MOST
+        formulas = [d.formula for d in found]
+        right = target.value(here.study)
+        for place, distractor in enumerate(found):
+            assert scalars_equal(distractor.value, right, here.study.assumptions).is_refuted
+            if distractor.formula != t.ZERO:
+                assert dimension_of(distractor.formula, dimensions_of(here.study)) == target.dimension
+            for other in formulas[:place]:
+                assert equal(distractor.formula, other, here.study.assumptions).is_refuted
+
+
+def test_the_true_study_is_never_touched() -> None:
+    here = bench(LADDER)
+    before = {x.id: x.value(here.study) for x in here.targets.values()}
+    for target in here.targets.values():
+        here.pool.of(target)
+    assert before == {x.id: x.value(here.study) for x in here.targets.values()}
+
+
+@pytest.mark.parametrize("name", MISCONCEPTIONS)
+def test_each_has_sources_kinds_and_words(name: str) -> None:
+    own = MISCONCEPTIONS[name]
+    assert own.sources and all(source in SOURCES for source in own.sources)
+    assert own.about and own.about <= {*KINDS, "axis-moment"}
+    for language in languages():
+        keys = [key for key in teaching_phrases(language) if key.startswith(f"misconception.{name}.")]
+        assert any(key.startswith(f"misconception.{name}.feedback") for key in keys)
+        assert f"misconception.{name}.title" in keys
+
+
+def test_there_are_enough() -> None:
+    assert len(MISCONCEPTIONS) >= 20
+    assert set(SOURCES) == {source for m in MISCONCEPTIONS.values() for source in m.sources}
+
+
+@pytest.mark.parametrize("problem", SAMPLE)
+def test_feedback_is_said_in_each_site(problem: str) -> None:
+    here = bench(problem)
+    for place in range(len(here.pool.wrongs)):
+        slip = here.pool.slip(place)
+        assert say(slip.phrase, "en", here.study.problem, **slip.slots)
+
+
+def test_first_wrong_steps_are_those_that_a_teacher_would_mark() -> None:
+    wanted = {
+        (LADDER, "wrong-sense-of-rotation"): "turning.ladder",
+        (LADDER, "moment-about-wrong-point"): "moment.ladder",
+        (LADDER, "rotational-energy-left-out"): "kinetic",
+        (BEARING, "free-taken-as-welded"): "turning.disk",
+        (BEARING, "third-law-forgotten"): "force.N.rod",
+        (SPRING, "works-always-cancel"): "work.F_s.ladder",
+        (INCLINE, "moment-of-another-shape"): "moment.drum",
+    }
+    for (problem, name), step in wanted.items():
+        here = bench(problem)
+        slips = [here.pool.slip(k) for k, w in enumerate(here.pool.wrongs) if w.misconception.name == name]
+        assert step in {slip.first_wrong for slip in slips}, (name, slips)
+        shown = next(slip.shown for slip in slips if slip.first_wrong == step)
+        assert shown == here.derivation.step(step).statement
+
+
+def test_languages_have_the_same_keys_and_places() -> None:
+    tables = [teaching_phrases(language) for language in languages()]
+    assert len(tables) >= 2
+    for table in tables[1:]:
+        assert table.keys() == tables[0].keys()
+        for key, text in table.items():
+            assert set(re.findall(r"{(\w+)}", text)) == set(re.findall(r"{(\w+)}", tables[0][key])), key
+
+
+def test_sites_follow_from_the_structure_not_from_names() -> None:
+    """A problem of one's own, with names of one's own: a hoop that rolls, welded to nothing."""
+    text = find_problem(INCLINE).read_text(encoding="utf-8")
+    renamed = re.sub(r"\bdrum\b", "wheel", text)
+    own = pool(bench_of(load_text(renamed, name="mine")).derivation)
+    names = {w.misconception.name for w in own.wrongs}
+    assert {"rolling-taken-as-sliding", "friction-is-mu-n", "spin-dropped"} <= names
+    assert not {"free-taken-as-welded", "parallel-axis-forgotten", "length-for-elongation"} & names
