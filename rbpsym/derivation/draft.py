@@ -135,11 +135,11 @@ class Draft:
             f"{letter}_cm" if self.is_single and letter in ("R", "V", "A", "I", "P") else f"{letter}_{body}"
         )
 
-    def free(self, name: str) -> str:
-        """A name that no quantity of the problem has."""
+    def free(self, name: str, mark: str = "b") -> str:
+        """A name that no quantity of the problem has: with a mark where it is taken."""
         taken = {q.name for q in self.study.problem.parameters} | set(self.study.system.unknowns)
         taken |= {c.name for c in self.study.problem.coordinates}
-        return f"{name}_b" if name in taken else name
+        return f"{name}_{mark}" if name in taken else name
 
 
 MUCH_SHORTER = 0.75

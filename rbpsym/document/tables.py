@@ -12,7 +12,7 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import PointRef
 
-PARTIES = ("earth", "ground", "agent")
+PARTIES = ("earth", "ground", "agent", "string")
 
 
 def relations(step: Step) -> tuple[t.Chain, ...]:
@@ -55,6 +55,8 @@ def _by(name: str, said: Words) -> Inlines:
 def _at(label: str, pose: DrawnPose, said: Words) -> Inlines:
     """Where the force acts, in a word."""
     body, _, point = label.partition(".")
+    if label == "rim":
+        return said.say("point.rim")
     if label in pose.study.problem.body_names:
         return said.say("point.contact")
     known = body in pose.study.problem.body_names and (point == "cm" or point in pose.study.problem.body(body).points)

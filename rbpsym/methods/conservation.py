@@ -68,8 +68,8 @@ def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
         return
     known = {n: v for n, v in energy.potentials(draft.study.system).items() if v}
     total = sum(draft.study.kinetic, NOTHING) + sum(known.values(), NOTHING)
-    letter = draft.define(draft.free("E"), total)
-    letters = [t.Sym(draft.free("K")), *(t.Sym(draft.free(f"U_{name}")) for name in known)]
+    letter = draft.define(draft.free("E", "tot"), total)
+    letters = [t.Sym(draft.free("K", "tot")), *(t.Sym(draft.free(f"U_{name}")) for name in known)]
     draft.add(
         "energy.letter",
         "identity",
@@ -105,7 +105,7 @@ def _kinetic(draft: Draft) -> None:
             terms.append(t.mul(half, t.Sym(draft.of_body("I", name)), t.Pow(omega, t.TWO)))
             shown.append(draft.show_brief(energy.rotational_energy(state)))
     total = sum(draft.study.kinetic, NOTHING)
-    letter = draft.define(draft.free("K"), total)
+    letter = draft.define(draft.free("K", "tot"), total)
     together = draft.show_brief(total)
     items = [letter, t.add(*terms), t.add(*shown)] + ([together] if together != t.add(*shown) else [])
     draft.add(
@@ -172,11 +172,11 @@ def _splits(draft: Draft) -> None:
 
 def _conserved(draft: Draft) -> None:
     """E = T + U is constant."""
-    letters = [t.Sym(draft.free("K"))]
+    letters = [t.Sym(draft.free("K", "tot"))]
     letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v]
     value = draft.study.first_integral
     shown = _as_sum(draft)
-    letter = draft.define(draft.free("E"), value)
+    letter = draft.define(draft.free("E", "tot"), value)
     items = (
         [letter, t.add(*letters), shown]
         if draft.study.potential is not None and not draft.study.system.has_clock
@@ -255,7 +255,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     speed = t.Sym(f"{name}_dot")
     slope, rest = derivative(inner, f"{name}_ddot"), substitute(inner, {f"{name}_ddot": NOTHING})
     inside = t.add(draft.show_brief(slope * symbol(f"{name}_ddot")), *([draft.show(rest, factor=True)] if rest else []))
-    statement = t.equation(t.Deriv(t.Sym(draft.free("E"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
+    statement = t.equation(t.Deriv(t.Sym(draft.free("E", "tot"))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add(
         "energy.rate",
         "balance",

@@ -173,8 +173,11 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
     second = _speed(draft, given, by, met.place, way, _own_place(given, by))
     other = t.add(second.still, second.turning)
     left, right = first.still, t.add(other, t.neg(first.turning))
-    if left == t.ZERO:
+    still = left == t.ZERO
+    if still:
         left, right = first.turning, other
+    if isinstance(left, t.Neg) and isinstance(right, t.Neg):
+        left, right = left.arg, right.arg
     same = left == right
     if left == t.ZERO and right == t.ZERO:
         return
@@ -190,7 +193,7 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
         on=_where(element, by, met.normal),
         points=_labels(element),
         speed=_named(first.extra),
-        variant="moving" if by else "fixed",
+        variant="axles" if still and by and element.kind != "sticking" else "moving" if by else "fixed",
         data={"element": element},
     )
 

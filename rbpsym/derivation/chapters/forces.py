@@ -74,11 +74,21 @@ def _entry(draft: Draft, force: Force) -> None:
         statement,
         f"forces.{force.law}",
         body=BodyRef(force.on),
-        by=force.by,
-        where=force.where,
+        by="string" if _is_tension(draft, force) else force.by,
+        where="rim" if _is_tension(draft, force) and _is_on_rim(draft, force) else force.where,
         force=node,
         data={"forces": (force,), "origin": state.center, "value": center},
     )
+
+
+def _is_tension(draft: Draft, force: Force) -> bool:
+    return bool(force.unknowns) and draft.study.system.element(force.name).kind == "string"
+
+
+def _is_on_rim(draft: Draft, force: Force) -> bool:
+    """Does the string leave a round body, and not a point of it?"""
+    path = draft.study.system.element(force.name)["path"]
+    return any(turn.sense and turn.grips and turn.center.label == force.where for turn in path)
 
 
 def _define_vector(draft: Draft, node: t.Node, force: Force) -> None:

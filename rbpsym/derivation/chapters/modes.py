@@ -41,11 +41,15 @@ def _has_drag(draft: Draft, item: Equilibrium) -> bool:
 
 
 def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
-    """Σ M_ij q̈_j ≈ -Σ K_ij (q_j - q_j0), row by row."""
+    """Σ M_ij q̈_j ≈ -Σ K_ij (q_j - q_j0), row by row.
+
+    A coordinate that may have any value in the equilibrium pulls at nothing but through the q_j0 of the others.
+    """
     names, rows = draft.study.system.independent, []
     for inertias, stiffnesses in zip(item.inertia, item.stiffness, strict=True):
         left = [draft.show(m * symbol(f"{n}_ddot")) for n, m in zip(names, inertias, strict=True) if m]
-        right = [_pull(draft, k, n, item) for n, k in zip(names, stiffnesses, strict=True) if not is_zero(k)]
+        pulls = {n: k for n, k in zip(names, stiffnesses, strict=True) if n in item.at and not is_zero(k)}
+        right = [_pull(draft, k, n, item) for n, k in pulls.items()]
         rows.append(t.relation(t.add(*left), "~", t.add(*right)))
     draft.add(
         f"linear.{place}",

@@ -16,14 +16,14 @@ def write(draft: Draft) -> None:
     draft.chapter = "momentum"
     for label in draft.study.origins:
         made = [body for body in draft.study.system.bodies if _of_body(draft, body, label)]
-        if len(made) > 1:
+        if len(made) > 1 and any(draft.has(f"momentum.{body}.{label}") for body in made):
             _total(draft, made, label)
 
 
 def momentum_name(draft: Draft, body: str, label: str) -> str:
     """L_rod (about O), L_rod_Q about another origin."""
     name = "L" if draft.is_single else f"L_{body}"
-    return draft.free(name if label == "O" else f"{name}_{label}")
+    return draft.free(name if label == "O" else f"{name}_{label}", "tot")
 
 
 def _of_body(draft: Draft, body: str, label: str) -> bool:
@@ -92,7 +92,7 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
     """The sum over the bodies."""
     origin = draft.study.origins[label]
     value = sum((draft.context.vectors[momentum_name(draft, b, label)].z for b in bodies), NOTHING)
-    name = draft.free("L" if label == "O" else f"L_{label}")
+    name = draft.free("L" if label == "O" else f"L_{label}", "tot")
     draft.context.vectors[name] = Space(z=value)
     sum_ = t.add(*(t.Vec(momentum_name(draft, body, label)) for body in bodies))
     draft.add(

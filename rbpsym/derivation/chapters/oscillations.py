@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, root, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
@@ -66,7 +66,8 @@ def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
     """Whether one coordinate and one frequency tell the whole small motion."""
     single = len(draft.study.system.independent) == 1 or len(item.frequencies_squared) == 1
     known = draft.study.dynamics.accelerations is not None
-    return single and known and bool(item.frequencies_squared) and len(item.at) == 1
+    fixed = not any(depends_on(value, n) for value in item.at.values() for n in draft.study.system.independent)
+    return single and known and fixed and bool(item.frequencies_squared) and len(item.at) == 1
 
 
 def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
