@@ -123,7 +123,7 @@ def other_numbers(pose: DrawnPose) -> DrawnPose:
     problem = pose.study.problem
     names = [*(q.name for q in problem.parameters), *(c.name for c in problem.coordinates)]
     factors = {name: 1.0 - 0.037 * ((place * 5) % 7 + 1) for place, name in enumerate(names)}
-    return DrawnPose(pose.study, {name: pose.numbers[name] * factor for name, factor in factors.items()})
+    return DrawnPose(pose.study, {name: (pose.numbers[name] or 0.3) * factor for name, factor in factors.items()})
 
 
 def drawn_numbers(problem: Problem) -> dict[str, float]:

@@ -60,7 +60,7 @@ def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:
         if abs(distance - math.sqrt(square)) < CLOSE:
             direction = math.atan2(y, x)
             start = direction - sense * pose.numbers[coordinate]
-            yield AngleMark((0.0, 0.0), start, direction, t.Sym(coordinate), distance)
+            yield AngleMark((0.0, 0.0), start, direction, t.Sym(coordinate), ray=distance)
             return
 
 

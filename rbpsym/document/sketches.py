@@ -10,7 +10,7 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document import sketch_dimensions as dimensions
 from rbpsym.document import sketch_supports as supports
 from rbpsym.document.figures.sketch import Point, Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
-from rbpsym.document.pose import DrawnPose
+from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.document.sketch_actions import arrows
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force, System
@@ -86,19 +86,32 @@ def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
 
 
 def _direction(pose: DrawnPose, force: Force) -> Point:
-    """The direction in the pose; unknown components as they are at rest there, else positive."""
-    values = dict(pose.numbers)
+    """The direction in the pose; unknown components as they are at rest there, else positive.
+
+    A known force that vanishes there (a slack spring, a damper at rest) is drawn as with other numbers, in motion.
+    """
+    moving = {f"{c.name}_dot": 1.0 for c in pose.study.problem.coordinates}
     known = pose.reactions()
-    values |= {name: known.get(name, 1.0) for name in force.unknowns}
+    unknown = {name: known.get(name, 1.0) for name in force.unknowns}
+    positive = dict.fromkeys(force.unknowns, 1.0)
+    for numbers in (
+        {**pose.numbers, **unknown},
+        {**pose.numbers, **positive},
+        {**pose.numbers, **positive, **moving},
+        {**other_numbers(pose).numbers, **positive, **moving},
+    ):
+        x, y = _components(force, numbers)
+        size = math.hypot(x, y)
+        if size > 1e-12:
+            return x / size, y / size
+    return 0.0, 0.0
+
+
+def _components(force: Force, numbers: Mapping[str, float]) -> Point:
     try:
-        x, y = number(force.vector.x, values), number(force.vector.y, values)
+        return number(force.vector.x, numbers), number(force.vector.y, numbers)
     except (KeyError, ValueError, ZeroDivisionError):
-        x, y = 0.0, 1.0
-    if force.unknowns and math.hypot(x, y) < 1e-12:
-        values |= dict.fromkeys(force.unknowns, 1.0)
-        x, y = number(force.vector.x, values), number(force.vector.y, values)
-    size = math.hypot(x, y)
-    return (x / size, y / size) if size > 1e-12 else (0.0, 0.0)
+        return 0.0, 0.0
 
 
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:

@@ -102,11 +102,12 @@ def test_every_part_of_the_statement_is_seen(name: str) -> None:
 
 @pytest.mark.parametrize("name", FILES)
 def test_every_force_stands_at_its_point_in_its_diagram(name: str) -> None:
-    """Each force of the ledger that has a direction has an arrow on its body, at the point where it acts."""
+    """Each force of the ledger has an arrow on its body, at the point where it acts."""
     found = pose(study(name), None)
     sketch = sketch_of_pose(found)
-    for force in found.study.system.forces:
-        if not force.vector:
-            continue
-        at = found.point(force.point)
-        assert any(f.body == force.on and math.dist(f.at, at) < 1e-9 for f in sketch.forces), force.name
+    stated = [force for force in found.study.system.forces if force.vector]
+    assert len(sketch.forces) == len(stated)
+    for force, drawn in zip(stated, sketch.forces, strict=True):
+        assert drawn.body == force.on
+        assert math.dist(drawn.at, found.point(force.point)) < 1e-9, force.name
+        assert math.isclose(math.hypot(*drawn.direction), 1.0), force.name

@@ -24,7 +24,7 @@ def is_list_of_parts(value: object) -> bool:
 
 def scaled_part(part: object, factor: float) -> object:
     """A part with its lengths scaled; the ends of an angle are no lengths."""
-    names = {"at", "reach"} if isinstance(part, AngleMark) else LENGTHS
+    names = {"at", "reach", "ray"} if isinstance(part, AngleMark) else LENGTHS
     values = {item.name: getattr(part, item.name) for item in fields(part) if item.name in names}
     return replace(part, **{name: times(value, factor) for name, value in values.items()})
 

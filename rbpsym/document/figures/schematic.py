@@ -222,6 +222,7 @@ def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
     radius = max(radius, mark.reach + 0.25) if mark.reach else radius
     items = marks.angle_arc(mark.at, mark.start, mark.end, radius)
     items += (Line((mark.at, polar(mark.at, radius + 0.1, mark.end)), "guide"),) if mark.reach else ()
+    items += (Line((mark.at, polar(mark.at, mark.ray, mark.end)), "guide"),) if mark.ray else ()
     middle = (mark.start + mark.end) / 2
     target = polar(mark.at, radius, middle)
     return Scene(items, labelled(mark.label, target, middle, gap=0.06, color="accent"))

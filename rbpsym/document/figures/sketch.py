@@ -135,7 +135,8 @@ class SketchCoil:
 class AngleMark:
     """An angle at a point from the direction `start` to `end` (the way in which it grows).
 
-    A line of length `reach` marks the end where no edge of a body is there.
+    A line marks the end where no edge of a body is there: of length `reach`, the arc being beyond it, or
+    of length `ray`, across the arc.
     """
 
     at: Point
@@ -143,6 +144,7 @@ class AngleMark:
     end: float
     label: Caption
     reach: float = 0.0
+    ray: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
