@@ -57,11 +57,15 @@ def _next(study: Study, phase: Phase) -> Stage:
     placed = Study(_started(phase.problem, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
-    after = _started(phase.problem, before.places, struck.speeds)
-    lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, struck.speeds)
-    return Stage(
-        phase.name, Study(after), HandOver(before, struck.speeds, struck.impulses, short(without_even_roots(lost)))
-    )
+    speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
+    after = _started(phase.problem, before.places, speeds)
+    lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
+    return Stage(phase.name, Study(after), HandOver(before, speeds, impulses, short(without_even_roots(lost))))
+
+
+def _tidy(values: Mapping[str, Scalar]) -> dict[str, Scalar]:
+    """Without squares of square roots."""
+    return {name: short(without_even_roots(value)) for name, value in values.items()}
 
 
 def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
