@@ -57,8 +57,9 @@ def marks(**answers: str) -> dict[str, Mark]:
         ("5", "a a b", 0, "invalid"), ("6", "2", 1, "right"), ("6", "line 2", 1, "right"), ("6", "b", 1, "right"),
         ("6", "1", 0, "wrong"), ("6", "2: alpha = " + POWERED, 1, "right"),
         ("6", "2: alpha = -g sin(theta)/ell", Fraction(1, 2), "partly right"),
-        ("6", "7", 0, "invalid"), ("7", "+ -; - 0; + 0", 1, "right"), ("7", "+−−0+0", 1, "right"),
-        ("7", "+ -; + 0; + 0", Fraction(2, 3), "partly right"), ("7", "000000", 0, "wrong"), ("7", "+ -", 0, "invalid"),
+        ("6", "7", 0, "invalid"), ("7", "+ - a; - 0 a; + 0", 1, "right"), ("7", "+−x −0x +0", 1, "right"),
+        ("7", "+ -; - 0; + 0", Fraction(3, 4), "partly right"), ("7", "+ - a; - 0; + 0 a", Fraction(3, 4), "partly right"),
+        ("7", "+ - n; + 0 n; + 0", Fraction(3, 4), "partly right"), ("7", "000000", 0, "wrong"), ("7", "+ -", 0, "invalid"),
         ("8", "M g ell (1 - cos θ); M g ell", 1, "right"), ("8", "M g ell cos θ; M g ell", Fraction(1, 2), "partly right"),
         ("8", "M g ell (1 - cos θ)", Fraction(1, 2), "partly right"), ("9", "a because", Fraction(1, 2), "partly right"),
         ("9", "b", 0, "wrong"), ("10", "No torque.", 0, "open"), ("10", "", 0, "empty"), ("1", POWERED, 1, "right"),
@@ -117,7 +118,10 @@ def right_answer(item: Item, sheet: Worksheet, printed) -> str:
         case SlipKey(wrong=wrong):
             return str(wrong + 1)
         case SignsKey(rows=rows):
-            return "; ".join(f"{row.translational} {row.rotational}" for row in rows)
+            letters = {
+                name: "abcdefgh"[k] for k, name in enumerate(dict.fromkeys(row.cancels for row in rows if row.cancels))
+            }
+            return "; ".join(f"{row.translational} {row.rotational} {letters.get(row.cancels, '')}" for row in rows)
         case BlanksKey(blanks=blanks):
             return " ; ".join(printed(blank.value, sheet.notation) for blank in blanks)
     return ""

@@ -78,24 +78,45 @@ def judge_order(text: str, key: OrderKey) -> Judgement:
     return Judgement(Status.PARTLY if credit else Status.WRONG, credit, (remark,))
 
 
-SIGNS = {"+": "+", "＋": "+", "-": "-", "−": "-", "–": "-", "0": "0", "O": "0", "o": "0"}
+SIGNS = {"+": "+", "＋": "+", "-": "-", "−": "-", "–": "-", "0": "0"}
+_ROW = re.compile(r"([+＋\-−–0])[\s,]*([+＋\-−–0])[\s,]*([A-Za-z*]?)")
 
 
 def judge_signs(text: str, key: SignsKey) -> Judgement:
-    """The judgement on a table of signs, row by row; the same sign everywhere earns nothing."""
+    """The judgement on a table of signs, row by row, and on the letters that mark rows whose works cancel.
+
+    The same sign everywhere earns nothing.
+    """
     if not text.strip():
         return j.EMPTY
     wanted = [row.translational + row.rotational for row in key.rows]
-    found = [SIGNS[char] for char in text[:LONGEST] if char in SIGNS]
-    if len(found) != 2 * len(wanted):
-        slots = {"wanted": str(2 * len(wanted)), "found": str(len(found))}
+    found = _ROW.findall(text[:LONGEST])
+    if len(found) != len(wanted):
+        count = sum(char in SIGNS for char in text[:LONGEST])
+        slots = {"wanted": str(2 * len(wanted)), "found": str(count)}
         return Judgement(Status.INVALID, remarks=(Remark("not signs", slots),))
-    rows = ["".join(found[place : place + 2]) for place in range(0, len(found), 2)]
-    right = sum(a == b for a, b in zip(rows, wanted, strict=True))
-    if right == len(wanted):
+    rows = [SIGNS[first] + SIGNS[second] for first, second, _ in found]
+    parts = [(str(place + 1), Fraction(a == b)) for place, (a, b) in enumerate(zip(rows, wanted, strict=True))]
+    remarks = [Remark("rows", {"right": str(sum(c == 1 for _, c in parts)), "all": str(len(wanted))})]
+    if any(row.cancels for row in key.rows):
+        is_right = _groups([mark.lower() for *_, mark in found]) == _groups([row.cancels for row in key.rows])
+        parts.append(("cancel", Fraction(is_right)))
+        remarks += [] if is_right else [Remark("cancelling")]
+    return _by_parts(tuple(parts), tuple(remarks), guessed=len(set("".join(rows))) == 1)
+
+
+def _groups(marks: list[str]) -> frozenset[frozenset[int]]:
+    """The rows that bear the same mark."""
+    held: dict[str, set[int]] = {}
+    for place, mark in enumerate(marks):
+        if mark:
+            held.setdefault(mark, set()).add(place)
+    return frozenset(map(frozenset, held.values()))
+
+
+def _by_parts(parts: tuple[tuple[str, Fraction], ...], remarks: tuple[Remark, ...], guessed: bool) -> Judgement:
+    earned = sum(credit for _, credit in parts)
+    if earned == len(parts):
         return j.RIGHT
-    guessed = len(set(found)) == 1
-    credit = Fraction(0) if guessed else Fraction(right, len(wanted))
-    parts = tuple((str(place + 1), Fraction(a == b)) for place, (a, b) in enumerate(zip(rows, wanted, strict=True)))
-    remark = Remark("rows", {"right": str(right), "all": str(len(wanted))})
-    return Judgement(Status.PARTLY if credit else Status.WRONG, credit, (remark,), parts=parts)
+    credit = Fraction(0) if guessed else Fraction(earned, len(parts))
+    return Judgement(Status.PARTLY if credit else Status.WRONG, credit, remarks, parts=parts)

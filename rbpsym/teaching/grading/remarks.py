@@ -54,6 +54,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "right line": "The line is right.",
         "wrong correction": "The line is right; the corrected formula is not.",
         "rows": "{right} of {all} rows are right.",
+        "cancelling": "Mark the rows whose works cancel with the same letter; these marks are not right.",
         "not signs": "{wanted} signs (+, - or 0) are asked for; {found} were found.",
     },
     "es": {
@@ -98,6 +99,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "right line": "La línea es correcta.",
         "wrong correction": "La línea es correcta; la fórmula corregida no.",
         "rows": "{right} de {all} filas son correctas.",
+        "cancelling": "Marca con la misma letra las filas cuyos trabajos se cancelan; estas marcas no son correctas.",
         "not signs": "Se piden {wanted} signos (+, - o 0) y hay {found}.",
     },
 }  # fmt: skip

@@ -1,0 +1,236 @@
+"""Tasks are derived from the derivation: each kind has the properties that make its key right."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from functools import cache
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.equality.decide import equal, scalars_equal
+from rbpsym.notation import tree as t
+from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.distractors import apart
+from rbpsym.teaching.lines import gaps, is_negated, put
+from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
+from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.sheet import sheet_of_text
+from rbpsym.teaching.tasks.registry import TASKS
+from rbpsym.teaching.units import si
+
+PROBLEMS = ("rod-and-disk-free", "sliding-ladder-with-spring", "disk-on-incline")
+STUDENTS = [Student(f"s{k}") for k in range(8)]
+
+
+@cache
+def plan(name: str) -> Plan:
+    return plan_of(name)
+
+
+@cache
+def sheets(name: str) -> tuple[Worksheet, ...]:
+    return tuple(plan(name).worksheet(student, "secret") for student in STUDENTS)
+
+
+def items(name: str, kind: str) -> list[tuple[Worksheet, Item]]:
+    return [(sheet, item) for sheet in sheets(name) for item in sheet.items if item.kind == kind]
+
+
+def assumptions(name: str):
+    return plan(name).parts[0].bench.study.assumptions
+
+
+def test_every_kind_is_in_the_table_and_made() -> None:
+    assert set(TASKS) == set(KINDS)
+    made = {item.kind for name in PROBLEMS for sheet in sheets(name)[:1] for item in sheet.items}
+    assert made == set(KINDS)
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_ids_points_and_prompts(name: str) -> None:
+    for sheet in sheets(name):
+        assert [item.id for item in sheet.items] == [str(k + 1) for k in range(len(sheet.items))]
+        assert sheet.points == sum(item.points for item in sheet.items) > 0
+        for item in sheet.items:
+            assert item.prompt and item.points > 0 and item.asked.problem == name
+            assert not item.rubric or sum(c.points for c in item.rubric) == item.points
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_choices_have_one_right_answer(name: str) -> None:
+    for _, item in items(name, "choose"):
+        options = item.key.options
+        assert [option.slip is None for option in options].count(True) == 1
+        assert options[item.key.right].slip is None
+        for a, b in itertools.combinations([option.formula for option in options], 2):
+            assert equal(a, b, assumptions(name)).is_refuted
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_the_place_of_the_right_answer_varies(name: str) -> None:
+    places = {item.key.right for _, item in items(name, "choose")}
+    assert len(places) > 1
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_numbers_are_those_of_the_formula(name: str) -> None:
+    """The key from the display tree and the printed numbers alone: another way than that which made it."""
+    for _, item in items(name, "number"):
+        key = item.key
+        given = {n: si(measure) for n, measure in key.given.items()}
+        assert t.names(key.formula) - {"pi"} <= set(given)
+        [value] = compiled([scalar(key.formula)])(given)
+        assert math.isclose(value, key.exact, rel_tol=1e-9)
+        assert abs(si(key.measure) - value) <= 0.006 * abs(value)
+        printed = [key.measure, *(a.number for a in key.anticipated)]
+        assert all(apart(a, b) for a, b in itertools.combinations(printed, 2))
+
+
+def test_error_carried_forward_is_consistent() -> None:
+    """The follow-on formula, fed with the right earlier answer, gives the right later one."""
+    found = 0
+    for sheet, item in items("sliding-ladder-with-spring", "number"):
+        for follow in item.key.follows:
+            found += 1
+            earlier = sheet.item(follow.item).key.exact
+            given = {n: si(m) for n, m in item.key.given.items()} | {follow.name: earlier}
+            given |= {n: si(m) for n, m in sheet.item(follow.item).key.given.items()}
+            [value] = compiled([scalar(follow.formula)])(given)
+            assert math.isclose(value, item.key.exact, rel_tol=1e-9)
+    assert found
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_blanks_filled_in_give_the_steps_again(name: str) -> None:
+    derivation = plan(name).parts[0].bench.derivation
+    for _, item in items(name, "fill-in")[:2]:
+        shown = [block.node for block in item.prompt if hasattr(block, "node")]
+        for answer in item.key.blanks:
+            with_it = [node for node in shown if blank_name(answer.number) in t.names(node)]
+            assert len(with_it) == 1
+        steps = {block_statement(node, item) for node in shown}
+        assert steps <= {step.statement for step in derivation.steps}
+        assert sum(answer.points for answer in item.key.blanks) == item.points
+
+
+def block_statement(node: t.Node, item: Item) -> t.Node:
+    """The statement with the answers put into its blanks."""
+    from dataclasses import fields, replace
+
+    answers = {blank(answer.number): answer.value for answer in item.key.blanks}
+
+    def filled(part: t.Node) -> t.Node:
+        if part in answers:
+            return answers[part]
+        changes = {}
+        for field in fields(part):
+            value = getattr(part, field.name)
+            if isinstance(value, t.Node):
+                changes[field.name] = filled(value)
+            elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
+                changes[field.name] = tuple(map(filled, value))
+        return replace(part, **changes) if changes else part
+
+    return filled(node)
+
+
+def test_help_fades() -> None:
+    text = "[[problem]]\nname = 'rod-and-disk-free'\n" + "".join(
+        f"[[problem.task]]\nkind = 'fill-in'\nabout = 'acceleration.theta'\nlevel = {level}\n" for level in range(4)
+    )
+    sheet = plan_of(sheet_of_text(text)).worksheet()
+    counts = [len(item.key.blanks) for item in sheet.items]
+    assert counts == sorted(counts) and counts[0] < counts[-1]
+    told = [sum(not hasattr(block, "node") for block in item.prompt) for item in sheet.items]
+    assert told[-1] == 1 < told[0]
+
+
+def test_a_sign_before_a_blank_is_seen() -> None:
+    statement = t.equation(t.Sym("a"), t.neg(t.Mul((t.Sym("g"), t.Fn("sin", t.Sym("theta"))))))
+    [gap] = [gap for gap in gaps(statement) if not gap.is_term]
+    assert is_negated(statement, gap.path)
+    assert put(statement, gap.path, gap.node) == statement
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_orders_are_decided_by_the_graph(name: str) -> None:
+    by_id = {step.id: step for step in plan(name).parts[0].bench.derivation.steps}
+    for _, item in items(name, "order"):
+        key: OrderKey = item.key
+        assert key.accepts(key.sample)
+        assert not key.accepts(tuple(range(len(key.pieces))))
+        assert not key.accepts(key.sample[:-1]) and not key.accepts((*key.sample[:-1], key.sample[0]))
+        for later, piece in enumerate(key.pieces):
+            for premise in by_id[piece.id].premises:
+                earlier = next((k for k, other in enumerate(key.pieces) if other.id == premise), None)
+                assert earlier is None or (earlier, later) in key.before
+        assert not key.accepts(tuple(reversed(key.sample)))
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_a_slip_is_one_wrong_line_carried_through(name: str) -> None:
+    by_id = {step.id: step for step in plan(name).parts[0].bench.derivation.steps}
+    for _, item in items(name, "find-the-slip"):
+        key = item.key
+        right = [by_id[piece.id].statement for piece in key.lines]
+        shown = [piece.statement for piece in key.lines]
+        assert shown[: key.wrong] == right[: key.wrong]
+        assert shown[key.wrong] != right[key.wrong] == key.corrected
+        assert shown[-1] != right[-1]
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_signs_agree_with_the_works(name: str) -> None:
+    study = plan(name).parts[0].bench.study
+    for sheet, item in items(name, "signs"):
+        speed = next(i for i in sheet.items if i.kind == "number" and i.asked.quantity.startswith("speed."))
+        numbers = {n: si(m) for n, m in {**sheet.parts[0].given, **speed.key.given}.items()}
+        for row, work in zip(item.key.rows, study.works, strict=True):
+            for sign, half in ((row.translational, work.translational), (row.rotational, work.rotational)):
+                value = compiled([half.value])(numbers)[0]
+                assert {"+": value > 0, "-": value < 0, "0": abs(value) < 1e-9}[sign]
+        groups = {row.cancels for row in item.key.rows} - {""}
+        for group in groups:
+            own = [w for w in study.works if w.force == group]
+            total = sum(w.translational.value + w.rotational.value for w in own)
+            assert scalars_equal(total, total * 0, study.assumptions).is_proved
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_comparisons_hold_at_numbers(name: str) -> None:
+    for sheet, item in items(name, "compare"):
+        relations = [criterion.formula for criterion in item.rubric if criterion.formula is not None]
+        numbers = {"theta": 0.3, "s": 0.7, "theta_dot": 1.1}
+        numbers |= {n: si(m) for n, m in sheet.parts[0].given.items()}
+        first, second = (abs(compiled([scalar(r.items[-1])])(numbers)[0]) for r in relations)
+        answer = 2 if math.isclose(first, second) else 0 if first > second else 1
+        assert item.key.right == answer
+
+
+def test_explanations_name_what_they_stand_on() -> None:
+    for name in PROBLEMS:
+        by_id = {step.id: step for step in plan(name).parts[0].bench.derivation.steps}
+        for _, item in items(name, "explain")[:1]:
+            wanted = {by_id[id].statement for id in by_id[item.asked.step].premises}
+            assert {c.formula for c in item.rubric if c.formula is not None} <= wanted
+            assert item.key.sample
+
+
+def test_angles_stay_in_range_and_friction_suffices() -> None:
+    for sheet in sheets("disk-on-incline"):
+        given = {n: si(m) for n, m in sheet.parts[0].given.items()}
+        assert 0 < given["beta"] < math.pi / 2
+        assert math.tan(given["beta"]) / 3 <= given["mu"]
+    for sheet in sheets("sliding-ladder-with-spring"):
+        [place] = {i.key.given["theta"].value for i in sheet.items if i.kind == "number" and "theta" in i.key.given}
+        assert 0 < place < sheet.parts[0].given["theta_0"].value < 90
+
+
+def test_frequencies_can_be_measured() -> None:
+    text = "[[problem]]\nname = 'rod-and-disk-free'\n[[problem.task]]\nkind = 'number'\nabout = 'frequency.*'\n"
+    whole = plan_of(sheet_of_text(text))
+    for student in STUDENTS:
+        [item] = whole.worksheet(student).items
+        assert 1 / 3 < item.key.exact < 1 / 0.15
