@@ -160,7 +160,10 @@ def _principal(value: Scalar) -> Scalar:
 
 
 def common_zeros(values: Sequence[Scalar], names: Sequence[str], most: int = 32) -> list[dict[str, Scalar]]:
-    """Assignments of all the names at which all values vanish, found one equation at a time."""
+    """Assignments of the names at which all values vanish, found one equation at a time.
+
+    A name that is left out may have any value there, and others may be given in terms of it.
+    """
     found: list[dict[str, Scalar]] = []
     _search(list(values), tuple(names), {}, found, most)
     return found
@@ -169,7 +172,7 @@ def common_zeros(values: Sequence[Scalar], names: Sequence[str], most: int = 32)
 def _search(values: list[Scalar], names: tuple[str, ...], at: dict[str, Scalar], found: list, most: int) -> None:
     values = [value for value in values if not is_zero(value)]
     if not values:
-        if all(name in at for name in names):
+        if at:
             found.append(dict(at))
         return
     for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
