@@ -20,6 +20,7 @@ from rbpsym.document.resources import data_folder
 from rbpsym.mechanics.numbers import number
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
+from rbpsym.statement.shapes import SHAPES
 from tests.architecture.source import ROOT
 from tests.document import explored
 
