@@ -103,6 +103,13 @@ def integrated(study, found, time: float) -> float:
     return float(done.y[0, -1])
 
 
+@node
+def test_every_shape_of_a_statement_has_an_outline() -> None:
+    text = (explored.FOLDER / "shapes.js").read_text(encoding="utf-8") + "console.log(Object.keys(OUTLINES).join());"
+    done = subprocess.run(["node", "-"], input=text, capture_output=True, text=True, check=True, timeout=60)
+    assert set(SHAPES) - {"composite"} <= set(done.stdout.strip().split(","))
+
+
 class Readings(HTMLParser):
     """The <data> elements of a page by key, its status, and whether the script came to its end."""
 
