@@ -133,7 +133,7 @@ def _wish(row: Table) -> Wish:
         raise row.value_error("kind", f"there is no kind of task “{kind}”", did_you_mean(kind, TASKS, "kinds"))
     answers = row.string("answers", "formula")
     if answers not in ANSWERS:
-        raise row.value_error("answers", f"answers are “formula” or “number”, not “{answers}”")
+        raise row.value_error("answers", f"answers are “formula” or “number”, not “{answers}”", "write one of the two")
     return Wish(
         kind,
         _strings(row, "about"),
@@ -224,7 +224,9 @@ def _check_range(row: Table, low, high, step) -> None:
     if len({low.unit, high.unit, step.unit}) > 1:
         raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {low.unit}")
     if step.value <= 0:
-        raise row.value_error("step", "the step must be greater than 0")
+        raise row.value_error(
+            "step", "the step must be greater than 0", f'write a fixed number: "{row.data["from"]}", or a step'
+        )
     if low.value > high.value:
         raise row.value_error("to", "the range ends before it begins", "exchange “from” and “to”")
 

@@ -47,18 +47,9 @@ def ladder() -> Worksheet:
 
 
 def test_draws_are_fixed_for_ever() -> None:
+    """On every machine and in every version: a form code that was printed must rebuild its paper."""
     draws = Draws(b"seed", "label")
-    assert [draws.below(1000) for _ in range(6)] == [Draws(b"seed", "label").below(1000), *list_after(5)]
-    assert hashlib.sha256(repr([Draws(b"s", "x").word() for _ in range(2)]).encode()).hexdigest()[:16] == DRAWN
-
-
-def list_after(count: int) -> list[int]:
-    draws = Draws(b"seed", "label")
-    draws.below(1000)
-    return [draws.below(1000) for _ in range(count)]
-
-
-DRAWN = "7d0ba8a5cb2a5fbc"
+    assert [draws.below(1000) for _ in range(6)] == [839, 537, 52, 646, 671, 481]
 
 
 def test_draws_are_even_and_stay_inside() -> None:
@@ -289,7 +280,7 @@ name = "sliding-ladder"
 [problem.numbers]
 M = { from = "5 kg", to = "6 kg", step = "0.5 kg" }
 theta_0 = "60 deg"
-theta = "30 deg"
+theta = "45 deg"
 [[problem.task]]
 kind = "number"
 about = "speed.theta"
@@ -304,7 +295,7 @@ def test_wishes_are_kept() -> None:
         given = sheet.parts[0].given
         assert given["theta_0"].value == 60 and given["M"].value * 2 in (10, 11, 12)
         [item] = sheet.items
-        assert item.key.given["theta"].value == 30 and float(item.points) == 2.5
+        assert item.key.given["theta"].value == 45 and float(item.points) == 2.5
 
 
 BAD = [
@@ -344,7 +335,7 @@ def test_bad_files_are_told_with_their_place(text: str, what: str, line: int) ->
 
 
 def test_numbers_that_can_not_be_are_told() -> None:
-    text = GOOD.replace('theta = "30 deg"', 'theta = "70 deg"')  # it starts at 60 deg and falls
+    text = GOOD.replace('theta = "45 deg"', 'theta = "30 deg"')  # it leaves the wall at 35.3 deg
     with pytest.raises(RbpsymError, match="would not be reached"):
         plan_of(sheet_of_text(text)).worksheet()
 
@@ -353,14 +344,14 @@ def test_rosters() -> None:
     assert roster_of("id,name\na1,Ana\nb2,Ben\n") == (Student("a1", "Ana"), Student("b2", "Ben"))
     assert roster_of("Nombre;Correo\nAna;a@x.mx\n") == (Student("a@x.mx", "Ana"),)
     assert roster_of("a1\nb2\n")[1] == Student("b2", "b2")
-    for bad, what in (
+    for text, what in (
         ("", "empty"),
         ("id\na\na\n", "twice"),
         ("id,name\n,Ana\n", "without a key"),
         ("id\n" + "x" * 300, "printed"),
     ):
         with pytest.raises(RbpsymError, match=what):
-            roster_of(bad)
+            roster_of(text)
 
 
 # --- the command

@@ -109,7 +109,7 @@ def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
     sides = [gap for gap in found if not gap.is_term]
     if how.terms and terms:
         return terms[-1:]
-    return sides[-1:] if how.terms else sides
+    return sides[-1:] if how.terms else sides or terms
 
 
 def _with_blanks(bench: Bench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
