@@ -88,7 +88,7 @@ def part(seen: Scenery, placed) -> Part:
 
 
 def points(seen: Scenery) -> Iterator[Part]:
-    """Pivots, pins, welds, slots and the fixed ends of springs and strings."""
+    """Pivots, pins, welds, slots, edges and the fixed ends of springs and strings."""
     where = seen.geometry.where
     for element in seen.elements("pivot"):
         yield {"kind": "pivot", "at": seen.at(where(element["point"])), "of": element["point"].body}
@@ -100,6 +100,9 @@ def points(seen: Scenery) -> Iterator[Part]:
         yield {"kind": kind, "at": seen.at(where(body)), "of": body.body, "ground": ground}
     for element in seen.elements("guide", "slider", "prescribed"):
         yield {"kind": element.kind, "at": seen.at(where(element["point"])), "of": element["point"].body}
+    for element in seen.elements("contact", "sticking"):
+        if element["point"].body is None and element["of"]:
+            yield {"kind": "edge", "at": seen.at(where(element["point"])), "of": None}
     for ref in fixed_ends(seen):
         yield {"kind": "fixed", "at": seen.at(where(ref)), "of": None}
 

@@ -186,6 +186,7 @@ class Drawing {
 
   mark(point, data) {
     const at = pick(point.at, this.out), [x, y] = this.scale.point(at);
+    if (point.kind === "edge") return [make("path", { d: path([[x, y], [x - 9, y + 18], [x + 9, y + 18]], true), class: "support" })];
     if (point.kind !== "pivot" && !(point.kind === "weld" && point.ground)) return [this.dot(at, point.kind === "pin" ? 4 : 3, point.kind === "pin" ? "joint" : "dot")];
     const body = data.bodies.find((one) => one.name === point.of), first = this.motion.frames[0];
     const then = this.motion.look(first.phase, first.y, 0);

@@ -84,7 +84,7 @@ class Readings {
       formula(c.here),
       this.reading(`q.${name}`, c.unit, c.size, (m) => m.out[m.data.coordinates[name]]),
       this.reading(`v.${name}`, c.speedUnit, 1, (m) => m.out[m.data.speeds[name]]),
-      name in this.motion.data.phases[0].accelerations ? this.reading(`a.${name}`, c.gainUnit, 1, (m) => m.out[m.data.accelerations[name]]) : "",
+      this.motion.data.phases.some((p) => name in p.accelerations) ? this.reading(`a.${name}`, c.gainUnit, 1, (m) => m.out[m.data.accelerations[name]]) : "",
     ]);
     return tableOf(WORDS.position, [WORDS.coordinate, WORDS.here, WORDS.speed, WORDS.acceleration], rows);
   }
@@ -130,7 +130,7 @@ class Readings {
     const unit = (name) => (this.motion.data.phases.some((p) => p.couples.includes(name)) ? "N m" : "N");
     if (!names.length) return "";
     return tableOf(WORDS.reactions, [WORDS.force, WORDS.size], names.map(([name, label]) => [
-      formula(label), this.reading(`R.${name}`, unit(name), 1, (m) => (name in m.data.unknowns ? m.out[m.data.unknowns[name]] : 0)),
+      formula(label), this.reading(`R.${name}`, unit(name), 1, (m) => (name in m.data.unknowns ? m.out[m.data.unknowns[name]] : NaN)),
     ]));
   }
 
