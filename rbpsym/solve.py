@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.style import PLAIN
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.work import Work
@@ -30,7 +32,7 @@ def text(value: Scalar | None, study: Study | None = None) -> str | None:
     """The infix text of a value."""
     if value is None:
         return None
-    return to_machine(present(value, study.style) if study else present(value))
+    return to_machine(present(value, replace(study.style if study else PLAIN, tangents=False)))
 
 
 def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, str] | None:

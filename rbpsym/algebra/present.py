@@ -122,8 +122,9 @@ def _is_taken_off(node: t.Node) -> bool:
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
     coefficient, pieces = _turned(coefficient, pieces, style)
     before, behind = split(common, style)
+    behind, tangents = _tangents(behind, style)
     fixed = [node for node, moving in pieces if not moving]
-    moving = [node for node, moves in pieces if moves]
+    moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
     node = t.mul(*([] if head == t.ONE else [head]), *fixed, *_powers(behind, style), *moving)
@@ -222,11 +223,25 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
 
 def _signed(c: Coefficient, m: Monomial, style: Style) -> t.Node:
     before, behind = split(m, style)
+    behind, tangents = _tangents(behind, style)
     node = t.mul(_monomial_node(abs(c), before, style, is_quadratic(behind)), *_powers(behind, style))
     deeper = tuple((i, -e) for i, e in behind if e < 0)
     if deeper:
         node = _with_denominator(abs(c), before, behind, style)
+    node = t.mul(*([] if node == t.ONE and tangents else [node]), *tangents)
     return t.neg(node) if c < 0 else node
+
+
+def _tangents(m: Monomial, style: Style) -> tuple[Monomial, list[t.Node]]:
+    """sin A / cos A is printed tan A; what is left of the monomial, and the tangents."""
+    powers, nodes = dict(m), []
+    for index, exponent in m if style.tangents else ():
+        found = atoms.atom(index)
+        below = atoms.intern("cos", found.arg) if found.kind == "sin" else None
+        if exponent > 0 and powers.get(below) == -exponent:
+            nodes.append(t.power(t.Fn("tan", angle_node(found.arg, style)), exponent))
+            del powers[index], powers[below]
+    return (tuple(powers.items()), nodes) if nodes else (m, [])
 
 
 def _with_denominator(c: Coefficient, before: Monomial, behind: Monomial, style: Style) -> t.Node:

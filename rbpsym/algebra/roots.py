@@ -28,11 +28,18 @@ def _halved(powers: Monomial) -> Monomial:
 
 def without_even_roots(value: Scalar) -> Scalar:
     """The value with even powers of square roots carried out, exactly."""
+    if all(_squared_root(poly) is None for poly in (value.num, value.den)):
+        return value
     return _evened(value.num) / _evened(value.den) if value.den is not ONE else _evened(value.num)
 
 
+def _squared_root(poly: Poly) -> int | None:
+    """A square root of which an even power occurs."""
+    return next((i for i in poly.atoms() if atoms.atom(i).kind == "root" and _is_squared(poly, i)), None)
+
+
 def _evened(poly: Poly) -> Scalar:
-    index = next((i for i in poly.atoms() if atoms.atom(i).kind == "root" and _is_squared(poly, i)), None)
+    index = _squared_root(poly)
     if index is None:
         return Scalar(poly)
     radicand, total = atoms.atom(index).arg, NOTHING

@@ -20,6 +20,7 @@ class Style:
     With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
     `whole`, sums get whole coefficients, as above a bar whose denominator has them. `greater` holds
     pairs of parameters of which the first is known to be the greater one: R - a, never a - R.
+    With `tangents`, sin A / cos A is printed tan A.
     """
 
     rank: Mapping[str, tuple] = field(default_factory=dict)
@@ -27,6 +28,7 @@ class Style:
     dimensions: Mapping[str, Dimension] = field(default_factory=dict)
     whole: bool = False
     greater: frozenset[tuple[str, str]] = frozenset()
+    tangents: bool = True
 
 
 PLAIN = Style()

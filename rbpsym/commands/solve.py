@@ -84,6 +84,9 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         yield from table(title, values, drawn)
     yield from _equilibria(answer, drawn)
     yield from _conditions(answer, drawn)
+    yield from _friction(answer, drawn)
+    for phase in answer["phases"]:
+        yield from _phase(phase, drawn)
     yield ""
     yield verdict_line(answer["verdicts"])
 
@@ -149,6 +152,29 @@ def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
         yield f"  {drawn.formula(item['force'])} vanishes {where}"
 
 
+def _friction(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+    needed = [item for item in answer["static_friction"] if item["needed"] is not None]
+    if needed:
+        yield click.style("static friction that is needed", dim=True)
+    for item in needed:
+        yield f"  {drawn.formula(item['friction'])}: coefficient of at least {drawn.formula(item['needed'])}"
+
+
+def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+    """A further phase: when and where it begins, how fast things then move, what the blow brought and cost."""
+    yield click.style(f"phase “{phase['name']}”", bold=True)
+    values = {"t": phase["time"], **(phase["at"] or {})}
+    speeds = {f"{name}_dot": value for name, value in (phase["speeds"] or {}).items()}
+    yield from table("begins at", values, drawn)
+    yield from table("with the speeds", speeds, drawn)
+    yield from table("impulses", {n: v for n, v in (phase["impulses"] or {}).items() if v != "0"}, drawn)
+    if phase["energy_lost"] not in (None, "0"):
+        yield f"  {click.style('energy lost', dim=True)} {drawn.formula(phase['energy_lost'])}"
+    accelerations = {f"{name}_ddot": value for name, value in (phase["accelerations"] or {}).items()}
+    yield from table("accelerations", accelerations, drawn)
+    yield from table("unknown forces", phase["reactions"], drawn)
+
+
 def verdict_line(verdicts: Mapping[str, Any]) -> str:
     """What was proved, in one line."""
     parts = [f"{verdicts['proved']} of {verdicts['steps']} steps proved"]
@@ -156,5 +182,6 @@ def verdict_line(verdicts: Mapping[str, Any]) -> str:
         parts.append("methods agree" if verdicts["methods_agree"] else "METHODS DISAGREE")
     parts.append(f"Lagrange: {str(verdicts['lagrange']).lower()}")
     if verdicts["simulation"]:
-        parts.append(f"simulation agrees to {verdicts['simulation']['max_relative_error']:.0e}")
+        error = verdicts["simulation"]["max_relative_error"]
+        parts.append(f"simulation {'agrees to' if error <= CLOSE else 'DIFFERS by'} {error:.0e}")
     return "; ".join(parts)

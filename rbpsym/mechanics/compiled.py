@@ -72,4 +72,3 @@ def _check_numbers(entries, known: set[str], problem: Problem) -> None:
             f"the accelerations of “{problem.name}” need a number for {', '.join(missing)}",
             instead="give every parameter a value: {" + ", ".join(f'"{name}": 1.0' for name in missing) + "}.",
         )
-
