@@ -12,9 +12,10 @@ from fractions import Fraction
 from math import lcm
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.evaluate import BARE, Scope, scalar
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.notation import tree as t
@@ -32,30 +33,44 @@ class Roots:
     assumptions: Assumptions
     orders: dict[t.Node, int] = field(default_factory=dict)
     names: dict[t.Node, str] = field(default_factory=dict)
+    scope: Scope = BARE
+    values: list[tuple[Scalar, t.Node]] = field(default_factory=list)
+
+    def same(self, base: t.Node) -> t.Node:
+        """The base noted before that has the same value, or this one."""
+        if isinstance(base, (t.Sym, t.Num)):
+            return base
+        value = scalar(base, self.scope)
+        for known, other in self.values:
+            if is_zero(cross_difference(known, value)):
+                return other
+        self.values.append((value, base))
+        return base
 
     def note(self, node: t.Node) -> None:
         """Note the roots of a tree."""
         for part in t.walk(node):
-            for base, exponent in _powers(part, self.assumptions):
+            for found, exponent in _powers(part, self.assumptions):
+                base = self.same(found)
                 self.orders[base] = lcm(self.orders.get(base, 1), exponent.denominator)
                 self.names.setdefault(base, f"root_{len(self.names) + 1}")
 
     def without(self, node: t.Node) -> t.Node:
         """The tree with roots as powers of the new symbols."""
-        found = list(_powers(node, self.assumptions))
+        found = [(self.same(base), exponent) for base, exponent in _powers(node, self.assumptions)]
         if not found:
             return mapped(node, self.without)
         return t.Mul(tuple(t.Pow(t.Sym(self.names[b]), t.Num(n * self.orders[b])) for b, n in found))
 
-    def meanings(self) -> dict[str, Scalar]:
+    def meanings(self, given: Assumptions) -> dict[str, Scalar]:
         """What the positive symbols under roots are: x = u³."""
-        plain = (base for base in self.orders if isinstance(base, t.Sym))
+        plain = (base for base in self.orders if _is_positive_symbol(base, given))
         return {base.name: symbol(self.names[base]) ** self.orders[base] for base in plain}
 
-    def reduced(self, value: Scalar, scope: Scope) -> Scalar:
+    def reduced(self, value: Scalar, scope: Scope, given: Assumptions) -> Scalar:
         """A polynomial in which no root stands to its order or more."""
         for base, order in self.orders.items():
-            if not isinstance(base, t.Sym):
+            if not _is_positive_symbol(base, given):
                 value = _reduced(value, self.names[base], order, scalar(self.without(base), scope))
         return value
 
@@ -64,14 +79,24 @@ def equal_with_roots(answer: t.Node, key: t.Node, assumptions: Assumptions, scop
     """PROVED or UNDECIDED for formulas with cube roots and the like; None for formulas without."""
     if not any(_is_root(part) for side in (answer, key) for part in t.walk(side)):
         return None
-    roots = Roots(assumptions)
+    for factors in (assumptions, NONE):  # positive factors taken out, then radicands as they stand
+        found = _decided(answer, key, Roots(factors, scope=scope), assumptions)
+        if found.is_proved:
+            return found
+    return undecided("a root of higher order")
+
+
+def _decided(answer: t.Node, key: t.Node, roots: Roots, assumptions: Assumptions) -> Verdict:
     for side in (answer, key):
         roots.note(side)
-    scope = scope.with_scalars(roots.meanings())
+    scope = roots.scope.with_scalars(roots.meanings(assumptions))
     given = assumptions.with_signs(dict.fromkeys(roots.names.values(), "positive"))
     gap = cross_difference(*(scalar(roots.without(side), scope) for side in (answer, key)))
-    found = scalars_equal(roots.reduced(gap, scope), NOTHING, given)
-    return found if found.is_proved else undecided("a root of higher order")
+    return scalars_equal(roots.reduced(gap, scope, assumptions), NOTHING, given)
+
+
+def _is_positive_symbol(base: t.Node, given: Assumptions) -> bool:
+    return isinstance(base, t.Sym) and given.sign_of(base.name) == "positive"
 
 
 def _reduced(value: Scalar, name: str, order: int, base: Scalar) -> Scalar:

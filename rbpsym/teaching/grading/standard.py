@@ -38,8 +38,32 @@ def _cbrt(node: t.Node) -> t.Node:
     return t.Pow(node, t.Div(t.ONE, t.Num(3)))
 
 
+def _over_one(function: Made) -> Made:
+    return lambda node: t.Div(t.ONE, function(node))
+
+
+def _square_and(node: t.Node, one: t.Node) -> t.Node:
+    return t.Sqrt(t.Add((t.Pow(node, t.TWO), one)))
+
+
+def _asinh(node: t.Node) -> t.Node:
+    return t.Fn("ln", t.Add((node, _square_and(node, t.ONE))))
+
+
+def _acosh(node: t.Node) -> t.Node:
+    return t.Fn("ln", t.Add((node, _square_and(node, t.Neg(t.ONE)))))
+
+
+def _atanh(node: t.Node) -> t.Node:
+    return t.Div(t.Fn("ln", t.Div(t.Add((t.ONE, node)), t.Add((t.ONE, t.Neg(node))))), t.TWO)
+
+
 MADE: Mapping[str, Made] = MappingProxyType({
-    **FUNCTIONS, "sinh": _sinh, "cosh": _cosh, "tanh": _tanh, "log10": _log10, "lg": _log10, "cbrt": _cbrt,
+    **FUNCTIONS, "sinh": _sinh, "cosh": _cosh, "tanh": _tanh, "log10": _log10, "lg": _log10, "cbrt": _cbrt, "root": t.Sqrt,
+    "log_10": _log10, "cosec": FUNCTIONS["csc"], "cotan": FUNCTIONS["cot"], "sech": _over_one(_cosh), "csch": _over_one(_sinh),
+    "cosech": _over_one(_sinh), "coth": _over_one(_tanh), "tg": FUNCTIONS["tan"], "sen": FUNCTIONS["sin"],
+    **dict.fromkeys(("asinh", "arcsinh", "arsinh"), _asinh), **dict.fromkeys(("acosh", "arccosh", "arcosh"), _acosh),
+    **dict.fromkeys(("atanh", "arctanh", "artanh"), _atanh),
 })  # fmt: skip
 PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain)
 EULER = "e"

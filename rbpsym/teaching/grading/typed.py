@@ -64,8 +64,40 @@ def _signs(text: str, book: Book) -> str:
     return dotted("".join(_SIGNS.get(char, char) for char in text))
 
 
+_TWO = re.compile(r"\b(root|lg|log)\s*\(")
+_CALL = re.compile(r"[A-Za-z]\w*\s*\([^()]*\d,\d")
+
+
+def _two_arguments(text: str, book: Book) -> str:
+    """root(x, n) is x^(1/n), log(x, b) is ln x / ln b."""
+    if book.language != "en":
+        return text
+    for found in reversed(list(_TWO.finditer(text))[:20]):
+        parts = _arguments_from(text, found.end())
+        if parts and len(parts[0]) == 2:
+            (first, second), end = parts
+            made = f"(({first})^(1/({second})))" if found[1] == "root" else f"(ln({first})/ln({second}))"
+            text = text[: found.start()] + made + text[end:]
+    return text
+
+
+def _arguments_from(text: str, start: int) -> tuple[list[str], int] | None:
+    """(arguments between commas, where the parenthesis ends); None if it never does."""
+    depth, parts, begin = 0, [], start
+    for place in range(start, len(text)):
+        char = text[place]
+        if char == ")" and depth == 0:
+            return [*parts, text[begin:place]], place + 1
+        if char == "," and depth == 0:
+            parts.append(text[begin:place])
+            begin = place + 1
+        depth += (char == "(") - (char == ")")
+    return None
+
+
 def _numbers(text: str, book: Book) -> str:
-    text = with_decimal_points(text, book.language)
+    if book.language != "en" or not _CALL.search(text):  # f(2,3) in English: two arguments, not 2.3
+        text = with_decimal_points(text, book.language)
     text = re.sub(r"(?<=\d)\.(?![\d\w])", "", text)
     if "e" not in book.names:
         text = re.sub(rf"(?<![\w.])({_NUMBER})[eE]([+\-−]?\d{{1,3}})(?![\w.])", r"(\1*10^(\2))", text)
@@ -111,5 +143,5 @@ def _arguments(text: str, book: Book) -> str:
 
 
 STEPS: tuple[Callable[[str, Book], str], ...] = (
-    _signs, _constants, _numbers, _degrees, _rates, _times, spelled, _arguments,
+    _signs, _constants, _two_arguments, _numbers, _degrees, _rates, _times, spelled, _arguments,
 )  # fmt: skip

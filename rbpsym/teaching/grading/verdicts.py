@@ -5,6 +5,9 @@ from __future__ import annotations
 from rbpsym.algebra.evaluate import Scope, scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import equal
+from rbpsym.equality.domain import Condition, conditions, holds_at
+from rbpsym.equality.enclosure import sign_of
+from rbpsym.equality.points import Point, points
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.notation.tree import Node
@@ -25,6 +28,8 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
         return first
     is_short = is_small(answer, key)
     found = _by_algebra(answer, key, ground.assumptions, ground.scope) if is_short else TOO_LARGE
+    if found.is_proved and found.open_obligations and has_other_domain(answer, key, ground):
+        return undecided("equal where both have a value, but they have one at different places")
     if found.is_proved or found.is_refuted:
         return found
     by_point = ground.sampling.differ(answer, key)
@@ -39,6 +44,31 @@ def _by_algebra(answer: Node, key: Node, assumptions: Assumptions, scope: Scope)
         return undecided(error.what)
     except ZeroDivisionError:
         return undecided("a denominator is identically zero")
+
+
+SIGNED = (">=", ">")
+POINTS = 12
+
+
+def has_other_domain(answer: Node, key: Node, ground: Ground) -> bool:
+    """Is there a point where, for the sign of a radicand or of the argument of a logarithm, only one of them has a value?"""
+    sides = [[c for c in conditions(side, ground.scope) if c.op in SIGNED] for side in (answer, key)]
+    if {(c.op, c.value) for c in sides[0]} == {(c.op, c.value) for c in sides[1]}:
+        return False
+    for point in points([c.value for side in sides for c in side], ground.assumptions, POINTS):
+        met = [all(holds_at(c, point) for c in side) for side in sides]
+        broken = [any(_is_broken(c, point) for c in side) for side in sides]
+        if (met[0] and broken[1]) or (met[1] and broken[0]):
+            return True
+    return False
+
+
+def _is_broken(condition: Condition, point: Point) -> bool:
+    """Does the condition surely not hold?"""
+    try:
+        return sign_of(point.value(condition.value)) == -1
+    except (ArithmeticError, KeyError):
+        return False
 
 
 def divides_by_zero(answer: Node, ground: Ground) -> bool:

@@ -10,12 +10,18 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-from rbpsym.notation.infix_names import FUNCTIONS
 from rbpsym.notation.letters import LETTERS, SAME_LETTER, names_of_letter
 from rbpsym.teaching.grading.book import Book
+from rbpsym.teaching.grading.standard import MADE
 
-MORE_FUNCTIONS = ("sinh", "cosh", "tanh", "log10", "lg", "cbrt")
-CALLED = frozenset({*FUNCTIONS, *MORE_FUNCTIONS})
+CALLED = frozenset(MADE)
+# names of functions that are not known here: never cut into symbols, so that max is not m a x
+OTHER_FUNCTIONS = frozenset((
+    "max", "min", "mod", "sign", "sgn", "floor", "ceil", "round", "diff", "int", "integrate", "lim", "limit", "sum", "prod",
+    "atan2", "arctan2", "asec", "acsc", "acot", "arcsec", "arccsc", "arccot", "arg", "erf", "fact", "factorial", "pow", "exp2",
+    "log2", "deriv", "solve", "simplify", "expand", "factor", "eval", "exec", "import", "print", "lambda", "matrix", "vector",
+    "and", "or", "not", "if", "else", "true", "false", "inf", "nan",
+))  # fmt: skip
 GREEK = "".join((*LETTERS.values(), *SAME_LETTER))
 SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵪ"
 _PLAIN = str.maketrans(SUBSCRIPTS, "0123456789aehijklmnoprstuvxβγρχ")
@@ -54,7 +60,7 @@ def spelled(text: str, book: Book) -> str:
 
 def _spelled(word: str, book: Book, raised: bool) -> str:
     whole = lookup(word, book)
-    if whole or word in CALLED:
+    if whole or word in CALLED or word.lower() in OTHER_FUNCTIONS:
         return whole or word
     pieces = [piece for chunk in _CHUNK.findall(word) for piece in _pieces(chunk, book)]
     return word if raised and len(pieces) > 1 else " ".join(pieces)
@@ -100,7 +106,7 @@ def _in_plain_letters(stem: str) -> Iterator[str]:
 
 def _cut(chunk: str, book: Book) -> tuple[str, ...]:
     """The one shortest way to cut a word; empty if there is none or more than one."""
-    if len(chunk) > LONGEST:
+    if len(chunk) > LONGEST or chunk.lower() in OTHER_FUNCTIONS:
         return ()
     best: list[tuple[int, set[tuple[str, ...]]]] = [(0, {()})]
     for end in range(1, len(chunk) + 1):
