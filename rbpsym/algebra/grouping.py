@@ -96,9 +96,9 @@ def leads_positive(poly: Poly, style: Style) -> bool:
 
 
 def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
-    """The two symbols of c (x - y), x the one with the sign `first`."""
+    """The two symbols of c (x - y), x the one with the sign `first`; c may hold further factors."""
     found = {}
-    for m, c in poly.terms.items():
+    for m, c in poly.scaled(1, inverse(_common_powers(poly))).terms.items():
         if len(m) == 1 and m[0][1] == 1:
             found[c] = atoms.symbol_name(m[0][0])
     size = next(iter(found), 0)

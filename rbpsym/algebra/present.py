@@ -45,6 +45,9 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         return present(Scalar(num) / Scalar(den), style, factor=factor)
     if _is_upside_down(den, style):
         num, den = -num, -den
+    broken = taken_out(den, style)[0].denominator
+    if broken != 1:
+        num, den = num.scaled(broken), den.scaled(broken)
     den = present_poly(den, style, factor)
     coefficient, common, rest = taken_out(num, style)
     more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
