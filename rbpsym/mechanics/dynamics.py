@@ -15,6 +15,7 @@ from math import prod
 
 from rbpsym.algebra.calculus import derivative, names_in, substitute
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, total
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError, StatementError
@@ -134,8 +135,10 @@ def solve(system: System) -> Dynamics:
     mass, forcing, ideal = equations_of_motion(system)
     if not all(ideal.values()):
         return _solve_together(system, mass, ideal)
-    accelerations = _accelerations(system, mass, forcing)
-    return Dynamics(mass, forcing, accelerations, _reactions(system, accelerations), _workless(system, ideal), ideal)
+    found = _accelerations(system, mass, forcing)
+    accelerations = None if found is None else {n: without_even_roots(value) for n, value in found.items()}
+    reactions = {n: without_even_roots(value) for n, value in _reactions(system, accelerations).items()}
+    return Dynamics(mass, forcing, accelerations, reactions, _workless(system, ideal), ideal)
 
 
 def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:

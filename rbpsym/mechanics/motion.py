@@ -9,6 +9,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly, generator
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
@@ -45,7 +46,7 @@ def from_integral(system: System, integral: Scalar, name: str, known: Mapping[st
     if not is_zero(now - half_mass * symbol(speed) ** 2 - rest):
         return None
     start = substitute(integral, system.scope.start)
-    return short((start - rest) / half_mass)
+    return short(without_even_roots((start - rest) / half_mass))
 
 
 def _at_rest(value: Scalar, name: str, square: Scalar) -> Scalar:
