@@ -188,7 +188,7 @@ def word(measure: Measure, notation: Notation) -> t.Word:
     return t.Word(measure_text(measure, notation.decimal))
 
 
-def is_given(name: str, measure: Measure, notation: Notation) -> t.Node:
+def given_as(name: str, measure: Measure, notation: Notation) -> t.Node:
     """name = 2.50 m."""
     return t.equation(t.Sym(name), word(measure, notation))
 

@@ -12,7 +12,7 @@ from rbpsym.teaching.bench import (
     Setting,
     asked_unit,
     formula_of,
-    is_given,
+    given_as,
     numbers_at,
     with_numbers,
     word,
@@ -29,7 +29,7 @@ def where_text(setting: Setting) -> Inlines:
     place = setting.situation.place
     if place is None:
         return ()
-    return spoken(setting.said, "ask.place", place=is_given(*place, _notation(setting)))
+    return spoken(setting.said, "ask.place", place=given_as(*place, _notation(setting)))
 
 
 def _notation(setting: Setting):

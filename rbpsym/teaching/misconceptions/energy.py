@@ -253,6 +253,7 @@ MISCONCEPTIONS = (
         _small_angle,
         frozenset({"acceleration", "speed"}),
     ),
+    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS, WELL),
     Misconception(
         "contact-forces-do-no-work",
         ("sherwood-1983", "carnero-1993", "paper"),
@@ -266,7 +267,6 @@ MISCONCEPTIONS = (
         WORKS,
     ),
     Misconception("all-work-is-rotational", ("lindsey-2009", "mungan-2005"), _whole_in_rotation, WORKS),
-    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS, WELL),
     Misconception("works-always-cancel", ("paper", "carnero-1993"), _always_cancel, WORKS, WELL),
     Misconception("works-add-up", ("paper", "carnero-1993"), _never_cancel, WORKS, WELL),
 )

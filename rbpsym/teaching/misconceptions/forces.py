@@ -21,7 +21,6 @@ from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions.change import (
     arm_of,
     is_nonzero,
-    of_kind,
     sign_of,
     weights,
     with_elements,
@@ -237,17 +236,6 @@ def _wrong_sense(study: Study) -> Iterator[Site]:
         yield Site({"body": BodyRef(name)}, lambda system=system: with_parts(study, system=system))
 
 
-def _pulley_at_rest(study: Study) -> Iterator[Site]:
-    """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
-    from rbpsym.teaching.misconceptions.change import with_inertia
-
-    for element in of_kind(study, "string"):
-        for turn in element["path"]:
-            name = turn.body
-            if turn.sense and name is not None and study.system.bodies[name].moment:
-                yield Site({"body": BodyRef(name)}, lambda name=name: with_inertia(study, name, moment=NOTHING))
-
-
 MISCONCEPTIONS = (
     Misconception("force-sign", ("flores-2004", "arons-1997"), _force_sign, MOTION, NO_FORCES),
     Misconception("torque-sign", ("ortiz-heron-shaffer-2005", "rimoldini-singh-2005"), _one_torque_sign, MOTION, WELL),
@@ -266,5 +254,4 @@ MISCONCEPTIONS = (
     Misconception(
         "wrong-sense-of-rotation", ("mashood-singh-2012", "paper"), _wrong_sense, MOTION | {"momentum"}, WELL
     ),
-    Misconception("same-tension-on-both-sides", ("mcdermott-1994",), _pulley_at_rest, MOTION),
 )

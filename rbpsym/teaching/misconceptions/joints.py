@@ -162,6 +162,15 @@ def _hanging(study: Study, element: Element) -> list[str]:
     return sorted(own - others) if len(study.system.bodies) > 1 else []
 
 
+def _pulley_at_rest(study: Study) -> Iterator[Site]:
+    """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
+    for element in of_kind(study, "string"):
+        for turn in element["path"]:
+            name = turn.body
+            if turn.sense and name is not None and study.system.bodies[name].moment:
+                yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+
+
 MISCONCEPTIONS = (
     Misconception("free-taken-as-welded", ("paper", "kleppner-kolenkow"), _free_as_welded, SPIN, WELL),
     Misconception("welded-taken-as-free", ("paper", "rimoldini-singh-2005"), _welded_as_free, SPIN, NO_INERTIA),
@@ -173,4 +182,5 @@ MISCONCEPTIONS = (
     Misconception("friction-is-mu-n", ("rimoldini-singh-2005", "besson-2007"), _friction_is_mu_n, MOTION),
     Misconception("friction-wrong-way", ("rimoldini-singh-2005", "lopez-2003"), _friction_wrong_way, MOTION),
     Misconception("tension-is-weight", ("mcdermott-1994", "close-gomez-heron-2013"), _held_is_weight, MOTION | FORCES),
+    Misconception("same-tension-on-both-sides", ("mcdermott-1994",), _pulley_at_rest, MOTION),
 )

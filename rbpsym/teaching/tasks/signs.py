@@ -14,7 +14,7 @@ from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ENERGY
-from rbpsym.teaching.bench import Bench, Prepared, Setting, is_given
+from rbpsym.teaching.bench import Bench, Prepared, Setting, given_as
 from rbpsym.teaching.model import Asked, Item, SignRow, SignsKey
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.targets import force_symbol
@@ -102,7 +102,7 @@ def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], sig
     )
     coordinate = next(c for c in bench.study.problem.coordinates if c.name == setting.scenery.coordinate)
     start = t.equation(t.Sym(coordinate.name), coordinate.start)
-    end = is_given(*setting.situation.place, bench.notation)
+    end = given_as(*setting.situation.place, bench.notation)
     prompt = spoken(setting.said, "ask.signs", start=start, end=end)
     points = wish.points if wish.points is not None else Fraction(len(rows))
     return Item(
