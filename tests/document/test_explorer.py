@@ -245,6 +245,20 @@ def test_what_can_not_be_explored_gets_a_sentence(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
+def test_numbers_without_a_start_get_a_sentence(tmp_path: Path) -> None:
+    text = problem_files()["sliding-ladder"].read_text(encoding="utf-8")
+    text = re.sub(r'start   = "theta_0"[^\n]*', 'start = "acos(h/ell)"', text).replace(
+        "[parameters]", '[parameters]\nh = "length: height"'
+    )
+    text = text.replace("theta_0 =", "h =").replace("70 deg", "5 m")
+    file = tmp_path / "ladder.toml"
+    file.write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(main, ["explore", str(file), "-o", str(tmp_path / "out")])
+    assert result.exit_code == 2
+    assert "there is no start" in result.output
+    assert not (tmp_path / "out").exists()
+
+
 def test_the_scripts_hold_no_formula_of_a_problem() -> None:
     """The templates are shells; what moves is in the package and knows no problem."""
     assert "<script>" in (data_folder("templates") / "explorer.html").read_text(encoding="utf-8")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -13,7 +14,8 @@ from rbpsym.document.explorer.stage import Ending, Phase, phase
 from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -50,6 +52,7 @@ def model(problem: Problem, language: str) -> Model:
     study = parts[0].study
     numbers = sliders(study)
     names = tuple(slider.name for slider in numbers)
+    _require_start(study, {slider.name: slider.value for slider in numbers})
     phases = tuple(_phase(problem, parts, k, names) for k in range(len(parts)))
     data = {
         "name": problem.name,
@@ -72,6 +75,20 @@ def model(problem: Problem, language: str) -> Model:
 
 def _bodies(study: Study, said: Words) -> list[str]:
     return [said.body(name) for name in study.problem.body_names]
+
+
+def _require_start(study: Study, numbers: dict[str, float]) -> None:
+    """Raises StatementError if the numbers of the example give no start."""
+    for name, value in study.system.scope.start.items():
+        try:
+            found = number(value, numbers)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            found = math.nan
+        if not math.isfinite(found):
+            raise StatementError(
+                f"with the numbers of the example there is no start: “{name}” has no value",
+                instead="give other numbers under [example].",
+            )
 
 
 def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
