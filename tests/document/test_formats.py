@@ -234,7 +234,7 @@ def test_a_kernel_runs_the_notebook_and_shows_pages() -> None:
     client = pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
     notebook = nbformat.reads(writer("ipynb")(rbpsym.notes(ladder())), 4)
-    client.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+    client.NotebookClient(notebook, timeout=240, startup_timeout=240, kernel_name="python3").execute()
     data = [output["data"] for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
     assert sum("text/html" in found and "<math" in found["text/html"] for found in data) >= 3
 

@@ -89,8 +89,8 @@ def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
 
 def quoted(text: str) -> str:
     """The text as a literal of Python, on several lines where it can be."""
-    plain = '"""' not in text
-    return f'r"""\n{text.strip()}\n"""' if plain and "\r" not in text else repr(text)
+    plain = '"""' not in text and all(char.isprintable() or char in "\n\t" for char in text)
+    return f'r"""\n{text.strip()}\n"""' if plain else repr(text)
 
 
 def checking(page: MarkdownPage) -> Iterator[Cell]:

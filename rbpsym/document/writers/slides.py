@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from rbpsym.document import breaking
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.tikz import tikz_styles
+from rbpsym.document.figures.tikz import tikz_styles, to_tikz
 from rbpsym.document.model import (
     Block,
     Callout,
@@ -24,7 +24,7 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import BABEL, LATEX, anchor, blocks
-from rbpsym.document.writers.page import Page, page_for, page_of, shell
+from rbpsym.document.writers.page import Page, Print, page_for, page_of, shell
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.latex import PREAMBLE
@@ -33,12 +33,13 @@ COLUMN = 36.0  # em of formulas; text has 40
 TEXT = 40.0
 FULL = 24.0  # em of a frame below its title
 CENTIMETRE = 2.85  # em
+WIDEST = TEXT / CENTIMETRE  # cm of a figure
 
 
 def write_slides(document: Document) -> str:
     """The document as a LaTeX source for beamer."""
     document = numbered(document)
-    page = page_for(document, LATEX, COLUMN)
+    page = page_for(document, SLIDES, COLUMN)
     tops = [part for part in document.sections if part.level == 1]
     return shell(
         "slides.tex",
@@ -186,16 +187,26 @@ def row_height(row: tuple, page: Page) -> float:
     return max(2.6 if tall > 1.6 else 1.3, tall * 1.1 + 0.4, 2.5 if wordy and len(row) > 1 else 0)
 
 
+def figure(block: FigureBlock, page: Page) -> str:
+    """Scenes side by side, made smaller where they are a little too wide for a frame."""
+    content = "\\quad\n".join(to_tikz(scene, page.notation) for scene in block.scenes)
+    content = rf"\resizebox{{\linewidth}}{{!}}{{{content}}}" if figure_width(block, page) > WIDEST else content
+    caption = rf"\caption{{{page.inlines(block.caption)}}}{anchor(block.label)}"
+    return f"\\begin{{figure}}\\centering\n{content}\n{caption}\n\\end{{figure}}"
+
+
+def figure_width(block: FigureBlock, page: Page) -> float:
+    """The width of its scenes side by side, in cm."""
+    bounds = [placed(scene, page.notation).bounds for scene in block.scenes]
+    return sum(right - left for left, _, right, _ in bounds) + 0.35 * (len(bounds) - 1)
+
+
 def figure_height(block: FigureBlock, page: Page) -> float:
-    """Its scenes in rows, and the caption."""
-    rows, wide = [0.0], 0.0
-    for scene in block.scenes:
-        left, bottom, right, top = placed(scene, page.notation).bounds
-        wide += right - left
-        if wide > TEXT / CENTIMETRE:
-            rows, wide = [*rows, 0.0], right - left
-        rows[-1] = max(rows[-1], top - bottom)
-    return sum(rows) * CENTIMETRE + 1.0 + text_height(block.caption, page)
+    """Its scenes in a row, and the caption."""
+    bounds = [placed(scene, page.notation).bounds for scene in block.scenes]
+    tallest = max((top - bottom for _, bottom, _, top in bounds), default=0.0)
+    share = min(1.0, WIDEST / max(figure_width(block, page), 1e-9))
+    return tallest * share * CENTIMETRE + 1.0 + text_height(block.caption, page)
 
 
 HEIGHTS: Mapping[type, Callable[..., float]] = {
@@ -206,3 +217,5 @@ HEIGHTS: Mapping[type, Callable[..., float]] = {
     ItemList: lambda block, page: sum(text_height(item, page, TEXT - 3) for item in block.items) + 0.5,
     Callout: lambda block, page: 2.6 + sum(height(inner, page) for inner in block.blocks),
 }
+
+SLIDES: Mapping[type, Print] = {**LATEX, FigureBlock: figure}
