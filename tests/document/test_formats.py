@@ -316,3 +316,55 @@ def test_every_format_has_files_by_its_name() -> None:
         found = files(sample(), name, "x")
         assert all(file.startswith("x") for file in found)
         assert all(found.values())
+
+
+# --- rendered pages
+
+
+MARKUP = re.compile(r"\\|\$|&(?:\w+;)?|(?<!\w)#\w|\*\*|\bfrac\b|\bthinspace\b|\{|\}")
+
+
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler is not installed")
+@pytest.mark.parametrize("name", ["typst", "pdflatex", "beamer"])
+def test_no_markup_is_left_on_a_printed_page(name: str, tmp_path: Path) -> None:
+    if name != "typst" and shutil.which("pdflatex") is None:
+        pytest.skip("TeX is not installed")
+    document = rbpsym.notes(ladder(), plots=True)
+    content = compiled(write_slides(document)) if name == "beamer" else write_pdf(document, name)
+    (tmp_path / "x.pdf").write_bytes(content)
+    text = subprocess.run(
+        ["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True
+    ).stdout
+    assert len(text) > 3000
+    assert not MARKUP.search(text), MARKUP.search(text)
+    assert "??" not in text
+
+
+def test_no_markup_is_left_in_word() -> None:
+    root = word(rbpsym.notes(ladder(), plots=True))
+    texts = [part.text or "" for part in root.iter() if part.tag in (f"{W}t", f"{M}t")]
+    assert not [text for text in texts if MARKUP.search(text)]
+
+
+def test_markdown_renders_without_markup_left() -> None:
+    """By a reader of CommonMark with tables; formulas are taken out first, as GitHub does it."""
+    reader = pytest.importorskip("markdown_it").MarkdownIt("commonmark").enable("table")
+    for name in ("md", "ipynb"):
+        content = writer(name)(rbpsym.notes(ladder(), plots=True))
+        cells = json.loads(content)["cells"] if name == "ipynb" else []
+        parts_ = ["".join(c["source"]) for c in cells if c["cell_type"] == "markdown"] or [content]
+        for part in parts_:
+            bare = re.sub(r"\$\$.*?\$\$|\$[^$\n]+\$", "formula", part, flags=re.S)
+            page = re.sub(r"<[^>]*>", "", reader.render(bare))
+            assert not re.search(r"\\|\$|\*\*|\||^#", page, re.M), page
+
+
+@pytest.mark.parametrize("name", ["md", "ipynb"])
+def test_tables_of_markdown_have_equal_rows(name: str) -> None:
+    text = writer(name)(rbpsym.notes(ladder()))
+    text = "".join("".join(c["source"]) + "\n" for c in json.loads(text)["cells"]) if name == "ipynb" else text
+    blocks = re.findall(r"(?:^\|.*\|\n?)+", text, re.M)
+    assert blocks
+    for block in blocks:
+        counts = {len(re.findall(r"(?<!\\)\|", line)) for line in block.strip().splitlines()}
+        assert len(counts) == 1, block
