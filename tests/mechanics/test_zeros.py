@@ -1,0 +1,67 @@
+"""Places where something vanishes, in closed form; bounds of parameters decide signs and sample numbers."""
+
+import pytest
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement import load_text
+
+NAMES = ("a", "b", "c", "x", "theta")
+
+
+def value(text):
+    return scalar(read_infix(text, NAMES))
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "count"),
+    [
+        ("a*x**2 + b*x + c", "x", 2),
+        ("x**2 - a**2*b", "x", 2),
+        ("a*cos(theta)**2 + b*cos(theta) + c", "theta", 4),
+        ("a*sin(theta)**2 + b*cos(theta) + c", "theta", 4),
+        ("a*cos(theta)**2 + b*sin(theta) + c", "theta", 4),
+        ("a*cos(theta) + b*sin(theta)", "theta", 2),
+    ],
+)
+def test_zeros_are_zeros(text, name, count):
+    found = zeros(value(text), name)
+    assert len(found) == count
+    for place in found:
+        assert is_zero(without_even_roots(substitute(value(text), {name: place})))
+
+
+def test_what_has_no_closed_form_has_no_zeros():
+    assert zeros(value("a*cos(theta)**2 + b*sin(theta)*cos(theta) + c*sin(theta)"), "theta") == []
+
+
+BOUNDED = """
+[parameters]
+m = "mass"
+R = "length > 2*r: outer"
+r = "length: inner"
+mu = { dimension = "number", range = ["0", "tan(beta)"] }
+beta = "angle, acute"
+g = "acceleration"
+[coordinates.x]
+dimension = "length"
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+"""
+
+
+@pytest.mark.parametrize("text", ["R - 2*r", "R**2 - 4*r**2", "tan(beta) - mu", "cos(beta)", "sin(beta)*cos(beta)"])
+def test_bounds_decide_signs(text):
+    study = Study(load_text(BOUNDED))
+    names = [q.name for q in study.problem.parameters]
+    assert sign(scalar(read_infix(text, names)), study.assumptions).kind == "positive"
+    assert number(scalar(read_infix(text, names)), sample(study.problem)) > 0
