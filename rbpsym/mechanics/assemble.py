@@ -115,10 +115,10 @@ def _settled(pose: Pose, solved: Mapping[str, Scalar]) -> Pose:
 
 
 def _refuse_frozen(problem: Problem, implicit: tuple[Condition, ...], free: tuple[str, ...]) -> None:
-    """As many implicit conditions as coordinates would leave no motion."""
+    """As many implicit conditions as coordinates would leave no motion, unless one holds the time: then it drives."""
     for condition in implicit:
         used = [name for name in free if depends_on(condition.value, name)]
-        if len(used) <= 1:
+        if len(used) < (1 if depends_on(condition.value, CLOCK) else 2):
             element = next(e for e in problem.constraints if e.name == condition.constraint)
             raise contradiction(condition, element, _text(condition.value))
 
