@@ -64,6 +64,12 @@ PARTS = [
     ("3/4", 0.75, "", 2, "vf"),
     ("0.75", 0.75, "", 2, "vf"),
     ("0.75 m", 0.75, "", 2, "v"),
+    ("1.2E3*N", 1200, "N", 2, "vuf"),
+    ("(3.1)*m", 3.1, "m", 2, "vuf"),
+    ("~5.0 m/s", 5, "m/s", 2, "vuf"),
+    ("9.81*m*s^-2", 9.81, "m/s^2", 3, "vuf"),
+    ("1 234,5 N", 1234.5, "N", 5, "vuf"),
+    ("28.6 deg", 0.5, "rad", 3, "vuf"),
     ("0 N", 0, "N", 2, "vuf"),
     ("3 N", 0, "N", 2, ""),
 ]
@@ -80,7 +86,8 @@ def test_parts(answer: str, value: float, unit: str, figures: int, right: str) -
 @pytest.mark.parametrize(
     "answer",
     ["abc", "12 foo", "1e400", "9^9^9", "3 m^99", "12 m/s kg", "100!", "1_000", "0x10", "nan", "inf", "2..3", "--", "m",
-     "5 m/s/", "=cmd|' /C calc'!A0", "__import__('os')", "5 \u202em", "1e-400 m", "5 m^(2", "5 (m", "5 ms^"],
+     "5 m/s/", "=cmd|' /C calc'!A0", "__import__('os')", "5 \u202em", "1e-400 m", "5 m^(2", "5 (m", "5 ms^",
+     "5 mps", "5 M/S", "5.0±0.1 m"],
 )  # fmt: skip
 def test_what_is_no_number_gets_a_sentence(answer: str) -> None:
     found = grade_number(answer, 5, "m")

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-EXPECTED = {"==": "right", "!=": "wrong", "??": "invalid"}
+EXPECTED = {"==": "right", "!=": "wrong", "??": "invalid", "~~": "undecided"}
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,6 @@ def rows() -> list[Row]:
                 (name.rstrip("+"), "positive" if name.endswith("+") else "real") for name in line[1:-1].split()
             )
         elif line and not line.startswith("#"):
-            key, sign, answer = re.fullmatch(r"(.*?) (==|!=|\?\?) (.*)", line).groups()
+            key, sign, answer = re.fullmatch(r"(.*?) (==|!=|\?\?|~~) (.*)", line).groups()
             found.append(Row(key, answer, EXPECTED[sign], symbols))
     return found

@@ -57,12 +57,7 @@ def read_quantity(text: str, language: str = "en") -> Typed:
         return _decimal(found, _unit(rest))
     if found and not re.match(r"\s*(?:[*/^(+\-−√π!]|sqrt|pi|\d)", rest):
         return _decimal(found, _unit(rest))
-    if (
-        found
-        and found[3] is None
-        and re.match(r"\s*[/*·]\s*[A-Za-zΩµμ°(]", rest)
-        and not re.match(r"\s*[*·]?\s*pi", rest)
-    ):
+    if found and re.match(r"\s*[/*·]\s*[A-Za-zΩµμ°(]", rest) and not re.match(r"\s*[*·]?\s*pi", rest):
         return _decimal(found, read_unit("1" + rest if rest.strip().startswith("/") else rest.strip()[1:]))
     return _bracketed(found, rest) or _exact(told)
 
@@ -79,7 +74,7 @@ def _bracketed(found: re.Match[str] | None, rest: str) -> Typed | None:
 
 def _bare(text: str, language: str) -> str:
     """The number and unit alone, LaTeX taken off."""
-    told = unframed(re.split(r"[=≈≃]", unframed(text))[-1])
+    told = unframed(re.split(r"[=≈≃]", unframed(text))[-1]).lstrip("~ ")
     if is_latex(told) or "\\" in told or "^{" in told:
         told = _without_latex(told)
     return with_decimal_points(told.replace("º", "°"), language).strip()
@@ -136,7 +131,7 @@ def _exact(told: str) -> Typed:
     first: RbpsymError | None = None
     for end in _cuts(told):
         try:
-            node = read_infix(told[:end], (), functions=MADE)
+            node = read_infix(told[:end].rstrip(" *·"), (), functions=MADE)
             unit = _unit(told[end:])
             low, high = enclosure.ends(enclosed(node))
             return Typed(float((low + high) / 2), unit)

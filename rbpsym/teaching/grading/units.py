@@ -187,7 +187,7 @@ def _units_of(word: str) -> tuple[UnitOf, ...] | None:
     if whole:
         return (whole,)
     for cut in range(1, min(len(word), 8)):
-        first, second = unit_named(word[:cut]), unit_named(word[cut:])
+        first, second = unit_named(word[:cut]), _METRIC.get(word[cut:])
         if first and second:
             return first, second
     return None
