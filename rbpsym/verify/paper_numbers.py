@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 LEVELS = ("chapter", "section", "subsection")
 BOOKS = re.compile(r"\\documentclass(?:\[[^\]]*\])?\{(?:book|report|scrbook|scrreprt|memoir)\}")
@@ -45,20 +44,17 @@ STYLES: Mapping[str, Callable[[int], str]] = {
 }
 
 
-@dataclass
 class Counters:
     """The counters of one text, moved on by its commands; `within` is the level that equations restart at."""
 
-    values: dict[str, int] = field(default_factory=dict)
-    within: str = ""
-    pattern: str = ""
-    lettered: str = ""
-    part: int = 0
+    def __init__(self, within: str = "") -> None:
+        self.values: dict[str, int] = {}
+        self.within, self.pattern, self.lettered, self.part = within, "", "", 0
 
     @classmethod
     def of(cls, text: str) -> Counters:
         """The counters at the beginning of a text: a book counts equations within chapters."""
-        return cls(within="chapter" if BOOKS.search(text) else "")
+        return cls("chapter" if BOOKS.search(text) else "")
 
     def obey(self, found: re.Match[str]) -> None:
         """What a command of COMMANDS does to the counters."""
