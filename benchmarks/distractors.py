@@ -67,7 +67,8 @@ def faults(plan: Plan, seeds: int, seen: dict, counts: Counter) -> Iterator[str]
 
 
 def _numbers(sheet, item: Item) -> dict[str, float]:
-    return {name: si(measure) for name, measure in sheet.part_of(item.id).given.items()}
+    part = sheet.part_of(item.id)
+    return {name: si(measure) for name, measure in {**part.given, **part.place}.items()}
 
 
 def _faults_of(item: Item, numbers: dict[str, float], bench: Bench, seen: dict, counts: Counter) -> Iterator[str]:
@@ -87,13 +88,13 @@ def _faults_of(item: Item, numbers: dict[str, float], bench: Bench, seen: dict, 
                 counts["pairs"] += 1
             if not seen[a, b]:
                 yield f"{item.asked.quantity}: not refuted"
-    place = plan_values(formulas, numbers, seen)
+    place = same_in_print(formulas, numbers, seen)
     if place is not None:
         yield f"{item.asked.quantity}: {place}"
 
 
-def plan_values(formulas, numbers: dict[str, float], seen: dict) -> list[str] | None:
-    """The printed numbers, if two are the same; a coordinate that was drawn is at a generic place here."""
+def same_in_print(formulas, numbers: dict[str, float], seen: dict) -> list[str] | None:
+    """The printed numbers, if two are the same."""
     key = ("evaluate", *formulas)
     if key not in seen:
         seen[key] = compiled([scalar(formula) for formula in formulas])

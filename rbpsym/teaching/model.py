@@ -317,7 +317,10 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """The tasks about one problem: its statement with a figure, the student's numbers, the items."""
+    """The tasks about one problem: its statement with a figure, the student's numbers, the items.
+
+    `place` holds the coordinate (by name) at which the motion is looked at, where something is asked along it.
+    """
 
     problem: str
     title: Inlines
@@ -325,6 +328,7 @@ class Part:
     given: Mapping[str, Measure]
     items: tuple[Item, ...]
     solution: tuple[Block, ...] = ()
+    place: Mapping[str, Measure] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

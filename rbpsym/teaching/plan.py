@@ -140,7 +140,8 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
         if items is not None:
             table = given_table(part.bench.derivation, situation, said)
             title = words(said.title(problem.title))
-            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items)
+            place = dict([situation.place]) if situation.place else {}
+            return Part(problem.name, title, (*part.statement(said), *table), situation.given, items, place=place)
     raise AssertionError("situations end with an error")
 
 

@@ -399,3 +399,19 @@ def test_bad_commands_get_a_sentence(arguments: tuple[str, ...], tmp_path: Path)
 def test_the_folder_of_worksheets_holds_no_problem() -> None:
     assert (library_folder() / "worksheets").is_dir()
     assert {"spin-part", "works-that-cancel", "spring-whose-works-do-not-cancel"} <= set(worksheet_files())
+
+
+def test_the_documentation_names_everything() -> None:
+    from rbpsym.teaching.formats import EXPORTERS
+    from rbpsym.teaching.misconceptions.literature import SOURCES
+    from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+    from rbpsym.teaching.sheet import PROBLEM_KEYS, RANGE_KEYS, SHEET_KEYS, TASK_KEYS
+    from rbpsym.teaching.tasks.registry import TASKS
+
+    text = (ROOT / "docs" / "worksheets.md").read_text(encoding="utf-8")
+    names = {*TASKS, *MISCONCEPTIONS, *EXPORTERS, *SHEET_KEYS, *TASK_KEYS, *RANGE_KEYS, *PROBLEM_KEYS}
+    assert not [name for name in names if f"`{name}`" not in text and f"[[problem.{name}]]" not in text
+                and f"[[{name}]]" not in text]  # fmt: skip
+    assert all(source in text for source in SOURCES.values())
+    sheet = sheet_of_text(text.split("```toml\n")[1].split("```")[0])
+    assert len(plan_of(sheet).worksheet().items) == 3
