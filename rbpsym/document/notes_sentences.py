@@ -44,11 +44,10 @@ def _pair(element: Element, pose: DrawnPose, said: Words) -> Slots:
 def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
     """A point or a round body on a line; other curves are named by what they are."""
     what = element.values.get("point") or element.values.get("body")
-    line = element.values.get("line")
-    if line is None or element.values.get("of") or what is None:
+    if what is None:
         return _other(element, pose, said) | {"key": "statement.other"}
     toucher = point_in_words(what, pose, said) if isinstance(what, PointRef) else said.the(str(what))
-    slots: Slots = {"point": toucher, "line": line_in_words(line, pose, said)}
+    slots: Slots = {"point": toucher, "line": _curve(element, pose, said)}
     if element.values.get("friction"):
         slots["friction"] = t.Sym(str(element["friction"]))
     if element.values.get("coefficient") is not None:
@@ -56,6 +55,23 @@ def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
     if element.values.get("couple"):
         slots["couple"] = t.Sym(str(element["couple"]))
     return slots
+
+
+def _curve(element: Element, pose: DrawnPose, said: Words) -> Inlines:
+    """What is touched: a line or a circle, fixed or of a body."""
+    if element.values.get("circle") is None:
+        body = element.values.get("of")
+        return said.the(str(body)) if body else line_in_words(element["line"], pose, said)
+    center, side = element["circle"], element.values.get("side")
+    slots = {"radius": element["radius"], "center": point_in_words(center, pose, said)}
+    if center.body and _is_round_itself(element, pose):
+        return said.say("line.inside_body", body=BodyRef(center.body)) if side == "inside" else said.the(center.body)
+    return said.say("line.inside" if side == "inside" else "line.circle", **slots)
+
+
+def _is_round_itself(element: Element, pose: DrawnPose) -> bool:
+    """Is the circle the rim of the body, and not one drawn on it?"""
+    return element["radius"] in pose.study.problem.body(element["circle"].body).shape.sizes.values()
 
 
 def _spring(element: Element, pose: DrawnPose, said: Words) -> Slots:

@@ -212,6 +212,7 @@ def _as_sum(draft: Draft) -> t.Node:
 
 def _speeds(draft: Draft) -> None:
     """Squares of speeds as functions of position."""
+    single = len(draft.study.system.independent) == 1
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)
         statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), _from_start(draft, name, value))
@@ -219,8 +220,8 @@ def _speeds(draft: Draft) -> None:
             f"square.{name}",
             "first_integral",
             statement,
-            "energy.square",
-            premises=["energy"],
+            "energy.square" if single else "energy.square_alone",
+            premises=["energy"] if single else [f"motion.{name}"],
             is_result=True,
             data={"name": name, "value": value},
             source=StepRef("energy"),

@@ -10,7 +10,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.mass import Moments, mass_moments
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics import energy
@@ -27,6 +27,9 @@ def write(draft: Draft) -> None:
         moment = draft.define(draft.of_body("I", name), state.moment)
         draft.context.moments[name] = _by_power(state)
         if not state.moment:
+            continue
+        if not state.omega:
+            _placed_only(draft, name, state)
             continue
         if draft.study.problem.body(name).shape.elements:
             _integrated(draft, name, state, moment)
@@ -48,6 +51,15 @@ def write(draft: Draft) -> None:
                 data=_about(name, state, state.moment),
             )
         _steiner(draft, name, state, moment)
+
+
+def _placed_only(draft: Draft, name: str, state: BodyState) -> None:
+    """Of a body that never turns only the centre of mass is of interest."""
+    elements = draft.study.problem.body(name).shape.elements
+    if elements:
+        moments = mass_moments(draft.study.system, name)
+        if not (is_zero(moments.x) and is_zero(moments.y)) and _shifted_rod(elements, state) is None:
+            _center(draft, name, state, moments, elements)
 
 
 def _by_power(state: BodyState) -> Mapping[int, Scalar]:
@@ -121,8 +133,9 @@ def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node |
 
 def _density(draft: Draft, element: MassElement) -> t.Node:
     """The density as it is written, or worked out where that is shorter."""
-    shown = draft.show(scalar(element.density), factor=True)
-    return shown if len(list(t.walk(shown))) < len(list(t.walk(element.density))) else element.density
+    shown, own = draft.show(scalar(element.density), factor=True), element.density
+    stacked = isinstance(own, t.Div) and any(isinstance(part, t.Div) for part in t.walk(own.den))
+    return shown if length(shown) < length(own) + stacked else own
 
 
 def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:

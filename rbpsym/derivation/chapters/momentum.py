@@ -36,10 +36,9 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
         return False
     if not orbital and any(draft.has(f"momentum.{body}.{other}") for other in draft.study.origins):
         return True  # the spin part is the same about every point
-    formula = t.add(
-        t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body))),
-        t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))),
-    )
+    formula = t.Cross(_arm(draft, body, label), t.Vec(draft.of_body("P", body)))
+    if state.moment and state.omega:
+        formula = t.add(formula, t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
     statement = t.equation(
         t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin)
     )
