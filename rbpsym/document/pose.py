@@ -78,7 +78,7 @@ class DrawnPose:
     def rims(self) -> Mapping[str, tuple[t.Node, ...]]:
         """By body: the radii at which it touches or carries a string, other than those of its outline."""
         found: dict[str, list[t.Node]] = {body.name: [] for body in self.study.problem.bodies}
-        for body, radius in _rims(self.study.problem):
+        for body, radius in touched_radii(self.study.problem):
             own = [self.node(size) for key, size in self.study.problem.body(body).shape.sizes.items() if key in RADII]
             known = [*own, *(self.node(other) for other in found[body])]
             if all(abs(self.node(radius) - other) > 1e-9 for other in known):
@@ -105,7 +105,7 @@ RADII = ("radius", "outer", "inner")
 LENGTHS = (*RADII, "length", "width", "height", "base")
 
 
-def _rims(problem: Problem) -> Iterator[tuple[str, t.Node]]:
+def touched_radii(problem: Problem) -> Iterator[tuple[str, t.Node]]:
     """(body, radius) of all that touches or runs round a body."""
     for element in problem.constraints:
         if element.values.get("rim") is not None:

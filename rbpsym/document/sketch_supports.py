@@ -19,6 +19,7 @@ from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
+from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import runs
 
@@ -157,7 +158,10 @@ def _touched(pose: DrawnPose, element: Element) -> SketchCircle:
 
 
 def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
-    """A bowl, if all that touches the circle is below its centre."""
+    """A bowl, if all that touches the circle is below its centre and no angle goes all round."""
+    turning = [c for c in pose.study.problem.coordinates if c.quantity.dimension == NUMBER and c.start is not None]
+    if any(None in (c.lower, c.upper) for c in turning):
+        return "concave"
     same = [e for e in touching(pose) if e.values.get("circle") and e["circle"].label == element["circle"].label]
     places = [pose.point(meeting(e, geometry_of(pose.study.system)).place) for e in same]
     return "bowl" if all(y < at[1] for _, y in places) else "concave"

@@ -13,6 +13,7 @@ from typing import Any
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
+from rbpsym.document.pose import touched_radii
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -59,12 +60,14 @@ def scenery(study: Study, put: Callable[[Scalar], int]) -> dict[str, list[Part]]
 
 
 def bodies(seen: Scenery) -> Iterator[Part]:
-    """Shape, pose, motion and inertia of each body."""
+    """Shape, circles that it rolls on or that carry strings, pose, motion and inertia of each body."""
+    radii = list(touched_radii(seen.study.problem))
     for body in seen.study.problem.bodies:
         state = seen.study.system.bodies[body.name]
         yield {
             "name": body.name,
             **shape(seen, body.shape),
+            "rims": list(dict.fromkeys(seen.node(radius) for name, radius in radii if name == body.name)),
             "at": seen.at(state.pose.origin),
             "angle": seen.put(state.pose.angle),
             "cm": seen.at(state.center),

@@ -10,7 +10,7 @@ function arc(radius, from, to, count = 48) {
   });
 }
 
-/** kind → sizes → [{points, closed, look}]; look: body, hole, band, dot. */
+/** kind → sizes → [{points, closed, look}]; look: body, hole, rim, band, dot. */
 const OUTLINES = {
   particle: () => [{ points: [[0, 0]], look: "dot" }],
   rod: (s) => [{ points: [[-s.length / 2, 0], [s.length / 2, 0]], look: "band" }],
@@ -40,12 +40,17 @@ function carried([x, y], [u, v], angle) {
 /** The outlines of a body in space, holes last. */
 function outlineOf(body, out) {
   const angle = out[body.angle], at = pick(body.at, out);
-  const parts = body.parts.length ? body.parts : [body];
+  const own = body.parts.length ? body.parts : [body], rims = body.rims.map((place) => out[place]);
+  const parts = rims.length && own.every((part) => part.kind === "given") ? [] : own;
   const found = parts.flatMap((part) => partOutline(part, body, out).map((piece) => ({
     ...piece,
     points: piece.points.map((point) => carried(point, at, angle)),
     origin: carried(part === body ? [0, 0] : pick(part.at, out), at, angle),
   })));
+  rims.sort((a, b) => b - a).forEach((radius, k) => {
+    const points = arc(radius, 0, TURN).map((point) => carried(point, at, angle)), solid = !parts.length && k === 0;
+    found.push({ points, closed: true, origin: at, look: solid ? "body" : "rim", spoke: solid ? radius : 0 });
+  });
   return found.sort((a, b) => (a.look === "hole") - (b.look === "hole"));
 }
 
