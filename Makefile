@@ -2,6 +2,7 @@
 # make test    the whole test suite
 # make check   derive every problem that ships and decide every claim, all of it anew
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
+# make distractors  every wrong answer of every problem, for 200 students: none may look right
 # make lint    style, by ruff
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
@@ -21,7 +22,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test check mutants lint bench library docs clean
+.PHONY: help notes test check mutants distractors lint bench library docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -41,6 +42,9 @@ check: $(VENV)/run.stamp
 
 mutants: $(VENV)/run.stamp
 	@$(BIN)/python -m rbpsym.verify.mutants_run
+
+distractors: $(VENV)/run.stamp
+	@$(BIN)/python benchmarks/slow/distractors.py
 
 lint: $(VENV)/dev.stamp
 	$(BIN)/ruff check .

@@ -1,6 +1,6 @@
 """Distractors over the whole library: none may equal the key or another one, also not in print.
 
-    python benchmarks/distractors.py [SEEDS] [NAME ...]
+    python benchmarks/slow/distractors.py [SEEDS] [NAME ...]
 
 For every problem and every quantity that can be asked, as a formula and as a number, the options of SEEDS students
 (200) are looked at: each pair of formulas is decided anew from the printed trees (it must be REFUTED), and their
