@@ -361,3 +361,18 @@ def test_the_key_and_the_sample_agree() -> None:
     assert isinstance(SHEETS[0].item("1").key, FormulaKey)
     assert value(read_infix(POWERED, NAMES)) == value(SHEETS[0].item("1").key.value)
     assert are_equal(read_infix(POWERED, NAMES), read_infix(SPINLESS, NAMES), ground).is_refuted
+
+
+def test_references_are_resolved_or_told() -> None:
+    """A figure of the question has its number; what is not in the question is called so."""
+    from dataclasses import replace
+
+    from rbpsym.document.model import Paragraph, Ref, Text
+    from rbpsym.teaching.exports.bench import Desk
+    from rbpsym.teaching.exports.page import Paper
+
+    figure = replace(SHEETS[0].parts[0].statement[1], label="fig")
+    text = Desk(SHEETS[0], Paper()).html(
+        (Paragraph((Text("See Figure "), Ref("fig"), Text(" and "), Ref("step.7"))), figure)
+    )
+    assert "See Figure 1 and a step of the derivation" in text and "Figure 1. " in text

@@ -37,7 +37,9 @@ class Desk:
 
     def html(self, blocks: Iterable[Block]) -> str:
         """Blocks as HTML."""
-        return blocks_html(tuple(blocks), self.page)
+        shown = tuple(blocks)
+        self.paper.number(shown)
+        return blocks_html(shown, self.page)
 
     def inlines(self, inlines: Inlines) -> str:
         """Inlines as HTML."""

@@ -165,7 +165,9 @@ def dropdowns(item: Item, desk: Desk, markup: str, fields: Fields) -> Element:
         ]
         inner = (element("material", None, element("mattext", name)), element("render_choice", None, *labels))
         shown.append(element("response_lid", None, *inner, ident=f"response_{name}"))
-        rules.append(condition(answered(f"{name}{right}", f"response_{name}"), score(f"{100 / len(fields):.4f}", "Add")))
+        rules.append(
+            condition(answered(f"{name}{right}", f"response_{name}"), score(f"{100 / len(fields):.4f}", "Add"))
+        )
     return item_element(item, "multiple_dropdowns_question", shown, rules, {})
 
 

@@ -37,6 +37,10 @@ from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import BLANK
 
 SQUARE = r"\square "
+ELSEWHERE = (
+    "a step of the derivation",
+    "un paso de la deducción",
+)  # what is not in the question, in English and Spanish
 SetFormula = Callable[[Node, Notation, bool], str]
 PictureTag = Callable[[str, str], str]
 
@@ -76,6 +80,13 @@ class Paper:
     folder: str = ""
     pictures: dict[str, bytes] = field(default_factory=dict)
     drawn: dict[int, tuple[FigureBlock, bytes]] = field(default_factory=dict)
+    marks: dict[str, str] = field(default_factory=dict)
+
+    def number(self, blocks: tuple[Block, ...]) -> None:
+        """Number the figures of one question, so that its text can refer to them."""
+        self.marks.clear()
+        figures = [block for block in blocks if isinstance(block, FigureBlock)]
+        self.marks.update({block.label: str(place) for place, block in enumerate(figures, start=1) if block.label})
 
     def page(self, notation: Notation, language: str) -> Page:
         """The page on which blocks and inlines are printed."""
@@ -100,7 +111,9 @@ def _table(paper: Paper) -> Mapping[type, Print]:
     return {
         Text: lambda inline, page: str(escape(inline.text)),
         Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
-        Ref: lambda inline, page: str(escape(inline.mark)),
+        Ref: lambda inline, page: str(
+            escape(paper.marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
+        ),
         Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
         Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
         Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
@@ -138,7 +151,9 @@ def _list(block: ItemList, page: Page) -> str:
 
 def _figure(block: FigureBlock, page: Page, paper: Paper) -> str:
     shown = paper.picture(block, page.notation)
-    return f"<p>{shown}</p>" + (f"<p><em>{page.inlines(block.caption)}</em></p>" if block.caption else "")
+    number = paper.marks.get(block.label)
+    name = f"{escape(page.word('block.figure', number=number))}. " if number else ""
+    return f"<p>{shown}</p>" + (f"<p><em>{name}{page.inlines(block.caption)}</em></p>" if block.caption else "")
 
 
 def blocks_html(blocks: tuple[Block, ...], page: Page) -> str:
