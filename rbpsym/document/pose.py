@@ -121,9 +121,10 @@ def touched_radii(problem: Problem) -> Iterator[tuple[str, t.Node]]:
 def other_numbers(pose: DrawnPose) -> DrawnPose:
     """The same pose with other numbers: what is equal in both is equal by no chance."""
     problem = pose.study.problem
-    names = [*(q.name for q in problem.parameters), *(c.name for c in problem.coordinates)]
+    fixed = [q.name for q in problem.parameters]
+    names = [*fixed, *(c.name for c in problem.coordinates)]
     factors = {name: 1.0 - 0.037 * ((place * 5) % 7 + 1) for place, name in enumerate(names)}
-    return DrawnPose(pose.study, {name: (pose.numbers[name] or 0.3) * factor for name, factor in factors.items()})
+    return DrawnPose(pose.study, {n: (pose.numbers[n] or 0.3 * (n in fixed)) * factor for n, factor in factors.items()})
 
 
 def drawn_numbers(problem: Problem) -> dict[str, float]:

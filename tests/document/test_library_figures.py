@@ -111,3 +111,27 @@ def test_every_force_stands_at_its_point_in_its_diagram(name: str) -> None:
         assert drawn.body == force.on
         assert math.dist(drawn.at, found.point(force.point)) < 1e-9, force.name
         assert math.isclose(math.hypot(*drawn.direction), 1.0), force.name
+
+
+@pytest.mark.parametrize(
+    ("name", "letters"),
+    [
+        ("block-on-table", "dhR"),
+        ("disk-on-incline", "R"),
+        ("disk-off-center", "dR"),
+        ("rod-over-corner", "h"),
+        ("spring-coupled-pendulums", "bd"),
+        ("rear-wheel-drive", "bhL"),
+        ("cylinder-in-cylinder", "aR"),
+    ],
+)
+def test_lengths_of_the_statement_are_dimensions(name: str, letters: str) -> None:
+    """Also distances that no shape has: found between points of the drawing, for these numbers and for others."""
+    sketch = sketch_of_pose(pose(study(name), None))
+    shown = {mark.label.name for mark in (*sketch.lengths, *sketch.radii) if hasattr(mark.label, "name")}
+    assert set(letters) <= shown
+
+
+def test_slopes_are_angles() -> None:
+    sketch = sketch_of_pose(pose(study("disk-on-incline"), None))
+    assert "beta" in {mark.label.name for mark in sketch.angles}
