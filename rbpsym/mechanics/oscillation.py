@@ -22,7 +22,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
-from rbpsym.mechanics.numbers import number, samples
+from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.roots import common_zeros, numerator_factors
 from rbpsym.mechanics.system import System
 
@@ -32,7 +32,7 @@ LAMBDA = "lambda_"
 @dataclass(frozen=True, slots=True)
 class Equilibrium:
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
-    normal modes that have a closed form; `stable` None if it can't be decided."""
+    normal modes that have a closed form, the slowest first; `stable` None if it can't be decided."""
 
     at: Mapping[str, Scalar]
     stable: bool | None
@@ -131,7 +131,7 @@ def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assum
     return Equilibrium(
         at,
         _stability(stiffness, names, forces, at, assumptions),
-        _frequencies(stiffness, inertia, assumptions),
+        _slowest_first(_frequencies(stiffness, inertia, assumptions), system),
         stiffness,
         inertia,
     )
@@ -150,6 +150,15 @@ def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -
     if all(s == "positive" for s in minors):
         return True
     return False if minors[-1] == "negative" else None
+
+
+def _slowest_first(squares: tuple[Scalar, ...], system: System) -> tuple[Scalar, ...]:
+    """In the order of their sizes at sample numbers; as they are where these give none."""
+    numbers = sample(system.problem)
+    try:
+        return tuple(sorted(squares, key=lambda square: number(square, numbers)))
+    except (ValueError, ZeroDivisionError, KeyError):
+        return squares
 
 
 def _frequencies(stiffness: Matrix, inertia: Matrix, assumptions: Assumptions) -> tuple[Scalar, ...]:

@@ -406,8 +406,8 @@ natural_length = "s"
         {
             "equilibria/0/at/x": "s",
             "equilibria/0/at/y": "2*s",
-            "equilibria/0/frequencies_squared/0": "3*k/m",
-            "equilibria/0/frequencies_squared/1": "k/m",
+            "equilibria/0/frequencies_squared/0": "k/m",
+            "equilibria/0/frequencies_squared/1": "3*k/m",
         },
         (True,),
     ),
