@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rbpsym.document.figures import marks
+from rbpsym.document.figures.dimensions import DOWN, labelled
 from rbpsym.document.figures.outlines import body_outline
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import Label, Point, Scene, box_of, points_of, polar
-from rbpsym.document.figures.schematic import DOWN, axes, labelled
+from rbpsym.document.figures.schematic import axes
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce
 
 SIZE = 3.2  # the greatest extent of the body, in cm

@@ -7,6 +7,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rbpsym.document.figures import marks
+from rbpsym.document.figures.dimensions import (
+    QUARTER,
+    UP,
+    draw_angle,
+    draw_length,
+    draw_radius,
+    free_side,
+    labelled,
+)
 from rbpsym.document.figures.outlines import body_outline
 from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import (
@@ -40,8 +49,6 @@ from rbpsym.notation.tree import Sym
 
 WIDTH, HEIGHT = 5.6, 4.4  # the room for the system itself, in cm
 ROUND = 1.15  # the greatest radius of a round body
-UP, DOWN = math.pi / 2, -math.pi / 2
-QUARTER = math.pi / 4
 
 
 def schematic(sketch: Sketch) -> Scene:
@@ -98,11 +105,6 @@ def extent(sketch: Sketch) -> tuple[float, float, float, float]:
 def drawn_part(part: object, sketch: Sketch) -> Scene:
     """The scene of one part."""
     return DRAW[type(part)](part, sketch)
-
-
-def labelled(content: object, target: Point, toward: float | None = None, **more: object) -> tuple:
-    """A label, if there is anything to write."""
-    return () if content is None else (Label(content, target, toward, **more),)
 
 
 def draw_body(body: SketchBody, sketch: Sketch) -> Scene:
@@ -213,85 +215,6 @@ def draw_line(line: SketchLine, sketch: Sketch) -> Scene:
     target = marks.between(start, end, 0.85, -0.25)
     toward = direction(start, end) - UP
     return Scene(marks.hatching(start, end), labelled(line.label, target, toward))
-
-
-def draw_angle(mark: AngleMark, sketch: Sketch) -> Scene:
-    """An arc with its label at the middle; smaller angles get larger arcs."""
-    turn = abs(mark.end - mark.start)
-    radius = min(1.5, max(0.55, 0.5 / max(turn, 0.1)))
-    radius = max(radius, mark.reach + 0.25) if mark.reach else radius
-    items = marks.angle_arc(mark.at, mark.start, mark.end, radius)
-    items += (Line((mark.at, polar(mark.at, radius + 0.1, mark.end)), "guide"),) if mark.reach else ()
-    items += (Line((mark.at, polar(mark.at, mark.ray, mark.end)), "guide"),) if mark.ray else ()
-    middle = (mark.start + mark.end) / 2
-    target = polar(mark.at, radius, middle)
-    return Scene(items, labelled(mark.label, target, middle, gap=0.06, color="accent"))
-
-
-def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
-    """A dimension on the side where fewer bodies are; along one line they stand behind each other."""
-    aside = free_side(mark, sketch) * (0.38 + 0.42 * ranks(sketch.lengths)[mark])
-    items = marks.dimension(mark.start, mark.end, aside)
-    middle = marks.between(mark.start, mark.end, 0.5, aside)
-    toward = direction(mark.start, mark.end) + math.copysign(UP, aside)
-    return Scene(items, labelled(mark.label, middle, toward, gap=0.05))
-
-
-def ranks(lengths: tuple[LengthMark, ...]) -> dict[LengthMark, int]:
-    """How many dimensions stand between each one and its line: shorter ones stand nearer."""
-    found: dict[LengthMark, int] = {}
-    for mark in sorted(lengths, key=lambda mark: math.dist(mark.start, mark.end)):
-        taken = {rank for other, rank in found.items() if are_in_line(mark, other)}
-        found[mark] = next(rank for rank in range(len(lengths)) if rank not in taken)
-    return found
-
-
-def are_in_line(one: LengthMark, two: LengthMark) -> bool:
-    """Do two lengths lie side by side on (nearly) the same line?"""
-    way, length = direction(one.start, one.end), math.dist(one.start, one.end)
-    spans = []
-    for x, y in (two.start, two.end):
-        dx, dy = x - one.start[0], y - one.start[1]
-        if abs(dy * math.cos(way) - dx * math.sin(way)) > 0.3:
-            return False
-        spans.append(dx * math.cos(way) + dy * math.sin(way))
-    return min(spans) < length - 0.05 and max(spans) > 0.05
-
-
-def draw_radius(mark: RadiusMark, sketch: Sketch) -> Scene:
-    """An arrow to the rim, away from all that meets at the centre."""
-    angle = free_direction(mark.at, sketch) if mark.toward is None else mark.toward
-    rim = polar(mark.at, mark.radius, angle)
-    middle = marks.between(mark.at, rim, 0.6)
-    items = (marks.arrow(mark.at, rim, "dimension"),)
-    return Scene(items, labelled(mark.label, middle, angle + UP, gap=0.04))
-
-
-def free_direction(at: Point, sketch: Sketch) -> float:
-    """The direction, of twelve, that is farthest from those to other marked points."""
-    points = [point.at for point in sketch.points] + [body.center for body in sketch.bodies]
-    taken = [direction(at, point) for point in points if math.dist(at, point) > 1e-6]
-    taken += [UP, DOWN]
-    taken += [side for mark in sketch.angles if math.dist(mark.at, at) < 1e-6 for side in (mark.start, mark.end)]
-    return max(
-        (n * math.pi / 6 - QUARTER / 1.5 for n in range(12)),
-        key=lambda angle: min(abs(math.remainder(angle - other, math.tau)) for other in taken),
-    )
-
-
-def free_side(mark: LengthMark, sketch: Sketch) -> int:
-    """+1 if the left side of a length is the emptier one, else -1."""
-    (x, y), (u, v) = mark.start, mark.end
-    others = [body.center for body in sketch.bodies] + [point.at for point in sketch.points]
-    others += [nearest(line, ((x + u) / 2, (y + v) / 2)) for line in sketch.lines]
-    left = sum((u - x) * (q - y) - (v - y) * (p - x) for p, q in others)
-    return -1 if left > 1e-9 else 1
-
-
-def nearest(line: SketchLine, point: Point) -> Point:
-    """The point of a line that is nearest to another point."""
-    away = (line.a * point[0] + line.b * point[1] - line.c) / (line.a**2 + line.b**2)
-    return point[0] - away * line.a, point[1] - away * line.b
 
 
 DRAW = {
