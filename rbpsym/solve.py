@@ -155,12 +155,15 @@ def _need(item, study: Study) -> dict[str, Any]:
 
 
 def _phases(study: Study) -> list[dict[str, Any]]:
-    """How each phase after the first begins, and the accelerations in it."""
+    """How each phase after the first begins, and the accelerations in it; a phase whose
+    beginning has no closed form has a reason instead, and is the last one."""
     if not study.problem.phases:
         return []
-    from rbpsym.mechanics.phases import stages
+    from rbpsym.mechanics.phases import known_stages
 
-    return [_phase(stage) for stage in stages(study.problem)[1:]]
+    known, reason = known_stages(study.problem)
+    found = [_phase(stage) for stage in known[1:]]
+    return found if reason is None else [*found, {"name": study.problem.phases[len(found)].name, "reason": reason.what}]
 
 
 def _phase(stage) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State
@@ -46,10 +47,21 @@ class Stage:
 
 def stages(problem: Problem) -> tuple[Stage, ...]:
     """All phases. Raises NotApplicable where the end of a phase has no closed form."""
+    found, reason = known_stages(problem)
+    if reason is not None:
+        raise reason
+    return found
+
+
+def known_stages(problem: Problem) -> tuple[tuple[Stage, ...], NotApplicable | None]:
+    """The phases up to the first whose end has no closed form, and why it has none."""
     found = [Stage(problem.name, Study(replace(problem, phases=())))]
     for phase in problem.phases:
-        found.append(_next(found[-1].study, phase))
-    return tuple(found)
+        try:
+            found.append(_next(found[-1].study, phase))
+        except NotApplicable as reason:
+            return tuple(found), reason
+    return tuple(found), None
 
 
 def _next(study: Study, phase: Phase) -> Stage:

@@ -16,7 +16,7 @@ import numpy as np
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.verify.simulation import simulate_study
@@ -44,7 +44,7 @@ def simulate_problem(study: Study) -> SimulationReport:
     first = simulate_study(study)
     if not study.problem.phases:
         return first
-    parts = stages(study.problem)
+    parts, _ = known_stages(study.problem)
     numbers = _parameters(study.problem)
     reports = [simulate_study(stage.study, numbers) for stage in parts[1:]]
     errors = dict(first.errors)

@@ -377,3 +377,26 @@ def test_two_disks_meet_with_their_rims():
     )
     _, second = stages(problem)
     assert_same(second.began.impulses["J"], "(1 + e)*m*M/(m + M)*v", second.study)
+
+
+def test_the_answer_says_which_phase_has_no_closed_form():
+    """A ball that rolls off a sphere slips where |f| = μ N, which has no closed form here: the rest is told."""
+    problem = stated(
+        "m: mass, a: length, R: length, mu: number, g: acceleration",
+        coordinates={"theta": rb.coordinate(start="0", range=("0", "pi/2")), "phi": {}},
+        bodies={"ball": rb.ball("a", mass="m", center=("(R + a)*sin(theta)", "(R + a)*cos(theta)"), angle="-phi")},
+        constraints={
+            "N": {"type": "rolling", "body": "ball", "circle": "O", "radius": "R", "side": "outside", "limit": "mu"}
+        },
+        phases=[
+            {
+                "name": "slipping",
+                "event": "slips",
+                "of": "N",
+                "constraints": {"N": {"type": "touch", "coefficient": "mu", "slip": "forward"}},
+            }
+        ],
+    )
+    answer = results(Study(problem))
+    assert answer["accelerations"]["theta"]
+    assert answer["phases"] == [{"name": "slipping", "reason": "the place where “N” slips has no closed form"}]
