@@ -12,6 +12,7 @@ from rbpsym.document import sketch_supports as supports
 from rbpsym.document.figures.sketch import Point, Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
 from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.document.sketch_actions import arrows
+from rbpsym.document.sketch_angles import angles
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
@@ -34,7 +35,7 @@ def sketch_of_pose(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node] = Ma
         arrows=tuple(arrows(pose)),
         links=tuple(supports.links(pose)),
         coils=tuple(supports.coils(pose)),
-        angles=tuple(dimensions.angles(pose)),
+        angles=tuple(angles(pose)),
         lengths=tuple(dimensions.lengths(pose)),
         radii=tuple(dimensions.radii(pose)),
         forces=tuple(_forces(pose, names)),
