@@ -7,6 +7,7 @@ results come in the order of the jobs, so that they are the same bytes however t
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -100,13 +101,19 @@ def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> I
     """A pool of processes; where it is safe they are forked, and share what was worked out before."""
     threads = 1 if sys.version_info >= (3, 12) else 2  # the second is the clock of the progress bar
     forks = sys.platform == "linux" and threading.active_count() <= threads
-    pool = ProcessPoolExecutor(_count(who), mp_context=get_context("fork" if forks else "spawn"))
+    context = get_context("fork" if forks else "spawn")
+    pool = ProcessPoolExecutor(_count(who), mp_context=context, initializer=_leave_interrupts)
     try:
         futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
         for future in as_completed(futures):
             yield futures[future], future.result()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _leave_interrupts() -> None:
+    """An interrupt from the keyboard reaches all processes; the first of them deals with it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple]:
