@@ -29,7 +29,7 @@ from rbpsym.errors import LimitError, Undecided
 from rbpsym.notation.tree import Node
 
 PLAIN = frozenset({"symbol", "cos", "sin"})
-MOST_INEXACT = 12
+MOST_INEXACT = 40
 FIRST_POINTS, MOST_POINTS = 3, 60
 
 
