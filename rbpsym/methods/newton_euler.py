@@ -14,7 +14,7 @@ from rbpsym.mechanics.inertia import tidy
 from rbpsym.notation import tree as t
 
 NAME = "newton-euler"
-LARGEST, MOST_FREEDOM = 3, 2  # bodies, degrees of freedom: beyond these the elimination grows too large
+LARGEST = 8  # bodies times degrees of freedom: beyond this the elimination grows too large
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -81,7 +81,7 @@ def _values(draft: Draft) -> dict[str, Scalar]:
 def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
     """Forces and accelerations eliminated together, without the projection."""
     system = draft.study.system
-    if len(system.bodies) > LARGEST or len(system.independent) > MOST_FREEDOM:
+    if len(system.bodies) * len(system.independent) > LARGEST:
         draft.skip(NAME, "skipped.newton_euler", count=len(system.bodies))
         return None
     unknowns = (*system.unknowns, *system.accelerations)

@@ -33,6 +33,7 @@ def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Node:
 
 
 def with_shorter(draft: Draft, raw: t.Node, value: Scalar) -> list[t.Node]:
-    """The form, and the shorter one that all cancelling leads to if it is much shorter."""
+    """The form, and the one that all cancelling leads to if it is much shorter or a quantity drops out."""
     shown = draft.show(value, factor=True)
-    return [raw, shown] if length(shown) <= MUCH_SHORTER * length(raw) else [raw]
+    cancels = t.names(shown) < t.names(raw)
+    return [raw, shown] if cancels or length(shown) <= MUCH_SHORTER * length(raw) else [raw]
