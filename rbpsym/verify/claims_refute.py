@@ -31,7 +31,8 @@ PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
 
 def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
     """A state of the motion at which the sides differ."""
-    if question.motion.is_tied:
+    moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
+    if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
         return undecided("the coordinates are tied by conditions that are not solved in closed form")
     for find in (_at_start, _at_any_state, _along):
         with suppress(ZeroDivisionError, Undecided):
