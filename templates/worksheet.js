@@ -138,9 +138,14 @@ const Worksheet = (() => {
     order: (key, answers) => checkOrder(key, answers[0]),
     choose: (key, answers) => answers[0] === "" ? {verdict: "invalid"}
       : {verdict: Number(answers[0]) === key.right ? "right" : "wrong", comment: key.comments[Number(answers[0])] || ""},
-    cells: (key, answers) => {
-      if (answers.some(a => a === "")) return {verdict: "invalid"};
-      return {verdict: answers.every((a, k) => a === key.cells[k]) ? "right" : "wrong"};
+    // three fields a row: two signs, and a letter that rows share whose works cancel
+    signs: (key, answers) => {
+      const rows = key.rows.map((_, k) => answers.slice(3 * k, 3 * k + 3).map(a => a.trim().toLowerCase()));
+      if (rows.some(([a, b]) => a === "" || b === "")) return {verdict: "invalid"};
+      const right = rows.every(([a, b, letter], k) => a === key.rows[k][0] && b === key.rows[k][1]
+        && (letter !== "") === (key.rows[k][2] !== "")
+        && rows.every((other, j) => (letter !== "" && letter === other[2]) === (key.rows[k][2] !== "" && key.rows[k][2] === key.rows[j][2])));
+      return {verdict: right ? "right" : "wrong"};
     },
   };
 

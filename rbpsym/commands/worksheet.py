@@ -126,10 +126,11 @@ def _platforms(order, people: tuple) -> list[str]:
     worksheets = tuple(plan.worksheet(student, order.secret, order.language) for student in people)
     options = Options(order.key, True, order.engine, order.solution, plan.derivations)
     made = {name: exporter(name)(worksheets, options) for name in wanted}
-    for name, exported in made.items():
-        for sentence in exported.left_out:
-            click.echo(f"{name}: {sentence}", err=True)
     files = {path: content for exported in made.values() for path, content in exported.files.items()}
+    left_out = [sentence for exported in made.values() for sentence in exported.left_out]
+    if left_out:
+        click.echo("\n".join(left_out), err=True)
+        files["left-out.txt"] = "\n".join(left_out) + "\n"
     paths = [str(path) for path in write_all(Path(order.folder), files)]
     return paths if len(paths) <= 12 else [f"{len(paths)} files in {order.folder}"]
 

@@ -241,6 +241,21 @@ def test_the_page_checks_typed_formulas_numbers_and_orders() -> None:
     assert node(script) == [verdict for _, _, verdict in cases]
 
 
+def test_the_page_checks_signs_and_groups() -> None:
+    sheet, keys = ladder(), page_keys(ladder())
+    item = next(item for item in sheet.items if item.kind == "signs")
+    letters = {"": "", "N_w": "p", "N_f": "q"}
+    right = [cell for row in item.key.rows for cell in (row.translational, row.rotational, letters[row.cancels])]
+    alike = ["p" if cell == "q" else cell for cell in right]
+    turned = ["+" if cell == "-" else cell for cell in right]
+    script = (
+        f"const key = {json.dumps(keys[f'{item.id}.0'])};\n"
+        f"const all = {json.dumps([right, alike, turned, [''] * len(right)])};\n"
+        "console.log(JSON.stringify(all.map(a => W.CHECKS.signs(key, a).verdict)));"
+    )
+    assert node(script) == ["right", "wrong", "wrong", "invalid"]
+
+
 def test_the_page_names_the_slip() -> None:
     sheet, keys = ladder(), page_keys(ladder())
     item = next(item for item in sheet.items if item.kind == "number")

@@ -131,18 +131,13 @@ def _signs(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     )
     first = f'<option value="">{escape(plain_text("paper.choose", page.language))}</option>'
     select = f'<select aria-label="+ − 0">{first}{choices}</select>'
-    head = "".join(
-        f"<th>{escape(plain_text(f'signs.{key}', page.language))}</th>"
-        for key in ("force", "translational", "rotational")
-    )
-    rows = "".join(
-        f"<tr><td>{page.inlines(row.label)}</td><td>{select}</td><td>{select}</td></tr>" for row in item.key.rows
-    )
-    cells = [sign for row in item.key.rows for sign in (row.translational, row.rotational)]
-    yield (
-        f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>',
-        {"check": "cells", "cells": cells},
-    )
+    letter = '<input type="text" class="letter" maxlength="1" aria-label="a b c">'
+    heads = ("force", "translational", "rotational", "cancels")
+    head = "".join(f"<th>{escape(plain_text(f'signs.{key}', page.language))}</th>" for key in heads)
+    cells = f"<td>{select}</td><td>{select}</td><td>{letter}</td>"
+    rows = "".join(f"<tr><td>{page.inlines(row.label)}</td>{cells}</tr>" for row in item.key.rows)
+    table = f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
+    yield table, {"check": "signs", "rows": [(r.translational, r.rotational, r.cancels) for r in item.key.rows]}
 
 
 def _none(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:

@@ -198,7 +198,7 @@ def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
     rows = []
     for row in item.key.rows:
         signs = (say(f"signs.{SIGN_WORDS[s]}", language) for s in (row.translational, row.rotational))
-        group = words(str(groups.index(row.cancels) + 1)) if row.cancels else say("signs.nothing", language)
+        group = words(LETTERS[groups.index(row.cancels)]) if row.cancels else say("signs.nothing", language)
         rows.append((row.label, *signs, group))
     yield Form(_sign_header(language), tuple(rows))
 
