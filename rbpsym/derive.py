@@ -9,7 +9,7 @@ from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import Derivation, DerivedPhase
+from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.study import Study
@@ -29,7 +29,12 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     statement does not determine the motion.
     """
     first = _derived(Study(problem), simulation)
-    return replace(first, phases=_phases(problem)) if problem.phases else first
+    if not problem.phases:
+        return first
+    try:
+        return replace(first, phases=_phases(problem))
+    except NotApplicable:
+        return replace(first, skipped=(*first.skipped, Skipped("phases", "skipped.phases")))
 
 
 def _derived(study: Study, simulation: bool) -> Derivation:
@@ -44,16 +49,13 @@ def _derived(study: Study, simulation: bool) -> Derivation:
 
 
 def _phases(problem: Problem) -> tuple[DerivedPhase, ...]:
-    """The later phases; none where the end of one has no closed form."""
+    """The later phases. Raises NotApplicable where the end of one has no closed form."""
     from rbpsym.derivation.phases import hand_overs
 
-    try:
-        return tuple(
-            DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False))
-            for phase, stage, draft in hand_overs(problem)
-        )
-    except NotApplicable:
-        return ()
+    return tuple(
+        DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False))
+        for phase, stage, draft in hand_overs(problem)
+    )
 
 
 def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scalar] | None:
