@@ -21,6 +21,7 @@ from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.bench import Bench, generic_state, is_number
 from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.distractors import without_noise
 from rbpsym.teaching.model import ChoiceKey, Item, NumberKey, Student
 from rbpsym.teaching.plan import Plan, _planned, bench_of
 from rbpsym.teaching.sheet import Sheet, SheetPart
@@ -99,7 +100,7 @@ def same_in_print(formulas, numbers: dict[str, float], seen: dict) -> list[str] 
     if key not in seen:
         seen[key] = compiled([scalar(formula) for formula in formulas])
     try:
-        printed = [digits_text(measured(value, "", 3)) for value in seen[key](numbers)]
+        printed = [digits_text(measured(value, "", 3)) for value in without_noise(seen[key](numbers))]
     except ValueError:
         return None
     return printed if len(set(printed)) < len(printed) else None

@@ -18,7 +18,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.quantities import NUMBER
 from rbpsym.teaching.compiled import compiled
-from rbpsym.teaching.distractors import Pool, shown
+from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Asked, Item, Measure
 from rbpsym.teaching.ranges import Range
@@ -122,7 +122,8 @@ def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], l
     def evaluate(numbers: Mapping[str, float]) -> list[list[float]]:
         found, rows, at = whole(numbers), [], 0
         for task in tasks:
-            rows.append(found[at : at + len(task.values)])
+            own = found[at : at + len(task.values)]
+            rows.append(own if task.kind == "signs" else without_noise(own))
             at += len(task.values)
         return rows
 

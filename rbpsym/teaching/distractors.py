@@ -7,7 +7,8 @@ differs at a student's printed numbers is seen to when these are drawn (`distinc
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import atoms
@@ -177,6 +178,15 @@ def fits(formula: t.Node, study: Study, dimension: Dimension) -> bool:
         return dimension_of(formula, dimensions_of(study)) == dimension
     except RbpsymError:
         return False
+
+
+NOISE = 1e-9  # of the largest: less than that is rounding, and stands for zero
+
+
+def without_noise(values: Sequence[float]) -> list[float]:
+    """The values, with 0 for those that only rounding keeps from being it."""
+    largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
+    return [0.0 if abs(value) < NOISE * largest else value for value in values]
 
 
 def distinct(measures: Iterable[Measure]) -> bool:
