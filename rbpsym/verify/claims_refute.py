@@ -96,11 +96,19 @@ def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
             rest = substitute(gap, {speed: NOTHING})
             gap = with_squares(rest * rest - slope * slope * square, squares)
             left, right = rest * rest, with_squares(slope * slope * square, squares)
+    if _mixes_clock(gap, question.motion):
+        return undecided("the coordinates are functions of the time that are not known in closed form")
     bound_speeds = not question.motion.is_free and any(_is_speed(index) for index in gap.atoms())
     if bound_speeds or holds_unknowns(gap, question):
         return undecided("")
     found = witness_of(left, right, question.motion.assumptions, _reachable(question))
     return found if found.is_refuted else witness_of(left, right, question.motion.assumptions)
+
+
+def _mixes_clock(gap: Scalar, motion: Motion) -> bool:
+    """Does it hold the time beside coordinates or speeds? On the motion from the start these are no longer free."""
+    clock = "t" in motion.scope.rates and depends_on(gap, "t")
+    return clock and any(depends_on(gap, n) or depends_on(gap, f"{n}_dot") for n in motion.scope.rates if n != "t")
 
 
 def _is_speed(index: int) -> bool:
