@@ -7,7 +7,6 @@ from fractions import Fraction as Rational
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.drawing import glyph_box, unit_box
-from rbpsym.notation.function_layout import is_simple_product
 from rbpsym.notation.levels import POWER, PRODUCT, is_decimal, is_open, plain_fraction
 from rbpsym.notation.setting import Style, draw, draws, fenced, wrapped
 
@@ -66,10 +65,9 @@ def _div(node: t.Div, style: Style) -> b.Box:
     if _is_vulgar(node, style):
         return b.Letter(VULGAR[_ratio(node)], "number")
     num = wrapped(node.num, PRODUCT, style)
-    least = PRODUCT if style.mode == "text" and is_simple_product(node.den) else POWER
     if plain_fraction(node.num) or is_open(node.num):
         num = fenced(draw(node.num, style))
-    return b.Row((num, b.Operator("/", "mark"), wrapped(node.den, least, style)))
+    return b.Row((num, b.Operator("/", "mark"), wrapped(node.den, POWER, style)))
 
 
 def is_slashed(node: t.Node, style: Style) -> bool:

@@ -88,4 +88,4 @@ def test_a_chain_is_set_in_rows():
 
 
 def test_the_ladder_in_one_line_of_text():
-    assert to_text(SCALARS["ladder"]) == "−(3g/4ℓ) cos θ"
+    assert to_text(SCALARS["ladder"]) == "−(3g/(4ℓ)) cos θ"

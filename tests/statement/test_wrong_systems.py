@@ -14,7 +14,7 @@ from tests.statement.wrong_systems import BALL, IMPACT, ROWS, WHEEL, Wrong
 def worked_out(text: str) -> int:
     """The number of phases of a statement."""
     problem = load_text(text, file="wrong.toml")
-    Study(problem).dynamics  # noqa: B018  # worked out when asked for
+    Study(problem).dynamics  # worked out when asked for
     return len(stages(problem))
 
 

@@ -166,10 +166,22 @@ class Wrong:
         return self.base.replace(self.old, self.new)
 
 
-ROLLING = '[[phases]]\nname        = "rolling"\nevent       = "no slip"\nof          = "N"\nconstraints = { N = { type = "rolling" } }\n'
+ROLLING = """\
+[[phases]]
+name        = "rolling"
+event       = "no slip"
+of          = "N"
+constraints = { N = { type = "rolling" } }
+"""
 EVENT = 'event       = "no slip"\nof          = "N"'
 LINE = 'line     = "y = -x*tan(beta)"'
-COLLISION = '[phases.impulses.K]\ntype        = "collision"\npoints      = ["ball.center", "rod.spot"]\nalong       = ["1", "0"]\nrestitution = "e"\n'
+COLLISION = """\
+[phases.impulses.K]
+type        = "collision"
+points      = ["ball.center", "rod.spot"]
+along       = ["1", "0"]
+restitution = "e"
+"""
 
 
 def phase(name: str, old: str, new: str, says: str, cure: str = "") -> Wrong:
