@@ -45,4 +45,4 @@ def test_a_near_miss_is_named(name, latex, words):
 
 def test_what_is_far_off_is_told_what_it_is():
     found = CHECKER.check(CLAIMS["eq-34"], Printed(r"\alpha=\frac{g^3}{\ell^5}\cos^3\theta\sin\theta"))
-    assert found.outcome is Outcome.REFUTED and found.diagnosis == "in fact α is −(3g/4ℓ) cos θ"
+    assert found.outcome is Outcome.REFUTED and found.diagnosis == "in fact α is −(3g/(4ℓ)) cos θ"

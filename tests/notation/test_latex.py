@@ -10,7 +10,7 @@ from tests.notation.samples import CALCULUS, RELATIONS, SCALARS, VECTORS
 SYMBOLS = "m M g ell R theta theta_0 theta_1 theta_2 omega t x y k".split()
 
 TYPED = {
-    "-3*g*cos(theta)/(4*ell)": (r"-\frac{3 g \cos\theta}{4 \ell}", "−3g cos θ/4ℓ"),
+    "-3*g*cos(theta)/(4*ell)": (r"-\frac{3 g \cos\theta}{4 \ell}", "−3g cos θ/(4ℓ)"),
     "m - -g": ("m + g", "m + g"),
     "m*g*ell": (r"m g \ell", "mgℓ"),
     "sin(theta)": (r"\sin\theta", "sin θ"),
