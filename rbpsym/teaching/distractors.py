@@ -181,12 +181,14 @@ def fits(formula: t.Node, study: Study, dimension: Dimension) -> bool:
 
 
 NOISE = 1e-9  # of the largest: less than that is rounding, and stands for zero
+NOTHING_AT_ALL = 1e-11  # in SI units: below anything that a class measures
 
 
 def without_noise(values: Sequence[float]) -> list[float]:
     """The values, with 0 for those that only rounding keeps from being it."""
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
-    return [0.0 if abs(value) < NOISE * largest else value for value in values]
+    least = max(NOISE * largest, NOTHING_AT_ALL)
+    return [0.0 if abs(value) < least else value for value in values]
 
 
 def distinct(measures: Iterable[Measure]) -> bool:
