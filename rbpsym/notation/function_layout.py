@@ -19,10 +19,16 @@ def _pow(node: t.Pow, style: Style) -> b.Box:
     if is_function_power(node):
         return applied(node, style)
     sup = draw(node.exponent, style.script)
-    base = draw(node.base, style)
+    base = draw(_magnitude(node), style)
     if level(node.base, style.mode) < POWER + 1 or plain_fraction(node.base) or not attached(base):
         base = fenced(base)
     return attach_sup(base, sup)
+
+
+def _magnitude(node: t.Pow) -> t.Node:
+    """The base, without its arrow where the square of a vector is the square of its magnitude: V²."""
+    squared = isinstance(node.base, t.Vec) and node.exponent == t.TWO
+    return t.Sym(node.base.name) if squared else node.base
 
 
 def is_function_power(node: t.Node) -> bool:
