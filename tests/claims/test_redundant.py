@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING, UNITY
+from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
 from rbpsym.verify.claims_question import Question
@@ -66,7 +66,9 @@ def test_coordinates_that_depend_on_others(tmp_path, latex, wanted):
 def test_where_conditions_stay_nothing_is_refuted_by_a_state_that_they_exclude():
     setting = Setting("s", "sliding-ladder", symbols={"g": Meaning("g")})
     ground = Checker(Worlds()).ground(setting, glossary(setting.symbols))
-    assert refutation(NOTHING, UNITY, Question(ground)).is_refuted
+    place = symbol("theta")
+    assert refutation(NOTHING, place, Question(ground)).is_refuted
     tied = replace(ground.motion, is_tied=True)
     object.__setattr__(ground, "motion", tied)
-    assert not refutation(NOTHING, UNITY, Question(ground)).is_refuted
+    assert not refutation(NOTHING, place, Question(ground)).is_refuted
+    assert refutation(NOTHING, UNITY, Question(ground)).is_refuted  # in any state
