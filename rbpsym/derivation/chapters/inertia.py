@@ -126,16 +126,24 @@ def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node |
     inside = bool(t.names(density) & varying)
     found = t.mul(density, found) if inside else found
     for item in reversed(element.ranges):
-        found = t.Integral(found, item.variable, item.lower, item.upper)
+        found = t.Integral(found, item.variable, _tidied(draft, item.lower), _tidied(draft, item.upper))
     found = found if inside else t.mul(density, found)
     return t.neg(found) if element.sign < 0 else found
 
 
 def _density(draft: Draft, element: MassElement) -> t.Node:
-    """The density as it is written, or worked out where that is shorter."""
-    shown, own = draft.show(scalar(element.density), factor=True), element.density
-    stacked = isinstance(own, t.Div) and any(isinstance(part, t.Div) for part in t.walk(own.den))
-    return shown if length(shown) < length(own) + stacked else own
+    """The density as it is written, or worked out where that is shorter or spares a fraction in a fraction."""
+    return _tidied(draft, element.density)
+
+
+def _tidied(draft: Draft, own: t.Node) -> t.Node:
+    """The node as it is written, or worked out where that is shorter or spares a fraction in a fraction."""
+    shown = draft.show(scalar(own), factor=True)
+    return shown if _is_stacked(own) or length(shown) < length(own) else own
+
+
+def _is_stacked(node: t.Node) -> bool:
+    return isinstance(node, t.Div) and any(isinstance(part, t.Div) for part in t.walk(node.den))
 
 
 def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
@@ -151,7 +159,8 @@ def _center(draft: Draft, name: str, state: BodyState, moments: Moments, element
         letter = draft.define(draft.free(f"{axis}_cm"), place)
         weights = [scalar(element.x if axis == "x" else element.y) for element in elements]
         integral = t.add(*(_integral(draft, e, w) for e, w in zip(elements, weights, strict=True)))
-        rows.append(t.equation(letter, t.div(integral, draft.show(state.mass)), draft.show(place)))
+        mean = t.mul(t.div(t.ONE, draft.show(state.mass)), integral)
+        rows.append(t.equation(letter, mean, draft.show(place)))
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     draft.add(f"center.{name}", "mass_integral", statement, "inertia.center", body=BodyRef(name))
 
