@@ -139,7 +139,7 @@ def _fraction(node: t.Div, scope: Scope) -> Value:
 
 
 def _power(node: t.Pow, scope: Scope) -> Value:
-    base = value(node.base, scope)
+    base = _squared_magnitude(node, scope) or value(node.base, scope)
     if isinstance(base, Space):
         if node.exponent != t.TWO:
             raise ReadError("a vector can only be squared")
@@ -152,6 +152,12 @@ def _power(node: t.Pow, scope: Scope) -> Value:
     if exponent.denominator == 2:
         return function("sqrt", base) ** exponent.numerator
     raise Undecided(f"the exponent {exponent} is outside the decidable class")
+
+
+def _squared_magnitude(node: t.Pow, scope: Scope) -> Space | None:
+    """The vector whose name is squared without its arrow: V² is V · V where V names no scalar."""
+    name = node.base.name if isinstance(node.base, t.Sym) and node.exponent == t.TWO else ""
+    return None if name in scope.scalars else scope.vectors.get(name)
 
 
 def _absolute(node: t.Abs, scope: Scope) -> Scalar:

@@ -20,7 +20,8 @@ def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
         return c, m, ONE
     if is_inertia(poly, style):
         common = split(_common_powers(poly), style)[1]
-        return 1, common, poly.scaled(1, inverse(common)) if common else poly
+        number = Fraction(1, 2) if is_quadratic(common) else 1
+        return number, common, poly.scaled(Fraction(1) / number, inverse(common)) if common else poly
     common = _common_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
     coefficient = common_coefficient(rest, style)
@@ -96,13 +97,14 @@ def leads_positive(poly: Poly, style: Style) -> bool:
 
 
 def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
-    """The two symbols of c (x - y), x the one with the sign `first`; c may hold further factors."""
+    """The two symbols of c (a xⁿ - b yⁿ), a ≥ b, x the one with the sign `first`; c may hold further factors."""
     found = {}
     for m, c in poly.scaled(1, inverse(_common_powers(poly))).terms.items():
-        if len(m) == 1 and m[0][1] == 1:
-            found[c] = atoms.symbol_name(m[0][0])
-    size = next(iter(found), 0)
-    return (found.get(first * abs(size)), found.get(second * abs(size)))
+        if len(m) == 1 and m[0][1] > 0:
+            found[1 if c > 0 else -1] = (atoms.symbol_name(m[0][0]), m[0][1], abs(c))
+    if len(found) < 2 or found[1][1] != found[-1][1] or found[first][2] < found[second][2]:
+        return (None, None)
+    return found[first][0], found[second][0]
 
 
 def square(poly: Poly) -> tuple[Coefficient, Poly] | None:

@@ -16,6 +16,7 @@ from rbpsym.algebra.grouping import (
     best_factors,
     by_moving,
     common_coefficient,
+    is_inertia,
     is_worth_factoring,
     leads_negative,
     leads_positive,
@@ -45,9 +46,9 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         return present(Scalar(num) / Scalar(den), style, factor=factor)
     if _is_upside_down(den, style):
         num, den = -num, -den
-    broken = taken_out(den, style)[0].denominator
-    if broken != 1:
-        num, den = num.scaled(broken), den.scaled(broken)
+    broken, below = taken_out(den, style)[0].denominator, _below(den)
+    if broken != 1 or below:
+        num, den = num.scaled(broken, below), den.scaled(broken, below)
     den = present_poly(den, style, factor)
     coefficient, common, rest = taken_out(num, style)
     more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
@@ -63,8 +64,17 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     den = t.mul(*([t.Num(size.denominator)] if size.denominator != 1 else []), *below, den)
     if num == t.ONE and outside and behind == UNIT:
         num, outside = t.mul(*outside), []
-    node = t.mul(t.div(num, den), *_powers(behind, style), *outside)
+    node = t.mul(t.div(num, den), *_sums_before_functions([*_powers(behind, style), *outside]))
     return t.neg(node) if sign else node
+
+
+def _below(den: Poly) -> Monomial:
+    """What some terms of a denominator are divided by: both sides are multiplied by it."""
+    lowest: dict[int, int] = {}
+    for m in den.terms:
+        for index, exponent in m:
+            lowest[index] = min(lowest.get(index, 0), exponent)
+    return tuple(sorted((index, -exponent) for index, exponent in lowest.items() if exponent < 0))
 
 
 def _number(poly: Poly) -> float | None:
@@ -82,8 +92,9 @@ def _is_upside_down(den: Poly, style: Style) -> bool:
     if square(den) is not None:
         return square(den)[0] < 0
     if len(still) == 2 == len(den.terms):
-        value = _number(den)
-        return starts_negative(den, style) if value is None else value < 0
+        coefficient, _, rest = taken_out(den, style)
+        value = _number(rest)
+        return starts_negative(den, style) if value is None else value * coefficient < 0
     return bool(still) and all(c < 0 for c in still)
 
 
@@ -130,9 +141,18 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
-    node = t.mul(*([] if head == t.ONE else [head]), *fixed, *_powers(behind, style), *moving)
+    factors = _sums_before_functions([*_powers(behind, style), *moving])
+    node = t.mul(*([] if head == t.ONE else [head]), *fixed, *factors)
     node = t.div(node, t.mul(*low)) if low else node
     return t.neg(node) if coefficient < 0 else node
+
+
+def _sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
+    """(s + x cos β) sin β: a function in front of parentheses could be read as one of what they hold."""
+    functions = [node for node in factors if isinstance(getattr(node, "base", node), t.Fn)]
+    if not any(isinstance(getattr(node, "base", node), t.Add) for node in factors):
+        return factors
+    return [*(node for node in factors if node not in functions), *functions]
 
 
 Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]
@@ -219,6 +239,8 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
         [(m, c)] = fixed.terms.items()
         both = tuple(sorted((dict(m) | dict(moving)).items()))
         return _signed(c, both, style)
+    if is_inertia(fixed, style) and is_quadratic(moving):  # an energy: ½Iω²
+        return _assembled(Fraction(1, 2), moving, [(_plain_sum(fixed.scaled(2), style), False)], style)
     coefficient, common, rest = taken_out(fixed, style)
     both = tuple(sorted((dict(common) | dict(moving)).items()))
     return _assembled(coefficient, both, [(_plain_sum(rest, style), False)], style)

@@ -188,13 +188,18 @@ def _torque(w: Writer) -> None:
         t.equation(t.Cross(place, t.Vec("F")), t.Add((t.Cross(arm, t.Vec("F")), t.Cross(t.Vec("s"), t.Vec("F"))))),
     )
     w.add(
+        "torque_sum",
+        t.equation(t.Vec("tau_net"), t.Add((t.Vec("tau_cm"), t.Cross(arm, t.Vec("F_net"))))),
+        premises=["torque_split"],
+    )
+    w.add(
         "euler",
         t.equation(
             t.Vec("tau_cm"),
             t.Add((t.Vec("tau_net"), t.Neg(t.Cross(arm, t.Vec("F_net"))))),
             t.mul(t.Sym("I_cm"), t.Vec("alpha")),
         ),
-        premises=["torque", "torque_split"],
+        premises=["torque", "torque_sum"],
         is_result=True,
     )
 

@@ -70,15 +70,15 @@ def along_z(draft: Draft, *parts: Scalar) -> t.Node:
 
 
 def _as_one(draft: Draft, body: str, label: str, orbital: Scalar, spin: Scalar) -> tuple[t.Node, ...]:
-    """I_O ω where the body turns about the origin; else the two parts taken together if they are alike."""
+    """I_O ω where the body turns about the origin; then the two parts taken together if they are alike."""
     state = draft.study.system.bodies[body]
-    square = turns_about(draft, body, state).get(label)
-    if square:
+    total = orbital + spin
+    value = (along_z(draft, total),) if orbital and spin and len(total.num) == 1 else ()
+    if turns_about(draft, body, state).get(label):
         about = t.Sym(draft.free(f"I_{label}" if draft.is_single else f"I_{body}_{label}"))
         if about.name in draft.context.scalars:
-            return (t.mul(about, t.Vec(draft.of_body("omega", body))),)
-    total = orbital + spin
-    return (along_z(draft, total),) if orbital and spin and len(total.num) == 1 else ()
+            return (t.mul(about, t.Vec(draft.of_body("omega", body))), *value)
+    return value
 
 
 def _phrase(orbital: Scalar, spin: Scalar) -> str:
