@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from math import isqrt
 
@@ -60,6 +61,22 @@ def _common_powers(poly: Poly) -> Monomial:
 
 def _nearer(a: int, b: int) -> int:
     return min(a, b) if a > 0 else max(a, b)
+
+
+def divisors(den: Poly) -> Monomial:
+    """What some terms of a denominator are divided by: both sides are multiplied by it."""
+    lowest: dict[int, int] = {}
+    for m in den.terms:
+        for index, exponent in m:
+            lowest[index] = min(lowest.get(index, 0), exponent)
+    return tuple(sorted((index, -exponent) for index, exponent in lowest.items() if exponent < 0))
+
+
+def plain_value(poly: Poly) -> float | None:
+    """The value of a polynomial in π alone."""
+    if any(atoms.symbol_name(index) != "pi" for index in poly.atoms()):
+        return None
+    return sum(float(c) * math.prod(math.pi**e for _, e in m) for m, c in poly.terms.items())
 
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:

@@ -7,7 +7,6 @@ scalar it was made of (the derivation proves it again for every tree that it pri
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from fractions import Fraction
 
@@ -16,10 +15,12 @@ from rbpsym.algebra.grouping import (
     best_factors,
     by_moving,
     common_coefficient,
+    divisors,
     is_inertia,
     is_worth_factoring,
     leads_negative,
     leads_positive,
+    plain_value,
     ratio_to,
     shared_coefficient,
     splits_by_parameters,
@@ -46,7 +47,7 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
         return present(Scalar(num) / Scalar(den), style, factor=factor)
     if _is_upside_down(den, style):
         num, den = -num, -den
-    broken, below = taken_out(den, style)[0].denominator, _below(den)
+    broken, below = taken_out(den, style)[0].denominator, divisors(den)
     if broken != 1 or below:
         num, den = num.scaled(broken, below), den.scaled(broken, below)
     den = present_poly(den, style, factor)
@@ -68,22 +69,6 @@ def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = 
     return t.neg(node) if sign else node
 
 
-def _below(den: Poly) -> Monomial:
-    """What some terms of a denominator are divided by: both sides are multiplied by it."""
-    lowest: dict[int, int] = {}
-    for m in den.terms:
-        for index, exponent in m:
-            lowest[index] = min(lowest.get(index, 0), exponent)
-    return tuple(sorted((index, -exponent) for index, exponent in lowest.items() if exponent < 0))
-
-
-def _number(poly: Poly) -> float | None:
-    """The value of a polynomial in π alone."""
-    if any(atoms.symbol_name(index) != "pi" for index in poly.atoms()):
-        return None
-    return sum(float(c) * math.prod(math.pi**e for _, e in m) for m, c in poly.terms.items())
-
-
 def _is_upside_down(den: Poly, style: Style) -> bool:
     """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
@@ -93,7 +78,7 @@ def _is_upside_down(den: Poly, style: Style) -> bool:
         return square(den)[0] < 0
     if len(still) == 2 == len(den.terms):
         coefficient, _, rest = taken_out(den, style)
-        value = _number(rest)
+        value = plain_value(rest)
         return starts_negative(den, style) if value is None else value * coefficient < 0
     return bool(still) and all(c < 0 for c in still)
 

@@ -70,6 +70,8 @@ def atom_key(index: int, style: Style) -> tuple:
 def _default_rank(name: str) -> tuple:
     if name.endswith("_ddot"):
         return (7, 1, name)
+    if name == "pi":  # a number
+        return (0, 0, name)
     return (7, 0, name) if name.endswith("_dot") else (5, 0, name)
 
 

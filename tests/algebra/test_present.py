@@ -6,11 +6,13 @@ from fractions import Fraction
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.grouping import leads_negative, leads_positive
 from rbpsym.algebra.normal import same
-from rbpsym.algebra.present import present
+from rbpsym.algebra.present import present, present_ratio
 from rbpsym.algebra.scalar import NOTHING, lift, symbol
 from rbpsym.algebra.style import Style
 from rbpsym.algebra.trig import cosine, sine
+from rbpsym.notation import tree as t
 
 A, B = symbol("a"), symbol("b")
 ATOMS = [symbol("m"), symbol("ell"), symbol("g"), symbol("a_dot"), cosine(A), sine(A), cosine(B), sine(A - B)]
@@ -38,3 +40,31 @@ def test_common_moving_factors_below_the_bar_are_kept():
     """A common 1/cos b of all terms was lost once."""
     value = (sine(A) * symbol("a_dot") ** 2 - cosine(A)) / cosine(B)
     assert same(scalar(present(value, STYLE)), value)
+
+
+def test_a_sum_stands_before_a_function():
+    """sin(b)(s + x cos b) reads as a sine of all that follows."""
+    found = present((symbol("ell") + symbol("m") * cosine(B)) * sine(B), STYLE)
+    assert isinstance(found, t.Mul)
+    assert [type(factor) for factor in found.factors] == [t.Add, t.Fn]
+
+
+def test_no_fraction_below_a_fraction():
+    m, ell, g = (symbol(name) for name in ("m", "ell", "g"))
+    value = (m * ell ** (-2) * g**2 + 1).num
+    found = present_ratio(m.num, value, STYLE)
+    assert same(scalar(found), m / (m * ell ** (-2) * g**2 + 1))
+    assert isinstance(found, t.Div)
+    assert not any(isinstance(node, t.Div) for node in t.walk(found.den))
+
+
+def test_a_known_greater_one_is_not_taken_off():
+    """With ell > a, 3 ell² - 2 a² is positive, and 2 ell² - 3 a² need not be."""
+    style = Style(STYLE.rank, greater=frozenset({("ell", "c")}))
+    ell, c, g = (symbol(name) for name in ("ell", "c", "g"))
+    sure, unsure = present(g / (2 * c**2 - 3 * ell**2), style), present(g / (3 * ell**2 - 2 * c**2), style)
+    assert isinstance(sure, t.Neg)
+    assert isinstance(unsure, t.Div)
+    assert not leads_positive((2 * ell**2 - 3 * c**2).num, style)
+    assert not leads_negative((3 * c**2 - 2 * ell**2).num, style)
+    assert leads_positive((3 * ell**2 - 2 * c**2).num, style)

@@ -155,9 +155,10 @@ def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
 
 
 def _forms(draft: Draft, raw: t.Node, square: Scalar) -> list[t.Node]:
-    """Stiffness over inertia, and what it comes to if that is much shorter."""
+    """Stiffness over inertia, and what it comes to if that is much shorter or a quantity drops out."""
     shown = draft.show(square, factor=True)
-    return [raw, shown] if length(shown) <= MUCH_SHORTER * length(raw) else [raw]
+    cancels = t.names(shown) < t.names(raw)
+    return [raw, shown] if cancels or length(shown) <= MUCH_SHORTER * length(raw) else [raw]
 
 
 def _linear(draft: Draft, shown: t.Node, deviation: t.Node) -> t.Node:
