@@ -113,7 +113,8 @@ def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
         said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said)
         for turn in element["path"]
     ]
-    return {"path": turns}
+    straight = len(turns) == 2 and not any(turn.sense for turn in element["path"])
+    return {"path": turns, **({"key": "statement.string_straight"} if straight else {})}
 
 
 def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:

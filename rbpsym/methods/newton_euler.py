@@ -6,14 +6,15 @@ from collections.abc import Mapping
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters.forces import force_node, torque_node
-from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import FULL, BodyRef, StepRef
+from rbpsym.derivation.draft import Draft, length
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.notation import tree as t
 
 NAME = "newton-euler"
+LONGEST = 150  # nodes of a force that is worth showing in standard detail
 LARGEST = 8  # bodies times degrees of freedom: beyond this the elimination grows too large
 
 
@@ -60,14 +61,15 @@ def _reactions(draft: Draft, steps: list) -> None:
         return
     premises = [step.id for step in steps] + [f"motion.{name}" for name in draft.study.system.independent]
     for name, value in values.items():
+        shown = draft.show(value)
         draft.add(
             f"reaction.{name}",
             "solution",
-            t.equation(t.Sym(name), draft.show(value)),
+            t.equation(t.Sym(name), shown),
             "newton_euler.reaction",
             premises=premises,
             force=t.Sym(name),
-            level=FULL if draft.study.squares else 2,
+            level=FULL if draft.study.squares or length(shown) > LONGEST else STANDARD,
             data={"rows": draft.study.newton_euler_rows, "values": _values(draft)},
             sources=[StepRef(s.id) for s in steps],
         )

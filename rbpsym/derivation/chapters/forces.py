@@ -74,11 +74,19 @@ def _entry(draft: Draft, force: Force) -> None:
         statement,
         f"forces.{force.law}",
         body=BodyRef(force.on),
-        by="string" if _is_tension(draft, force) else force.by,
+        by=_party(draft, force),
         where="rim" if _is_tension(draft, force) and _is_on_rim(draft, force) else force.where,
         force=node,
         data={"forces": (force,), "origin": state.center, "value": center},
     )
+
+
+BETWEEN = {"spring": "spring", "torsion-spring": "spring", "damper": "damper", "rotary-damper": "damper"}
+
+
+def _party(draft: Draft, force: Force) -> str:
+    """What exerts the force: a string or a spring that is taut between two bodies, else the other body."""
+    return "string" if _is_tension(draft, force) else BETWEEN.get(force.law, force.by)
 
 
 def _is_tension(draft: Draft, force: Force) -> bool:

@@ -76,8 +76,8 @@ def phase_end(derivation: Derivation, found: Scales) -> float:
 
 
 def across(moving: Motion, way: Trajectory) -> tuple[t.Node, list[float], Scale]:
-    """What the curves are drawn over: the coordinate of a system that has one, else the time."""
-    if not moving.is_single:
+    """What the curves are drawn over: the coordinate of a system whose speed it determines, else the time."""
+    if not moving.is_single or not moving.derivation.study.squares:
         return over_time(moving, way)
     [name] = moving.whole.coordinates
     scale = moving.scales.of(dimension_of(moving, name))
