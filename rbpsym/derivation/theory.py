@@ -30,6 +30,7 @@ from rbpsym.derivation.theory_ground import (
     plane_vector,
     s,
 )
+from rbpsym.derivation.theory_potential import potential_energy
 from rbpsym.equality.verdict import Verdict
 from rbpsym.notation import tree as t
 
@@ -108,7 +109,7 @@ def _square(node: t.Node) -> t.Node:
 def plane_motion() -> Lesson:
     """The lesson: rigidity, momentum, torque, energy, fixed axis, works, ideal constraints."""
     w = Writer()
-    for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, _works, _ideal):
+    for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, _works, potential_energy, _ideal):
         chapter(w)
     return Lesson("theory", "plane-motion", tuple(w.steps))
 

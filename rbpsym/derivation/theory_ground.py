@@ -146,11 +146,12 @@ class TheoryContext:
     scalars: Mapping[str, Scalar] = field(default_factory=lambda: dict(SCALARS))
     works: Mapping[str, Scalar] = field(default_factory=lambda: dict(POWERS))
     vectors: Mapping[str, Space] = field(default_factory=lambda: dict(VECTORS))
+    rates: Mapping[str, Scalar] = field(default_factory=lambda: dict(RATES))
 
     @property
     def scope(self) -> Scope:
         """The scope of the theory."""
-        return Scope(self.scalars, self.vectors, RATES, {}, self.body, self.works)
+        return Scope(self.scalars, self.vectors, self.rates, {}, self.body, self.works)
 
     def value(self, node: t.Node) -> Value:
         """The value of a tree."""
