@@ -2,8 +2,12 @@
 
 import pytest
 
-from rbpsym.derivation.theory import THEORIES
+from rbpsym.derivation.theory import THEORIES, Writer
+from rbpsym.derivation.theory_potential import potential_energy
 from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.latex_reader import read_latex
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
@@ -35,3 +39,20 @@ def test_the_comparison_is_proved_with_its_reason(comparison):
 def test_the_order_is_less(comparison):
     [order] = [s for s in comparison.steps if s.id == "order"]
     assert order.statement.ops == ("<",)
+
+
+def test_potential_energy_with_the_wrong_sign_is_refuted():
+    writer = Writer()
+    potential_energy(writer)
+    right = t.Add((t.Sym("cal_W_nc"), t.Neg(t.Delta(t.Sym("E_p")))))
+    wrong = t.Add((t.Sym("cal_W_nc"), t.Delta(t.Sym("E_p"))))
+    for side, proved in ((right, True), (wrong, False)):
+        writer.add("tried", t.equation(t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta"))), side), "theory_rates")
+        assert writer.steps[-1].certificate.verdict.is_proved is proved
+
+
+def test_the_square_of_a_vector_is_drawn_without_its_arrow_and_read_as_the_square():
+    squared = t.Pow(t.Vec("V_cm"), t.TWO)
+    assert to_latex(squared) == r"V_{\mathrm{cm}}^2"
+    context = Writer().context
+    assert context.value(read_latex(to_latex(squared), ["V_cm"])) == context.value(squared)
