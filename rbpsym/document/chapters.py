@@ -25,6 +25,7 @@ ORDER = (
     "contact",
     "oscillations",
 )
+TOO_WIDE = 75.0  # em: a table that is wider could not be read
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
@@ -102,7 +103,12 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
         "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
     )
     yield free_bodies_figure(derivation, said)
-    yield forces_table(steps, derivation, said)
+    notation = problem_notation(derivation.study.problem)
+    long = [s for s in steps if table_width(forces_table([s], derivation, said), notation) > TOO_WIDE]
+    yield forces_table([step for step in steps if step not in long], derivation, said)
+    if long:
+        yield Paragraph(said.say("forces.long", forces=[step.slots["force"] for step in long]))
+        yield from (joined([step], said) for step in long)
 
 
 def _manner_of_motion(derivation: Derivation, said: Words) -> str:
