@@ -55,12 +55,15 @@ class Notation:
 
 
 DEFAULT = Notation()
+MARKS: Mapping[str, tuple[str, ...]] = MappingProxyType({"vectors": ("arrow", "bold"), "decimal": (".", ",")})
 
 
-def notation_for(names: Iterable[str], aliases: Mapping[str, str] | None = None) -> Notation:
-    """The notation of a problem: its aliases, and an upright dθ if it has a quantity named d."""
+def notation_for(names: Iterable[str], said: Mapping[str, str] | None = None) -> Notation:
+    """The notation of a problem: its aliases and marks, and an upright dθ if it has a quantity named d."""
     style = "upright" if "d" in set(names) else "italic"
-    return Notation(aliases=MappingProxyType(dict(aliases or {})), differential=style)
+    marks = {key: (said or {}).get(key, allowed[0]) for key, allowed in MARKS.items()}
+    aliases = {key: value for key, value in (said or {}).items() if key not in MARKS}
+    return Notation(MappingProxyType(aliases), marks["vectors"], marks["decimal"], style)
 
 
 @lru_cache(maxsize=4096)

@@ -6,7 +6,7 @@ import unicodedata
 from collections.abc import Callable
 
 from rbpsym.notation import boxes as b
-from rbpsym.notation.alphabets import script, subscript, superscript
+from rbpsym.notation.alphabets import bold, script, subscript, superscript
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
 from rbpsym.notation.tree import Node, System
@@ -55,6 +55,8 @@ def _times(box: b.Times) -> str:
 
 
 def _accent(box: b.Accent) -> str:
+    if box.kind == "bold" and isinstance(box.body, b.Letter):
+        return bold(box.body.text)
     body = render(box.body)
     return unicodedata.normalize("NFC", _DOTTED.get(body, body) + _COMBINING[box.kind])
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rbpsym.errors import StatementError
+from rbpsym.notation.glyphs import MARKS
 from rbpsym.notation.tree import Node, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
@@ -143,7 +144,8 @@ def _known_names(problem: Problem, table: Table) -> None:
     quantities = _quantity_names(problem)
     own = [quantity.name for quantity in problem.parameters]
     starts = [coordinate.name for coordinate in problem.coordinates]
-    _check_names(table.table("notation", "notation"), quantities)
+    _check_names(table.table("notation", "notation"), [*quantities, *MARKS])
+    _check_marks(table.table("notation", "notation"), problem.notation)
     _check_names(table.table("example", "example"), [*own, *starts, *_rates(problem, "_dot")])
     _check_units(table.table("example", "example"), problem)
     meanings = table.table("meanings", "meanings")
@@ -175,6 +177,14 @@ def _check_names(section: Table, known: list[str]) -> None:
                 did_you_mean(name, known, "names"),
                 name,
             )
+
+
+def _check_marks(section: Table, notation: Mapping[str, str]) -> None:
+    """How vectors and decimals are printed is one of the ways that exist."""
+    for key, allowed in MARKS.items():
+        if notation.get(key, allowed[0]) not in allowed:
+            ways = " or ".join(f'"{way}"' for way in allowed)
+            raise section.error(f"{key} cannot be “{notation[key]}”", f"write {key} = {ways}.", key)
 
 
 def _quantity_names(problem: Problem) -> list[str]:
