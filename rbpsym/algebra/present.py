@@ -127,8 +127,8 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
     factors = _sums_before_functions([*_powers(behind, style), *moving])
-    node = t.mul(*([] if head == t.ONE else [head]), *fixed, *factors)
-    node = t.div(node, t.mul(*low)) if low else node
+    top, bottom = (head.num, head.den) if low and isinstance(head, t.Div) else (head, t.ONE)
+    node = t.div(t.mul(top, *fixed, *factors), t.mul(bottom, *low))
     return t.neg(node) if coefficient < 0 else node
 
 
