@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError, StatementError
+from rbpsym.notation.glyphs import MARKS
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +61,7 @@ def load_course(file: Path) -> Course:
         raise StatementError(
             "the course has no parts", instead='add [[part]] with problem = "..."', place=Place(str(file))
         )
+    _known_marks(data.get("notation", {}), file)
     parts = tuple(_part(item, file) for item in data["part"])
     return Course(
         file.stem,
@@ -74,6 +76,14 @@ def load_course(file: Path) -> Course:
 
 def _titles(value: object) -> Mapping[str, str]:
     return dict(value) if isinstance(value, dict) else {"en": str(value)}
+
+
+def _known_marks(notation: Mapping[str, object], file: Path) -> None:
+    for key, allowed in MARKS.items():
+        if notation.get(key, allowed[0]) not in allowed:
+            ways = " or ".join(f'"{way}"' for way in allowed)
+            said = f"{key} cannot be “{notation[key]}”"
+            raise StatementError(said, instead=f"write {key} = {ways}.", place=Place(str(file)))
 
 
 def _known_keys(data: Mapping[str, object], known: tuple[str, ...], file: Path) -> None:

@@ -4,13 +4,15 @@ from fractions import Fraction
 
 import pytest
 
-from rbpsym.document.notes import problem_notation
+from rbpsym.courses import derive_course
+from rbpsym.document.notes import course_notes, problem_notation
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.text import to_text
 from rbpsym.notation.typst import to_typst
+from rbpsym.statement.course import load_course
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_text
 
@@ -34,3 +36,13 @@ def test_vectors_and_decimals_are_restyled(printer):
 def test_a_mark_that_does_not_exist_is_refused():
     with pytest.raises(RbpsymError, match="vectors cannot be “wavy”"):
         styled('vectors = "wavy"')
+
+
+def test_a_course_is_restyled_or_refused(tmp_path):
+    file = tmp_path / "course.toml"
+    text = '[notation]\nvectors = "{}"\n[[part]]\ntheory = "plane-motion"\n'
+    file.write_text(text.format("bold"))
+    assert course_notes(derive_course(load_course(file))).notation.vector == "bold"
+    file.write_text(text.format("wavy"))
+    with pytest.raises(RbpsymError, match="vectors cannot be “wavy”"):
+        load_course(file)
