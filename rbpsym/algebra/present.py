@@ -242,14 +242,18 @@ def _signed(c: Coefficient, m: Monomial, style: Style) -> t.Node:
     return t.neg(node) if c < 0 else node
 
 
+QUOTIENTS = {"sin": ("cos", "tan"), "cos": ("sin", "cot")}
+
+
 def _tangents(m: Monomial, style: Style) -> tuple[Monomial, list[t.Node]]:
-    """sin A / cos A is printed tan A; what is left of the monomial, and the tangents."""
+    """sin A / cos A is printed tan A, cos A / sin A cot A; what is left of the monomial, and the tangents."""
     powers, nodes = dict(m), []
     for index, exponent in m if style.tangents else ():
         found = atoms.atom(index)
-        below = atoms.intern("cos", found.arg) if found.kind == "sin" else None
+        other, name = QUOTIENTS.get(found.kind, (None, ""))
+        below = atoms.intern(other, found.arg) if other else None
         if exponent > 0 and powers.get(below) == -exponent:
-            nodes.append(t.power(t.Fn("tan", angle_node(found.arg, style)), exponent))
+            nodes.append(t.power(t.Fn(name, angle_node(found.arg, style)), exponent))
             del powers[index], powers[below]
     return (tuple(powers.items()), nodes) if nodes else (m, [])
 
