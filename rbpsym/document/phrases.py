@@ -11,6 +11,7 @@ inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
@@ -42,6 +43,16 @@ def two_forms(count: int) -> str:
 PLURALS: Mapping[str, Callable[[int], str]] = {"en": two_forms, "es": two_forms}
 
 
+# Endings of feminine nouns, and the nouns that they mislead about. The first word decides.
+FEMININE = {"es": re.compile(r"(a|ción|sión|dad|tud|triz)$")}
+OTHER_GENDER = {"es": {"día": "masculine", "mapa": "masculine", "sistema": "masculine", "planeta": "masculine",
+                       "prisma": "masculine", "rueda": "feminine", "base": "feminine", "viga": "feminine"}}  # fmt: skip
+# What two words that meet become: de + el is del.
+CONTRACTIONS = {"es": ((re.compile(r"\b([Dd]e) el\b"), r"\1l"), (re.compile(r"\b([Aa]) el\b"), r"\1l"))}
+# The last "and" of a list before certain sounds: "e hilo", but "y hielo".
+BEFORE_SOUND = {"es": (re.compile(r"h?i(?![aeo])", re.IGNORECASE), " e ")}
+
+
 def languages() -> tuple[str, ...]:
     """The languages that have a phrases file."""
     return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
@@ -68,7 +79,7 @@ def flatten(prefix: str, table: Mapping[str, object]) -> Iterator[tuple[str, str
 
 def phrase(key: str, language: str = "en", **slots: object) -> Inlines:
     """The phrase `key` with its places filled. Raises DocumentError for a missing key or slot."""
-    return merged(filled(template(key, language, slots), key, language, slots))
+    return contracted(merged(filled(template(key, language, slots), key, language, slots)), language)
 
 
 def plain(key: str, language: str = "en", **slots: object) -> str:
@@ -93,6 +104,8 @@ def template(key: str, language: str, slots: Mapping[str, object]) -> str:
         return table[wanted]
     if key in table:
         return table[key]
+    if "variant" not in slots and f"{key}.masculine" in table:
+        return table[f"{key}.{gender(first_noun(table[f'{key}.masculine'], slots), language)}"]
     near = get_close_matches(wanted.rstrip("."), table, n=1)
     raise DocumentError(
         f"no phrase “{wanted.rstrip('.')}” in “{language}”",
@@ -105,6 +118,40 @@ def variant(language: str, slots: Mapping[str, object]) -> str:
     if "variant" in slots:
         return str(slots["variant"])
     return PLURALS.get(language, two_forms)(slots["count"]) if "count" in slots else ""
+
+
+def first_noun(text: str, slots: Mapping[str, object]) -> str:
+    """The words in the first place of a template."""
+    name = next((name for _, name, _, _ in Formatter().parse(text) if name), "")
+    value = slots.get(name, "")
+    found = value if isinstance(value, tuple) else (value,)
+    return "".join(item.text if isinstance(item, Text) else str(item) for item in found)
+
+
+def gender(noun: str, language: str) -> str:
+    """ "feminine" or "masculine", by the ending of the first word and a list of exceptions."""
+    word = noun.split()[0].lower() if noun.split() else ""
+    ending = FEMININE.get(language)
+    by_ending = "feminine" if ending and ending.search(word) else "masculine"
+    return OTHER_GENDER.get(language, {}).get(word, by_ending)
+
+
+def contracted(inlines: Inlines, language: str) -> Inlines:
+    """The inlines with the contractions of the language made inside each text."""
+    found = []
+    for inline in inlines:
+        if isinstance(inline, Text):
+            for meeting, short in CONTRACTIONS.get(language, ()):
+                inline = Text(meeting.sub(short, inline.text))
+        found.append(inline)
+    return tuple(found)
+
+
+def last_and(item: Inlines, language: str) -> str:
+    """The word before the last item of a list, as its first sound asks."""
+    sound, other = BEFORE_SOUND.get(language, (None, ""))
+    starts = sound and isinstance(item[0], Text) and sound.match(item[0].text)
+    return other if starts else phrases(language)["list.last"]
 
 
 def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:
@@ -143,11 +190,11 @@ def inlines_of(value: object, language: str) -> Inlines:
 
 def joined(items: list[Inlines], language: str) -> Inlines:
     """ "a, b and c" by the language's rule (`list.separator` and `list.last` of its phrases)."""
-    table = phrases(language)
     found: list[Inline] = []
     for position, item in enumerate(items):
-        rule = "list.last" if position == len(items) - 1 else "list.separator"
-        found += [Text(table[rule])] if position else []
+        is_last = position == len(items) - 1
+        link = last_and(item, language) if is_last else phrases(language)["list.separator"]
+        found += [Text(link)] if position else []
         found += item
     return tuple(found)
 
