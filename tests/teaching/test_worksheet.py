@@ -23,7 +23,7 @@ from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.papers.html_fields import spellings
 from rbpsym.teaching.papers.latex_paper import write_paper as latex_paper
 from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
-from rbpsym.teaching.papers.naming import file_stem, safe
+from rbpsym.teaching.papers.naming import file_stem, own, safe
 from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
 from rbpsym.teaching.plan import Plan, plan_of
 from rbpsym.teaching.roster import roster_of
@@ -430,3 +430,8 @@ def test_the_documentation_names_everything() -> None:
     assert all(source in text for source in SOURCES.values())
     sheet = sheet_of_text(text.split("```toml\n")[1].split("```")[0])
     assert len(plan_of(sheet).worksheet().items) == 3
+
+
+def test_every_student_has_a_file_of_their_own() -> None:
+    ids = ["王", "李", "Иван", "Ольга", "a_b", "a-b", "Ana", "ana", "José", "jose", "x" * 60, "x" * 61]
+    assert len({own(id).casefold() for id in ids}) == len(ids)

@@ -93,6 +93,6 @@ def file_name(student: str) -> str:
     plain = slug(student)
     return (
         f"{plain}.html"
-        if plain == student
+        if plain == student == student.lower()
         else f"{plain}-{sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}.html"
     )
