@@ -52,7 +52,7 @@ def _fn(node: t.Fn, style: Style) -> b.Box:
 def applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
     """A function (or its power) before its argument, in parentheses unless it is simple."""
     call = node if isinstance(node, t.Fn) else node.base
-    head: b.Box = b.Function(WRITTEN.get(call.name, call.name))
+    head: b.Box = b.Function(style.notation.functions.get(call.name) or WRITTEN.get(call.name, call.name))
     if isinstance(node, t.Pow):
         head = b.Script(head, None, draw(node.exponent, style))
     arg = draw(call.arg, style)

@@ -18,6 +18,7 @@ ACCENTS = ("hat", "bar", "tilde", "check")
 DOTS = MappingProxyType({"dot": 1, "ddot": 2, "dddot": 3})
 _POINTLESS = frozenset("TO")  # capitals that label a kind, not a force or point: W_{T,1}
 _AXES = frozenset("xyz")
+_NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,31 +40,56 @@ class Notation:
 
     `aliases` draws one name as another (`theta_dot` as `omega`); `vector` is "arrow" or
     "bold"; `decimal` is the decimal mark; `differential` is "italic" or "upright".
+
+    What a language brings: `functions` by what they are called ("sin": "sen"), `names` of bodies and the
+    like ("rod": "varilla", so that `W_rod` is drawn as `W_varilla`), `words` in which formulas are spoken.
     """
 
-    aliases: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    aliases: Mapping[str, str] = field(default_factory=lambda: _NOTHING)
     vector: str = "arrow"
     decimal: str = "."
     differential: str = "italic"
+    functions: Mapping[str, str] = field(default_factory=lambda: _NOTHING)
+    names: Mapping[str, str] = field(default_factory=lambda: _NOTHING)
+    words: Mapping[str, str] = field(default_factory=lambda: _NOTHING)
 
     def __hash__(self) -> int:
-        return hash((tuple(sorted(self.aliases.items())), self.vector, self.decimal, self.differential))
+        mappings = (self.aliases, self.names, self.functions)
+        own = (tuple(sorted(mapping.items())) for mapping in mappings)
+        return hash((*own, self.vector, self.decimal, self.differential))
 
     def glyph(self, name: str) -> Glyph:
-        """The glyph of a quantity, after aliases."""
-        return glyph(self.aliases.get(name, name))
+        """The glyph of a quantity, after aliases and in the names of the language."""
+        drawn = self.aliases.get(name, name)
+        return glyph(renamed(drawn, self.names) if self.names else drawn)
+
+
+def renamed(name: str, names: Mapping[str, str]) -> str:
+    """A name with its parts as they are called: W_rod_1 with rod_1 → varilla_1; the longest parts first."""
+    for own in sorted((own for own in names if own in name), key=len, reverse=True):
+        name = re.sub(rf"(?<![^_]){re.escape(own)}(?![^_])", names[own], name)
+    return name
 
 
 DEFAULT = Notation()
 MARKS: Mapping[str, tuple[str, ...]] = MappingProxyType({"vectors": ("arrow", "bold"), "decimal": (".", ",")})
 
 
-def notation_for(names: Iterable[str], said: Mapping[str, str] | None = None) -> Notation:
-    """The notation of a problem: its aliases and marks, and an upright dθ if it has a quantity named d."""
-    style = "upright" if "d" in set(names) else "italic"
-    marks = {key: (said or {}).get(key, allowed[0]) for key, allowed in MARKS.items()}
-    aliases = {key: value for key, value in (said or {}).items() if key not in MARKS}
-    return Notation(MappingProxyType(aliases), marks["vectors"], marks["decimal"], style)
+def notation_for(names: Iterable[str], said: Mapping[str, str] | None = None, usual: Notation = DEFAULT) -> Notation:
+    """The notation of a problem: its aliases and marks, and an upright dθ if it has a quantity named d.
+
+    `usual` is the notation of the language, for what is not said.
+    """
+    said = said or {}
+    style = "upright" if "d" in set(names) else usual.differential
+    aliases = {key: value for key, value in said.items() if key not in MARKS}
+    return replace(
+        usual,
+        aliases=MappingProxyType(aliases),
+        vector=said.get("vectors", usual.vector),
+        decimal=said.get("decimal", usual.decimal),
+        differential=style,
+    )
 
 
 @lru_cache(maxsize=4096)

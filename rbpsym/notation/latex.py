@@ -22,6 +22,9 @@ _SIGNS = {
 }  # fmt: skip
 _LETTERS = {"∂": r"\partial", "ı": r"\imath", "ȷ": r"\jmath"}
 _ACCENTS = {"bold": "boldsymbol"}
+_OPERATORS = frozenset(
+    ["sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "ln", "lim"]
+)  # commands of LaTeX
 
 
 def to_latex(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
@@ -136,7 +139,7 @@ def _fence(box: b.Fence) -> str:
 
 
 def _function(box: b.Function) -> str:
-    return "\\" + box.name
+    return f"\\{box.name}" if box.name in _OPERATORS else rf"\operatorname{{{box.name}}}"
 
 
 def _applied(box: b.Applied) -> str:

@@ -11,12 +11,9 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.latex_grammar import SPACING, argument, atom, begins_factor, factor, power_of
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
-from rbpsym.notation.latex_tokens import Token
+from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token
 
-FUNCTIONS = {
-    **{rf"\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
-    r"\arcsin": "asin", r"\arccos": "acos", r"\arctan": "atan", r"\log": "ln",
-}  # fmt: skip
+FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
 _CLOSED = ("(", "[", "{", r"\{")
 _ROOTS = (r"\frac", r"\sqrt")

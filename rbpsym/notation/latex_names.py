@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_table import COMMANDS, Reader
-from rbpsym.notation.latex_tokens import Token, tokenize
+from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token, tokenize
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
 
@@ -140,6 +140,8 @@ def _label_part(reader: Reader) -> str:
         return "'"
     if token.text in (",", "_", "{,}", r"\rm", r"\it", *_PLAIN):
         return ""
+    if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
+        return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
 
 

@@ -15,6 +15,13 @@ from rbpsym.notation.source import Source, refused
 
 MAX_LENGTH = 8000
 
+# Names of functions in the languages whose papers are read; behind a backslash, or upright: \\operatorname{sen}.
+FUNCTION_WORDS = {
+    **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln",
+    "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
+    "arcsen": "asin", "arctg": "atan",
+}  # fmt: skip
 _SILENT = (
     r"\\(?:,|;|:|!|>| |\n)|~"
     r"|\\(?:quad|qquad|nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
@@ -27,7 +34,8 @@ _PATTERNS = re.compile(
     r"|(?P<bar>\\(?:left|right|bigl|bigr|big|Big)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
     r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
-    r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname|rm)\s*\{[^{}]*\})"
+    r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
+    rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
     r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\{[lcr]*\})?)"
     r"|(?P<row>\\\\(?:\[[^\]]*\])?)"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
@@ -107,7 +115,9 @@ def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
 
 def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     """Upright text; a word such as `and` between relations begins a new one."""
-    word = re.search(r"\{([^{}]*)\}", text)[1].strip()
+    word = re.search(r"\{(?:\s*\\rm)?([^{}]*)\}", text)[1].strip()
+    if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
+        return Token("command", rf"\{word}", start, end)
     joins = word.strip(" ,;:.") in JOINING and not text.startswith((r"\mathrm", r"\operatorname"))
     return Token("row" if joins else "text", word, start, end)
 

@@ -18,6 +18,9 @@ _ACCENTS = {
     "vec": "arrow", "bar": "macron", "check": "caron", "ddot": "dot.double",
     "dddot": "dot.triple",
 }  # fmt: skip
+_OPERATORS = frozenset(
+    ["sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "ln", "lim"]
+)  # commands of Typst
 _LETTERS = {"ı": "dotless.i", "ȷ": "dotless.j"}
 
 
@@ -125,7 +128,7 @@ _FENCES: dict[str, Callable[[str], str]] = {
 
 
 def _function(box: b.Function) -> str:
-    return box.name
+    return box.name if box.name in _OPERATORS else f"op({_quoted(box.name)})"
 
 
 def _applied(box: b.Applied) -> str:

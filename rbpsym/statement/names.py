@@ -9,7 +9,7 @@ from rbpsym.statement.source import Item, Table, kind_of
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FUNCTIONS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "arcsin", "arccos", "arctan",
-              "exp", "ln", "log", "sqrt", "abs")  # fmt: skip
+              "exp", "ln", "log", "sqrt", "abs", "sen", "tg", "ctg", "cotg", "cosec", "arcsen", "arctg")  # fmt: skip
 
 RESERVED = {
     "t": "the time",

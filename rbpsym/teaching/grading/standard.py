@@ -60,8 +60,9 @@ def _atanh(node: t.Node) -> t.Node:
 
 MADE: Mapping[str, Made] = MappingProxyType({
     **FUNCTIONS, "sinh": _sinh, "cosh": _cosh, "tanh": _tanh, "log10": _log10, "lg": _log10, "cbrt": _cbrt, "root": t.Sqrt,
-    "log_10": _log10, "cosec": FUNCTIONS["csc"], "cotan": FUNCTIONS["cot"], "sech": _over_one(_cosh), "csch": _over_one(_sinh),
-    "cosech": _over_one(_sinh), "coth": _over_one(_tanh), "tg": FUNCTIONS["tan"], "sen": FUNCTIONS["sin"],
+    "log_10": _log10, "cotan": FUNCTIONS["cot"], "sech": _over_one(_cosh), "csch": _over_one(_sinh),
+    "cosech": _over_one(_sinh), "coth": _over_one(_tanh),
+    "senh": _sinh, "tgh": _tanh,
     **dict.fromkeys(("asinh", "arcsinh", "arsinh"), _asinh), **dict.fromkeys(("acosh", "arccosh", "arcosh"), _acosh),
     **dict.fromkeys(("atanh", "arctanh", "artanh"), _atanh),
 })  # fmt: skip

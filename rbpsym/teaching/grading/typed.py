@@ -134,7 +134,7 @@ def _times(text: str, book: Book) -> str:
     return re.sub(rf"({_WORD}'*)\s*\(t\)", lambda f: f[1] if lookup(f[1], book) else f[0], text)
 
 
-_BARE = re.compile(r"\b((?:a|arc)?(?:sin|cos|tan))\s+([A-Za-z]\w*)\s*/\s*(?=\([^()]*[A-Za-z])")
+_BARE = re.compile(r"\b((?:a|arc)?(?:sin|sen|cos|tan|tg))\s+([A-Za-z]\w*)\s*/\s*(?=\([^()]*[A-Za-z])")
 
 
 def _arguments(text: str, book: Book) -> str:
