@@ -22,9 +22,9 @@ _SIGNS = {
 }  # fmt: skip
 _LETTERS = {"∂": r"\partial", "ı": r"\imath", "ȷ": r"\jmath"}
 _ACCENTS = {"bold": "boldsymbol"}
-_OPERATORS = frozenset(
+_OPERATORS = frozenset(  # commands for functions
     ["sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "ln", "lim"]
-)  # commands of LaTeX
+)
 
 
 def to_latex(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:

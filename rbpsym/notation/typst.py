@@ -18,9 +18,9 @@ _ACCENTS = {
     "vec": "arrow", "bar": "macron", "check": "caron", "ddot": "dot.double",
     "dddot": "dot.triple",
 }  # fmt: skip
-_OPERATORS = frozenset(
+_OPERATORS = frozenset(  # commands for functions
     ["sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "ln", "lim"]
-)  # commands of Typst
+)
 _LETTERS = {"ı": "dotless.i", "ȷ": "dotless.j"}
 
 
