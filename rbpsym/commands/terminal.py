@@ -75,8 +75,7 @@ def _display(block: Display, screen: Screen) -> Iterator[str]:
     verdict = all_of(found) if found else None
     mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
     rows = _rows(block, screen)
-    number = f"({block.number})" if block.number else ""
-    last = f"{padded(rows[-1], screen.width - 7 - len(number))} {number}".rstrip()
+    last = f"{padded(rows[-1], screen.width - 7 - len(block.mark))} {block.mark}".rstrip()
     for row in [*rows[:-1], last]:
         yield f"    {click.style(mark, fg=color)} {click.style(row, bold=block.boxed)}"
         mark = " "

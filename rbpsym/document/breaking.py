@@ -113,9 +113,22 @@ def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]
         yield Line(left, b.Row(tuple(flat(b.Row(rights)))))
         return
     if margin and margin + max(map(least, rights)) > column:
-        yield from sum_lines(EMPTY, left, column)
-        left, margin = EMPTY, INDENT
+        yield from long_left(left, rights, column)
+        return
     yield from with_short_ends(left, rights, column - margin)
+
+
+def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator[Line]:
+    """The lines of a left side that has no room beside a right one; a very short one ("= 0") ends its last line."""
+    end = rights[0] if width(rights[0]) <= SHORT else EMPTY
+    *before, last = sum_lines(EMPTY, left, column - width(end))
+    yield from before
+    if end is EMPTY or last.width + width(end) > column:
+        yield last
+        yield from with_short_ends(EMPTY, rights, column - INDENT)
+        return
+    yield Line(EMPTY, b.Row((*flat(last.right), *flat(end))), last.indent)
+    yield from with_short_ends(EMPTY, rights[1:], column - INDENT)
 
 
 def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[Line]:

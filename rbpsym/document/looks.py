@@ -117,7 +117,7 @@ def of_derivation(derivation: Derivation) -> Bundle:
 
 def _without_reasons(block: Block) -> Block:
     """A callout of results whose numbers stand on no page here."""
-    return replace(block, blocks=tuple(replace(inner, reason=None) for inner in block.blocks))
+    return replace(block, blocks=tuple(replace(inner, reason=None, repeats=None) for inner in block.blocks))
 
 
 def of_excerpt(excerpt: Excerpt) -> Bundle:

@@ -76,7 +76,8 @@ class Display:
     """A formula on lines of its own: a chain, a system or an expression.
 
     `reason` is printed beside it (or below where there is no room); a boxed one is a result.
-    References to the labels in `also` show its number too.
+    References to the labels in `also` show its number too. One that stands elsewhere already
+    `repeats` it: that one's number is printed, as a link.
     """
 
     node: Node
@@ -86,6 +87,12 @@ class Display:
     reason: Inlines | None = None
     number: str = ""
     also: tuple[str, ...] = ()
+    repeats: Ref | None = None
+
+    @property
+    def mark(self) -> str:
+        """What stands at its right: "(7)", "" if it has no number."""
+        return self.repeats.mark if self.repeats else f"({self.number})" if self.number else ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,17 @@ def results_section(derivation: Derivation, said: Words, level: int, later: Iter
     """The boxed results once more, each with the number under which it was found; `later` of further phases."""
     told = [(said, derivation.steps), *later]
     found = [(speech, step) for speech, steps in told for step in steps if step.is_result and step.id in speech.shown]
-    blocks: tuple[Block, ...] = tuple(
-        Display(step.statement, numbered=False, reason=speech.step(step.id)) for speech, step in _distinct(found)
-    )
+    blocks: tuple[Block, ...] = tuple(_once_more(step, speech) for speech, step in _distinct(found))
     box = Callout("result", said.say("results.intro"), blocks)
     return Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
+
+
+def _once_more(step: Step, speech: Words) -> Display:
+    """The formula with the number under which it stands on the page already."""
+    (first, *_) = where = speech.step(step.id)
+    if isinstance(first, Ref):
+        return Display(step.statement, numbered=False, repeats=first)
+    return Display(step.statement, numbered=False, reason=where)
 
 
 def _distinct(found: list[tuple[Words, Step]]) -> Iterator[tuple[Words, Step]]:

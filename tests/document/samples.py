@@ -243,6 +243,7 @@ def sample(notation: Notation | None = None, language: str = "en") -> Document:
             Display(LONG_SUM, "eq:sum"),
             Display(BALANCE, "eq:balance"),
             Display(COMPARISON, numbered=False),
+            Display(ANGULAR_MOMENTUM, numbered=False, repeats=Ref("eq:momentum")),
             Callout(
                 "result",
                 (),

@@ -266,7 +266,7 @@ def test_what_latex_shows_reads_back_as_the_same_formula() -> None:
     shown = [part for part in parts(document.sections) if isinstance(part, Display)]
     assert len(bodies) == len(shown)
     for found, part in zip(bodies, shown, strict=True):
-        formula = re.sub(r"\\reason\w+\{.*|\\(?:begin|end)\{gathered\}|\\qquad (?=\\reason)", "", found)
+        formula = re.sub(r"\\(?:reason\w+|tag\*)\{.*|\\(?:begin|end)\{gathered\}|\\qquad (?=\\reason)", "", found)
         formula = re.sub(r"\\boxed\{(.*)\}\s*$", r"\1", formula.strip(), flags=re.S)
         formula = formula.removesuffix("\\\\").replace("\\\\\n  &\\qquad {}", " ")
         node = read_latex(formula, names(part.node), notation=document.notation)

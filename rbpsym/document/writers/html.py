@@ -103,7 +103,8 @@ def reference(inline: Ref, page: Page) -> str:
 
 def display(block: Display, page: Page) -> str:
     """A displayed formula with its number at the right; boxes are CSS."""
-    number = f'<span class="number">({block.number})</span>' if block.number else ""
+    mark = page.show(block.repeats) if block.repeats else block.mark
+    number = f'<span class="number">{mark}</span>' if mark else ""
     math = display_math(block, page)
     math = f'<div class="formula{" boxed" if block.boxed else ""}"{shrinking(block, page)}>{math}</div>'
     aside = reason(block, page)

@@ -83,6 +83,7 @@ def display(block: Display, page: Page) -> str:
     """A displayed formula, numbered or not, boxed or not, with its reason."""
     star = "" if block.numbered else "*"
     content = with_reason(block, framed(block, formula(block, page)), page)
+    content += rf" \tag*{{{page.show(block.repeats)}}}" if block.repeats else ""
     lines = [rf"\begin{{equation{star}}}{anchor(block.label)}", content, rf"\end{{equation{star}}}"]
     return "\n".join(lines)
 

@@ -75,7 +75,7 @@ def section(part: Section, page: Page) -> str:
 def display(block: Display, page: Page) -> str:
     """A formula between double dollars, its reason below."""
     lines = breaking.display_lines(block, page.notation, page.column)
-    tag = rf" \tag{{{block.number}}}" if block.number else ""
+    tag = rf" \tag{{{block.mark.strip('()')}}}" if block.mark else ""
     content = formula_text(lines)
     content = rf"\boxed{{{content}}}" if block.boxed else content
     reason = f"\n\n{wrapped('*', f'({page.inlines(block.reason)})')}" if block.reason else ""

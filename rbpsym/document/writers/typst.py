@@ -91,11 +91,18 @@ def display(block: Display, page: Page) -> str:
     written = aligned_line if len(lines) > 1 else single_line
     content = " \\\n  ".join(map(written, lines))
     settings = [f"alt: {spoken(block.node, page)}"]
-    settings += [f"number: {typst_string(f'({block.number})')}"] if block.number else []
+    settings += number(block, page)
     settings += ["boxed: true"] if block.boxed else []
     settings += ["shrunk: true"] if breaking.widest(lines) > page.column else []
     settings += reason(block, page)
     return f"#display({', '.join(settings)}, $\n  {content}\n$){anchor(block.label)}"
+
+
+def number(block: Display, page: Page) -> list[str]:
+    """The argument of a display that has a number, its own or that of another."""
+    if block.repeats:
+        return [f"number: [{page.show(block.repeats)}]"]
+    return [f"number: {typst_string(block.mark)}"] if block.mark else []
 
 
 def reason(block: Display, page: Page) -> list[str]:

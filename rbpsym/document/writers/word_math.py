@@ -37,6 +37,8 @@ ASIDE = 5.0  # em
 
 def aside(block: Display, page: Page) -> str:
     """What stands at the right: the number, or a short reason."""
+    if block.repeats:
+        return page.show(block.repeats)
     if is_aside(block, page):
         return page.inlines(block.reason)
     return text_run(f"({block.number})") if block.number else ""

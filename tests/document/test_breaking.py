@@ -1,0 +1,35 @@
+"""How formulas are cut into lines: no relation sign stands alone, no line is wider than it need be."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.document import breaking
+from rbpsym.notation import latex
+from rbpsym.notation.glyphs import DEFAULT
+from rbpsym.notation.tree import ZERO, Add, Div, Fn, Mul, Node, Num, Sym, equation
+
+COS, SIN = Fn("cos", Sym("theta")), Fn("sin", Sym("theta"))
+
+
+def sum_of(count: int) -> Node:
+    """A sum of products, each a few em wide."""
+    return Add(tuple(Mul((Div(Num(n), Num(4)), Sym("M"), Sym("g"), COS, SIN)) for n in range(1, count + 1)))
+
+
+@pytest.mark.parametrize("column", [20.0, 30.0, 40.0, 41.0, 42.0])
+@pytest.mark.parametrize("count", [3, 5, 6])
+def test_a_short_end_goes_on_with_a_left_side_that_had_to_be_cut(count: int, column: float) -> None:
+    found = breaking.lines(equation(sum_of(count), ZERO), DEFAULT, column)
+    last = latex.render(found[-1].right).strip()
+    assert last.endswith("= 0")
+    assert not last.startswith("=") or len(found) == 1
+    assert breaking.widest(found) <= column
+
+
+def test_a_left_side_of_one_piece_keeps_its_end_below() -> None:
+    """A single term that fills the line can't make room for "= 0"."""
+    product = Mul(tuple(Sym(f"x_{n}") for n in range(30)))
+    column = breaking.node_width(product) + 0.5
+    found = breaking.lines(equation(product, ZERO), DEFAULT, column)
+    assert [latex.render(line.right).strip().startswith("=") for line in found] == [False, True]
