@@ -30,6 +30,7 @@ class Scope:
     scalars, vectors: values of defined quantities. rates: time derivative of each generator
     that varies (θ: θ̇, θ̇: θ̈). start: what each generator is at the start. body: value of ∫ f dm
     for an integrand f. powers: rate of each quantity that is known by its rate (a work).
+    densities: da/dm of a vector a that is spread over a body; total: a sum over all forces on it.
     """
 
     scalars: Mapping[str, Scalar] = field(default_factory=dict)
@@ -38,6 +39,8 @@ class Scope:
     start: Mapping[str, Scalar] = field(default_factory=dict)
     body: Callable[[Scalar, str], Scalar] | None = None
     powers: Mapping[str, Scalar] = field(default_factory=dict)
+    densities: Mapping[str, Space] = field(default_factory=dict)
+    total: Callable[[Scalar], Scalar] | None = None
 
     def with_scalars(self, more: Mapping[str, Scalar]) -> Scope:
         """The same scope with further (or other) scalar meanings."""
@@ -166,6 +169,8 @@ def _absolute(node: t.Abs, scope: Scope) -> Scalar:
 
 
 def _derivative(node: t.Deriv, scope: Scope) -> Value:
+    if node.wrt == "m" and isinstance(node.of, t.Vec) and node.of.name in scope.densities:
+        return scope.densities[node.of.name]
     found = value(node.of, scope)
     for _ in range(node.order):
         if node.wrt == "t":
@@ -299,6 +304,12 @@ def _integral_rate(node: t.Integral, scope: Scope) -> Scalar:
     return _plain_rate(node, scope)
 
 
+def _total_rate(node: t.Sum, scope: Scope) -> Scalar:
+    if scope.total is None:
+        raise ReadError("a sum stands where its terms are not known")
+    return scope.total(rate(node.term, scope))
+
+
 def _symbol_rate(node: t.Sym, scope: Scope) -> Scalar:
     found = scope.powers.get(node.name)
     return _plain_rate(node, scope) if found is None else found
@@ -314,4 +325,5 @@ RATES: dict[type, Callable[[Any, Scope], Scalar]] = {
     t.Div: lambda node, scope: rate(node.num, scope) * scalar(node.den, scope).inverse(),
     t.Integral: _integral_rate,
     t.PathIntegral: _path_rate,
+    t.Sum: _total_rate,
 }

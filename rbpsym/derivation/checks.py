@@ -138,6 +138,8 @@ def _begin(context: Context, node: t.Node) -> Scalar:
         return NOTHING
     if isinstance(node, t.Add):
         return sum((_begin(context, term) for term in node.terms), NOTHING)
+    if isinstance(node, t.Sum):
+        return _begin(context, node.term)
     if isinstance(node, (t.Neg, t.Group)):
         inner = _begin(context, node.arg)
         return -inner if isinstance(node, t.Neg) else inner

@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from rbpsym.algebra.scalar import NOTHING, symbol
-from rbpsym.algebra.vector import Space, cartesian
+from rbpsym.algebra.vector import Space
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.step import STANDARD, Certificate, Lesson, Step, StepRef
 from rbpsym.derivation.theory_ground import (
@@ -20,17 +19,16 @@ from rbpsym.derivation.theory_ground import (
     MOMENT,
     OMEGA,
     POWERS,
+    RATES,
     SCALARS,
     VECTORS,
-    F,
     R,
     TheoryContext,
-    V,
     particle_context,
-    plane_vector,
-    s,
+    turning,
 )
 from rbpsym.derivation.theory_potential import potential_energy
+from rbpsym.derivation.theory_works import ideal_forces, works
 from rbpsym.equality.verdict import Verdict
 from rbpsym.notation import tree as t
 
@@ -61,9 +59,13 @@ class Writer:
         premises: Iterable[str] = (),
         fixed: bool = False,
         is_result: bool = False,
+        context: TheoryContext | None = None,
     ) -> None:
-        """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R."""
-        context = replace(self.context, **_about_fixed_axis()) if fixed else self.context
+        """Adds a checked step; `fixed`: the body turns about a fixed point, V = ω × R.
+
+        `context`: what the names mean, if it is not what they mean for any body.
+        """
+        context = context or (replace(self.context, **_about_fixed_axis()) if fixed else self.context)
         step = Step(
             id,
             rule,
@@ -93,9 +95,11 @@ def _about_fixed_axis() -> dict[str, object]:
         "L": R.cross(momentum) + Space(z=MOMENT * OMEGA),
         "tau_net": R.cross(push) + Space(z=MOMENT * ALPHA),
     }
-    works = {**POWERS, "cal_W_T": push.dot(velocity), "cal_W": push.dot(velocity) + MOMENT * ALPHA * OMEGA}
+    whole = push.dot(velocity) + MOMENT * ALPHA * OMEGA
+    works = {**POWERS, "cal_W_T": push.dot(velocity), "cal_W": whole, "cal_W_theta_O": vectors["tau_net"].z * OMEGA}
     energy = (MASS * velocity.dot(velocity) + MOMENT * OMEGA * OMEGA) / 2
-    return {"vectors": vectors, "works": works, "scalars": {**SCALARS, "E_K": energy}}
+    rates = {**RATES, **turning("X", "Y")}
+    return {"vectors": vectors, "works": works, "scalars": {**SCALARS, "E_K": energy}, "rates": rates}
 
 
 def _half(*factors: t.Node) -> t.Node:
@@ -109,7 +113,7 @@ def _square(node: t.Node) -> t.Node:
 def plane_motion() -> Lesson:
     """The lesson: rigidity, momentum, torque, energy, fixed axis, works, ideal constraints."""
     w = Writer()
-    for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, _works, potential_energy, _ideal):
+    for chapter in (_rigidity, _momentum, _torque, _energy, _fixed_axis, works, potential_energy, ideal_forces):
         chapter(w)
     return Lesson("theory", "plane-motion", tuple(w.steps))
 
@@ -129,7 +133,7 @@ def _rigidity(w: Writer) -> None:
     )
     w.add(
         "velocity",
-        t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((t.Vec("R_cm"), arm)))), t.Add((t.Vec("V_cm"), turn))),
+        t.equation(t.Vec("v_prime"), t.Deriv(t.Group(t.Add((arm, t.Vec("R_cm"))))), t.Add((t.Vec("V_cm"), turn))),
         premises=["turning"],
     )
 
@@ -151,14 +155,14 @@ def _momentum(w: Writer) -> None:
         t.equation(t.BodyIntegral(t.Vec("v_prime")), t.mul(t.Sym("M"), t.Vec("V_cm")), t.Vec("P_cm")),
         premises=["velocity", "moments"],
     )
-    place, speed = t.Add((t.Vec("R_cm"), arm)), t.Add((t.Vec("V_cm"), t.Cross(omega, arm)))
+    place = t.Group(t.Add((arm, t.Vec("R_cm"))))
     split = t.Add((t.Cross(t.Vec("R_cm"), t.Vec("P_cm")), t.mul(t.Sym("I_cm"), omega)))
     w.add(
         "angular_momentum",
         t.equation(
             t.Vec("L"),
-            t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Vec("v_prime"))),
-            t.BodyIntegral(t.Cross(t.Group(place), t.Group(speed))),
+            t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Deriv(t.Vec("p_prime"), "m"))),
+            t.BodyIntegral(t.Cross(place, t.Deriv(place))),
             split,
         ),
         premises=["velocity", "moments", "linear"],
@@ -190,7 +194,11 @@ def _torque(w: Writer) -> None:
     )
     w.add(
         "torque_sum",
-        t.equation(t.Vec("tau_net"), t.Add((t.Vec("tau_cm"), t.Cross(arm, t.Vec("F_net"))))),
+        t.equation(
+            t.Vec("tau_net"),
+            t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Deriv(t.Vec("F_ext"), "m"))),
+            t.Add((t.Vec("tau_cm"), t.Cross(arm, t.Vec("F_net")))),
+        ),
         premises=["torque_split"],
     )
     w.add(
@@ -248,130 +256,6 @@ def _fixed_axis(w: Writer) -> None:
         premises=["fixed_momentum"],
         is_result=True,
     )
-
-
-def _works(w: Writer) -> None:
-    along = t.PathIntegral(t.Vec("F_net"), t.Vec("R_cm"))
-    turn = t.PathIntegral(t.Sym("tau_cm"), t.Sym("varphi"), "times")
-    translation = t.Delta(t.Group(_half(t.Sym("M"), _square(t.Vec("V_cm")))))
-    rotation = t.Delta(t.Group(_half(t.Sym("I_cm"), _square(t.Vec("omega")))))
-    w.add(
-        "translational_work",
-        t.equation(t.Sym("cal_W_T"), along, translation),
-        "theory_rates",
-        ["newton"],
-        is_result=True,
-    )
-    w.add(
-        "rotational_work", t.equation(t.Sym("cal_W_theta"), turn, rotation), "theory_rates", ["euler"], is_result=True
-    )
-    place = t.Group(t.Add((t.Vec("R_cm"), t.Vec("s"))))
-    w.add(
-        "work_of_force",
-        t.equation(
-            t.Sym("cal_w"),
-            t.PathIntegral(t.Vec("F"), place),
-            t.Add(
-                (
-                    t.PathIntegral(t.Vec("F"), t.Vec("R_cm")),
-                    t.PathIntegral(t.Group(t.Cross(t.Vec("s"), t.Vec("F"))), t.Vec("varphi")),
-                )
-            ),
-        ),
-        "theory_rates",
-        ["velocity"],
-    )
-    w.add(
-        "work_energy",
-        t.equation(t.Sym("cal_W"), t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta"))), t.Delta(t.Sym("E_K"))),
-        "theory_rates",
-        ["translational_work", "rotational_work", "work_of_force", "energy"],
-        is_result=True,
-    )
-    about = t.PathIntegral(t.mul(t.Sym("I_O"), t.Sym("alpha")), t.Sym("varphi"), "times")
-    w.add(
-        "fixed_work",
-        t.equation(about, t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))),
-        "theory_rates",
-        ["fixed_torque", "work_energy"],
-        fixed=True,
-    )
-
-
-def _ideal(w: Writer) -> None:
-    """A force whose point of application doesn't move along it does W_T + W_θ = 0."""
-    still = {**POWERS, "cal_w_T": F.dot(V), "cal_w_theta": s.cross(F).z * OMEGA}
-    held = Space(z=OMEGA).cross(s)
-    vectors = {**VECTORS, "V_cm": -held}
-    works = {**still, "cal_w_T": F.dot(-held), "cal_w_theta": s.cross(F).z * OMEGA}
-    context = replace(w.context, vectors=vectors, works=works)
-    statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
-    step = Step(
-        "ideal_pivot",
-        "theory_rates",
-        statement,
-        "theory",
-        "theory.ideal_pivot",
-        {"sources": [StepRef("work_of_force")]},
-        ("work_of_force",),
-        STANDARD,
-        True,
-    )
-    verdict = c.guarded(lambda: _rates(context, step))
-    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
-    _contact(w)
-
-
-def _contact(w: Writer) -> None:
-    """A smooth contact: the point slides along the line, the force is normal to it."""
-    normal, along = symbol("N"), symbol("u")
-    force, slide = Space(cartesian(NOTHING, normal)), Space(cartesian(along, NOTHING))
-    velocity = slide - Space(z=OMEGA).cross(s)
-    works = {**POWERS, "cal_w_T": force.dot(velocity), "cal_w_theta": s.cross(force).z * OMEGA}
-    vectors = {**VECTORS, "V_cm": velocity, "F": force}
-    context = replace(w.context, vectors=vectors, works=works)
-    statement = t.equation(t.Add((t.Sym("cal_w_T"), t.Sym("cal_w_theta"))), t.ZERO)
-    step = Step(
-        "ideal_contact",
-        "theory_rates",
-        statement,
-        "theory",
-        "theory.ideal_contact",
-        {"sources": [StepRef("work_of_force")]},
-        ("work_of_force",),
-    )
-    verdict = c.guarded(lambda: _rates(context, step))
-    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
-    _pair(w)
-
-
-def _pair(w: Writer) -> None:
-    """Action and reaction at one point of two bodies: the powers cancel, wherever the centres are."""
-    second = symbol("omega_q")
-    lever = plane_vector("q_x", "q_y")
-    point = V + Space(z=OMEGA).cross(s)
-    other = point - Space(z=second).cross(lever)
-    works = {
-        **POWERS,
-        "cal_w_T_1": F.dot(V),
-        "cal_w_theta_1": s.cross(F).z * OMEGA,
-        "cal_w_T_2": -F.dot(other),
-        "cal_w_theta_2": -(lever.cross(F).z * second),
-    }
-    context = replace(w.context, works=works)
-    names = ("cal_w_T_1", "cal_w_theta_1", "cal_w_T_2", "cal_w_theta_2")
-    statement = t.equation(t.Add(tuple(t.Sym(n) for n in names)), t.ZERO)
-    step = Step(
-        "ideal_pair",
-        "theory_rates",
-        statement,
-        "theory",
-        "theory.ideal_pair",
-        {"sources": [StepRef("work_of_force")]},
-        ("work_of_force",),
-    )
-    verdict = c.guarded(lambda: _rates(context, step))
-    w.steps.append(replace(step, certificate=Certificate(("theory_rates", "by_particles"), verdict)))
 
 
 THEORIES = {"plane-motion": plane_motion}

@@ -24,7 +24,7 @@ def _moving(name: str, orders: int = 2) -> dict[str, Scalar]:
     return {a: symbol(b) for a, b in zip(steps, steps[1:], strict=False)}
 
 
-def _turning(x: str, y: str, speed: Scalar = OMEGA) -> dict[str, Scalar]:
+def turning(x: str, y: str, speed: Scalar = OMEGA) -> dict[str, Scalar]:
     """Rates of the components of a vector that is fixed in the body: ω × r."""
     return {x: -(speed * symbol(y)), y: speed * symbol(x)}
 
@@ -34,10 +34,10 @@ RATES: Mapping[str, Scalar] = {
     **_moving("Y"),
     "omega": ALPHA,
     "varphi": OMEGA,
-    **_turning("xi", "eta"),
-    **_turning("s_x", "s_y"),
-    **_turning("p_x", "p_y", symbol("omega_p")),
-    **_turning("q_x", "q_y", symbol("omega_q")),
+    **turning("xi", "eta"),
+    **turning("s_x", "s_y"),
+    **turning("p_x", "p_y", symbol("omega_p")),
+    **turning("q_x", "q_y", symbol("omega_q")),
 }
 
 
@@ -57,6 +57,7 @@ R, r, s = plane_vector("X", "Y"), plane_vector("xi", "eta"), plane_vector("s_x",
 V, v = speed_of(R), speed_of(r)
 A = speed_of(V)
 F = plane_vector("F_x", "F_y")
+f = plane_vector("f_x", "f_y")  # force per mass on an element of the body, or one of the forces
 
 VECTORS: Mapping[str, Space] = {
     "R_cm": R,
@@ -73,6 +74,8 @@ VECTORS: Mapping[str, Space] = {
     "P_cm": V * MASS,
     "F": F,
     "F_net": A * MASS,
+    "F_ext_i": f,
+    "r_i": R + r,
     "L": R.cross(V * MASS) + Space(z=MOMENT * OMEGA),
     "tau_cm": Space(z=MOMENT * ALPHA),
     "tau_net": R.cross(A * MASS) + Space(z=MOMENT * ALPHA),
@@ -81,10 +84,12 @@ VECTORS: Mapping[str, Space] = {
     "omega_p": Space(z=symbol("omega_p")),
     "omega_q": Space(z=symbol("omega_q")),
 }
+DENSITIES: Mapping[str, Space] = {"p_prime": V + v, "F_ext": f}
 SCALARS: Mapping[str, Scalar] = {
     "E_K": (MASS * V.dot(V) + MOMENT * OMEGA * OMEGA) / 2,
     "I_O": MOMENT + MASS * R.dot(R),
     "tau_cm": MOMENT * ALPHA,
+    "varphi_B": symbol("varphi"),  # the change is taken from A, the start, to B, where the body is now
 }
 POWERS: Mapping[str, Scalar] = {
     "cal_W_T": (A * MASS).dot(V),
@@ -94,36 +99,40 @@ POWERS: Mapping[str, Scalar] = {
     "cal_w_T": F.dot(V),
     "cal_w_theta": s.cross(F).z * OMEGA,
 }
-MOMENTS: Mapping[tuple[int, int], Scalar] = {
-    (0, 0): MASS,
-    (1, 0): NOTHING,
-    (0, 1): NOTHING,
-    (2, 0): symbol("m_xx"),
-    (1, 1): symbol("m_xy"),
-    (0, 2): MOMENT - symbol("m_xx"),
+# ∫ ξ^a η^b f_x^c f_y^d dm by (a, b, c, d): the mass, and the forces, which add up to F_net and τ_cm.
+MOMENTS: Mapping[tuple[int, ...], Scalar] = {
+    (0, 0, 0, 0): MASS,
+    (1, 0, 0, 0): NOTHING,
+    (0, 1, 0, 0): NOTHING,
+    (2, 0, 0, 0): symbol("m_xx"),
+    (1, 1, 0, 0): symbol("m_xy"),
+    (0, 2, 0, 0): MOMENT - symbol("m_xx"),
+    (0, 0, 1, 0): (A * MASS).plane.x,
+    (0, 0, 0, 1): (A * MASS).plane.y,
+    (1, 0, 0, 1): symbol("f_xy"),
+    (0, 1, 1, 0): symbol("f_xy") - MOMENT * ALPHA,
 }
 
 
-def by_moments(integrand: Scalar, body: str) -> Scalar:
-    """∫ f dm of a polynomial f in r, from the moments of the mass."""
-    return _over(integrand.num, lambda powers: MOMENTS[powers])
+def by_moments(integrand: Scalar, body: str = "") -> Scalar:
+    """∫ f dm of a polynomial f in r, from the moments of the mass and of the forces."""
+    return _over(integrand.num, ("xi", "eta", "f_x", "f_y"), ())
 
 
-def by_particles(integrand: Scalar, body: str) -> Scalar:
+def by_particles(integrand: Scalar, body: str = "") -> Scalar:
     """Σ mᵢ f(rᵢ) over three particles whose centre of mass is at r = 0."""
     total = NOTHING
-    for mass, x, y in PARTICLES:
-        total = total + mass * substitute(integrand, {"xi": x, "eta": y})
+    for (mass, x, y), force in zip(PARTICLES, FORCES, strict=True):
+        per_mass = {"f_x": force.plane.x / mass, "f_y": force.plane.y / mass}
+        total = total + mass * substitute(integrand, {"xi": x, "eta": y, **per_mass})
     return total
 
 
-def _over(poly: Poly, moment) -> Scalar:
-    first, second = (atoms.intern("symbol", name) for name in ("xi", "eta"))
-    total = NOTHING
-    for a, part in poly.by_power(first).items():
-        for b, rest in part.by_power(second).items():
-            total = total + Scalar(rest) * moment((a, b))
-    return total
+def _over(poly: Poly, names: tuple[str, ...], powers: tuple[int, ...]) -> Scalar:
+    if not names:
+        return Scalar(poly) * MOMENTS[powers]
+    parts = poly.by_power(atoms.intern("symbol", names[0]))
+    return sum((_over(part, names[1:], (*powers, power)) for power, part in parts.items()), NOTHING)
 
 
 def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
@@ -133,7 +142,20 @@ def _particles() -> tuple[tuple[Scalar, Scalar, Scalar], ...]:
     return ((m[0], x[0], y[0]), (m[1], x[1], y[1]), (m[2], *last))
 
 
+def _forces() -> tuple[Space, ...]:
+    """Any forces on the three particles that add up to M A and have the torque I α about r = 0."""
+    (m1, x1, y1), (m2, x2, y2), (m3, x3, y3) = PARTICLES
+    net = A * (m1 + m2 + m3)
+    moment = m1 * (x1 * x1 + y1 * y1) + m2 * (x2 * x2 + y2 * y2) + m3 * (x3 * x3 + y3 * y3)
+    first, push = plane_vector("f_1x", "f_1y"), symbol("f_2x")
+    arms = [Space(cartesian(x - x3, y - y3)) for x, y in ((x1, y1), (x2, y2))]
+    left = moment * ALPHA - Space(cartesian(x3, y3)).cross(net).z - arms[0].cross(first).z + arms[1].plane.y * push
+    second = Space(cartesian(push, left / arms[1].plane.x))
+    return first, second, net - first - second
+
+
 PARTICLES = _particles()
+FORCES = _forces()
 
 
 @dataclass(frozen=True)
@@ -151,7 +173,16 @@ class TheoryContext:
     @property
     def scope(self) -> Scope:
         """The scope of the theory."""
-        return Scope(self.scalars, self.vectors, self.rates, {}, self.body, self.works)
+        return Scope(
+            self.scalars,
+            self.vectors,
+            self.rates,
+            {},
+            self.body,
+            self.works,
+            DENSITIES,
+            lambda rate: self.body(rate, ""),
+        )
 
     def value(self, node: t.Node) -> Value:
         """The value of a tree."""

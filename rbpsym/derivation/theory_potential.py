@@ -31,3 +31,18 @@ def potential_energy(w: Writer) -> None:
     w.add("potential", t.equation(t.Sym("cal_W_c"), conservative, change), "theory_rates", ["work_energy"])
     w.add("split_works", t.equation(every, others), "theory_rates", ["potential"])
     w.add("works_and_potential", t.equation(both, others), "theory_rates", ["split_works"], is_result=True)
+    _conserved(w)
+
+
+def _conserved(w: Writer) -> None:
+    """Where E_K + E_p stays constant, the works of all other forces add up to nothing."""
+    before = dict(w.context.works)
+    left = before["cal_W_T"] + before["cal_W_theta"] - before["cal_W_T_c"]
+    works = {**before, "cal_W_theta_c": left, "cal_W_theta_nc": before["cal_W_theta"] - left}
+    rates = {**w.context.rates, "U": -(before["cal_W_T_c"] + left)}
+    others = t.Add(tuple(t.Sym(f"cal_W_{kind}_nc") for kind in KINDS))
+    energy = t.Delta(t.Group(t.Add((t.Sym("E_K"), t.Sym("E_p")))))
+    w.add("energy_change", t.equation(energy, others), "theory_rates", ["work_energy", "works_and_potential"])
+    context = replace(w.context, works=works, rates=rates)
+    statement = t.equation(others, energy, t.ZERO)
+    w.add("conserved", statement, "theory_rates", ["energy_change"], context=context)

@@ -53,8 +53,17 @@ def _integral(node: t.Integral, style: Style) -> b.Box:
 @draws(t.BodyIntegral)
 def _body_integral(node: t.BodyIntegral, style: Style) -> b.Box:
     sign = b.Script(b.Big("∫"), glyph_box(style.notation.glyph(node.body)))
+    spread = t.spread(node.integrand)
+    if spread is not None:
+        return b.Row((sign, *_against(*spread, style)))
     differential = b.Row((_d(style), b.Letter("m")))
     return _integrated(sign, node.integrand, differential, style)
+
+
+def _against(arm: t.Node, product: str, of: t.Node, style: Style) -> tuple[b.Box, ...]:
+    """a × db, as people write it instead of a × (db/dm) dm."""
+    differential = b.Row((_d(style), draw(of, style)))
+    return wrapped(arm, CROSS, style), b.Operator("·" if product == "dot" else "×"), differential
 
 
 def _integrated(sign: b.Box, integrand: t.Node, d: b.Box, style: Style) -> b.Box:

@@ -1,6 +1,7 @@
 """A formula in words, for alternative text. One function a node type.
 
-All words stand in `WORDS`; another language is another table with the same keys.
+The English words stand in `WORDS`; another language is another table with the same keys, `Notation.words`. What
+a place is filled with is called a, b, c, d. Names of letters may be told under “letters.”: `letters.phi`.
 """
 
 from __future__ import annotations
@@ -16,22 +17,23 @@ from rbpsym.notation.levels import plain_fraction, signed
 
 WORDS: Mapping[str, str] = MappingProxyType({
     "plus": "plus", "minus": "minus", "times": "times", "over": "over", "end": "end fraction",
-    "power": "{} to the power {}", "squared": "{} squared", "cubed": "{} cubed",
-    "sqrt": "the square root of {}", "of": "{} of {}", "open": "open parenthesis",
-    "close": "close parenthesis", "abs": "the magnitude of {}", "cross": "cross", "dot": "dot",
-    "deriv": "the derivative of {} with respect to {}",
-    "second": "the second derivative of {} with respect to {}",
-    "nth": "the derivative of order {2} of {0} with respect to {1}",
-    "partial": "the partial derivative of {} with respect to {}",
-    "integral": "the integral from {} to {} of {} d {}",
-    "body": "the integral over {} of {} d m", "path": "the path integral of {} {} d {}",
-    "sum": "the sum over {} of {}",
-    "bracket": "the change of {} from {} equals {} to {}", "delta": "the change of {}",
-    "at": "{} when {}", "limit": "the limit as {} tends to {} of {}", "vector": "vector {}",
-    "unit": "unit vector {}", "and": "; and ", "sub": "{} sub {}", "prime": "{} prime",
-    "script": "script {}", "capital": "capital {}", "hat": "{} hat", "bar": "{} bar",
-    "tilde": "{} tilde", "check": "{} check", "dot1": "{} dot", "dot2": "{} double dot",
-    "dot3": "{} triple dot", "change": "delta {}",
+    "power": "{a} to the power {b}", "squared": "{a} squared", "cubed": "{a} cubed",
+    "sqrt": "the square root of {a}", "of": "{a} of {b}", "open": "open parenthesis",
+    "close": "close parenthesis", "abs": "the magnitude of {a}", "cross": "cross", "dot": "dot",
+    "deriv": "the derivative of {a} with respect to {b}",
+    "second": "the second derivative of {a} with respect to {b}",
+    "nth": "the derivative of order {c} of {a} with respect to {b}",
+    "partial": "the partial derivative of {a} with respect to {b}",
+    "integral": "the integral from {a} to {b} of {c} d {d}",
+    "body": "the integral over {a} of {b} d m", "path": "the path integral of {a} {b} d {c}",
+    "against": "the integral over {a} of {b} {c} d {d}",
+    "sum": "the sum over {a} of {b}",
+    "bracket": "the change of {a} from {b} equals {c} to {d}", "delta": "the change of {a}",
+    "at": "{a} when {b}", "limit": "the limit as {a} tends to {b} of {c}", "vector": "vector {a}",
+    "unit": "unit vector {a}", "and": "; and ", "sub": "{a} sub {b}", "prime": "{a} prime",
+    "script": "script {a}", "capital": "capital {a}", "hat": "{a} hat", "bar": "{a} bar",
+    "tilde": "{a} tilde", "check": "{a} check", "dot1": "{a} dot", "dot2": "{a} double dot",
+    "dot3": "{a} triple dot", "change": "delta {a}",
     "=": "equals", "<": "is less than", ">": "is greater than", "<=": "is at most",
     ">=": "is at least", "!=": "is not equal to", "~": "is approximately", "->": "tends to",
     "sin": "sine", "cos": "cosine", "tan": "tangent", "cot": "cotangent", "sec": "secant",
@@ -51,12 +53,12 @@ class Voice:
 
     def say(self, key: str, *parts: object) -> str:
         """The phrase of `key` with its parts."""
-        return self.words[key].format(*parts)
+        return self.words[key].format(**dict(zip("abcd", parts, strict=False)))
 
 
-def to_speech(node: t.Node, notation: Notation = DEFAULT, *, words: Mapping[str, str] = WORDS) -> str:
-    """The formula in words."""
-    return spoken(node, Voice(notation, words))
+def to_speech(node: t.Node, notation: Notation = DEFAULT) -> str:
+    """The formula in words, those of the notation or English ones."""
+    return spoken(node, Voice(notation, notation.words or WORDS))
 
 
 def spoken(node: t.Node, voice: Voice) -> str:
@@ -87,6 +89,7 @@ def _sym(node: t.Sym, voice: Voice) -> str:
 def glyph_words(glyph: Glyph, voice: Voice) -> str:
     """The words of a drawn name: "theta sub 1 double dot"."""
     text = letter_name(glyph.base)
+    text = voice.words.get(f"letters.{text}", text)
     if len(glyph.base) == 1 and glyph.base.isupper():
         text = voice.say("capital", text.lower())
     text = voice.say("script", text) if glyph.style == "script" else text
@@ -174,7 +177,11 @@ def _integral(node: t.Integral, voice: Voice) -> str:
 
 def _body_integral(node: t.BodyIntegral, voice: Voice) -> str:
     body = glyph_words(voice.notation.glyph(node.body), voice)
-    return voice.say("body", body, _closed(node.integrand, voice))
+    spread = t.spread(node.integrand)
+    if spread is None:
+        return voice.say("body", body, _closed(node.integrand, voice))
+    arm, product, of = spread
+    return voice.say("against", body, _closed(arm, voice), voice.say(product), spoken(of, voice))
 
 
 def _path_integral(node: t.PathIntegral, voice: Voice) -> str:

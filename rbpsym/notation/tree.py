@@ -250,6 +250,16 @@ def relation(left: Node, op: str, right: Node) -> Chain:
     return Chain((left, right), (op,))
 
 
+def spread(integrand: Node) -> tuple[Node, str, Node] | None:
+    """a, "cross" or "dot", and b of the integrand a × db/dm over a body, which is written ∫ a × db; None for others."""
+    if not isinstance(integrand, Cross | Dot) or not isinstance(integrand.right, Deriv):
+        return None
+    rate = integrand.right
+    if rate.wrt != "m" or rate.order != 1 or not isinstance(rate.of, Sym | Vec):
+        return None
+    return integrand.left, "cross" if isinstance(integrand, Cross) else "dot", rate.of
+
+
 def children(node: Node) -> Iterator[Node]:
     """The direct parts of a node, in reading order."""
     for item in fields(node):

@@ -56,3 +56,43 @@ def test_the_square_of_a_vector_is_drawn_without_its_arrow_and_read_as_the_squar
     assert to_latex(squared) == r"V_{\mathrm{cm}}^2"
     context = Writer().context
     assert context.value(read_latex(to_latex(squared), ["V_cm"])) == context.value(squared)
+
+
+BOTH = t.Add((t.Sym("cal_W_T"), t.Sym("cal_W_theta")))
+EACH = t.Sum(t.PathIntegral(t.Vec("F_ext_i"), t.Vec("r_i")))
+SPREAD = t.BodyIntegral(t.Cross(t.Vec("r_prime"), t.Deriv(t.Vec("F_ext"), "m")))
+ORBITAL = t.Cross(t.Vec("R_cm"), t.Vec("F_net"))
+ABOUT_O = t.Integral(t.Dot(t.Vec("tau_net"), t.Unit("z")), "varphi", t.Sym("varphi_A"), t.Sym("varphi_B"))
+
+
+def _turning(moment: str) -> t.Node:
+    return t.Delta(t.Group(t.mul(t.HALF, t.Sym(moment), t.Pow(t.Vec("omega"), t.TWO))))
+
+
+@pytest.mark.parametrize(
+    ("statement", "rule", "fixed"),
+    [
+        (t.equation(EACH, t.Sym("cal_W_T")), "theory_rates", False),
+        (t.equation(SPREAD, ORBITAL), "theory_identity", False),
+        (t.equation(SPREAD, t.Add((t.Vec("tau_cm"), t.Neg(ORBITAL)))), "theory_identity", False),
+        (t.equation(ABOUT_O, _turning("I_cm")), "theory_rates", True),
+        (t.equation(ABOUT_O, _turning("I_O")), "theory_rates", False),
+        (t.equation(t.Add((t.Sym("cal_W_T_nc"), t.Sym("cal_W_theta_nc"))), t.ZERO), "theory_rates", False),
+    ],
+)
+def test_what_is_only_half_of_a_theorem_is_refuted(statement, rule, fixed):
+    writer = Writer()
+    potential_energy(writer)
+    writer.add("tried", statement, rule, fixed=fixed)
+    assert not writer.steps[-1].certificate.verdict.is_proved
+
+
+def test_the_sum_over_the_forces_is_both_works():
+    writer = Writer()
+    writer.add("tried", t.equation(EACH, BOTH), "theory_rates")
+    assert writer.steps[-1].certificate.verdict.is_proved
+
+
+def test_an_integral_over_what_is_spread_is_written_with_its_own_differential_and_read_back():
+    assert to_latex(SPREAD) == r"\int_{\Omega} \vec{r}' \times d\vec{F}_{\mathrm{ext}}"
+    assert read_latex(to_latex(SPREAD), ["r_prime", "F_ext"]) == SPREAD
