@@ -60,9 +60,13 @@ class Draft:
             obligations,
             data or {},
         )
-        step = replace(step, certificate=certify(self.context, step))
+        step = self.certified(step)
         self.steps.append(step)
         return step
+
+    def certified(self, step: Step) -> Step:
+        """The step with its certificate."""
+        return replace(step, certificate=certify(self.context, step))
 
     def _unique(self, id: str, known: set[str]) -> str:
         found, k = id, 2

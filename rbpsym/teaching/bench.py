@@ -2,31 +2,35 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document.language import problem_notation
 from rbpsym.document.model import Inlines
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.telling import known_key
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
-from rbpsym.quantities import NUMBER
+from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
+from rbpsym.statement.model import Problem
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Asked, Item, Measure
-from rbpsym.teaching.ranges import Range
+from rbpsym.teaching.ranges import Range, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measure_text, unit_of
 
 ASKED_DIGITS = 3
+GRAVITY = 9.81  # m/s²: sets the pace of what moves under its weight
 T = TypeVar("T")
 
 
@@ -131,13 +135,30 @@ def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], l
 
 
 def generic_state(bench: Bench) -> dict[str, float]:
-    """Numbers for coordinates, speeds and accelerations that the paper leaves open, so that formulas can be told apart."""
+    """Numbers for coordinates, speeds, accelerations and forces that the paper leaves open, so that formulas can be told apart.
+
+    They are of the size that the problem's own lengths and masses give them, so that no part of a sum is lost in another.
+    """
+    return bench.once("generic state", lambda: _generic_state(bench))
+
+
+def _generic_state(bench: Bench) -> dict[str, float]:
+    study, middle = bench.study, middles({**default_ranges(bench.study.problem), **bench.wishes})
+    length, mass = (_typical(study.problem, middle, dimension) for dimension in (LENGTH, MASS))
+    rate = math.sqrt(GRAVITY / length)
     found = {}
-    for place, coordinate in enumerate(bench.study.problem.coordinates):
-        name = coordinate.name
-        found |= {name: 0.43 + 0.29 * place, f"{name}_dot": 1.37 + 0.73 * place, f"{name}_ddot": -0.83 - 0.31 * place}
-    found |= {name: 2.9 + 1.7 * place for place, name in enumerate(bench.study.system.unknowns)}
-    return found
+    for place, coordinate in enumerate(study.problem.coordinates):
+        name, unit = coordinate.name, 1.0 if coordinate.quantity.dimension == NUMBER else length
+        found[name] = unit * (0.43 + 0.29 * place)
+        found[f"{name}_dot"] = unit * rate * (1.37 + 0.73 * place)
+        found[f"{name}_ddot"] = -unit * rate**2 * (0.83 + 0.31 * place)
+    return found | {name: mass * GRAVITY * (0.9 + 0.5 * place) for place, name in enumerate(study.system.unknowns)}
+
+
+def _typical(problem: Problem, middle: Mapping[str, float], dimension: Dimension) -> float:
+    """The geometric mean of the constants of a dimension; 1 if there are none."""
+    sizes = [abs(middle[q.name]) for q in problem.parameters if q.dimension == dimension and middle.get(q.name)]
+    return math.exp(sum(map(math.log, sizes)) / len(sizes)) if sizes else 1.0
 
 
 def formula_of(bench: Bench, target: Target) -> t.Node:
@@ -155,7 +176,7 @@ def _formula(bench: Bench, target: Target) -> t.Node:
 def is_number(bench: Bench, target: Target, scenery: Scenery) -> bool:
     """Whether a target is a number at the place that is asked about."""
     value = target.along(bench.study)
-    return value is not None and names_in(value) <= known_names(bench, scenery)
+    return value is not None and not is_zero(value) and names_in(value) <= known_names(bench, scenery)
 
 
 def known_names(bench: Bench, scenery: Scenery) -> set[str]:
@@ -192,22 +213,6 @@ def word(measure: Measure, notation: Notation) -> t.Word:
 def given_as(name: str, measure: Measure, notation: Notation) -> t.Node:
     """name = 2.50 m."""
     return t.equation(t.Sym(name), word(measure, notation))
-
-
-def with_numbers(node: t.Node, given: Mapping[str, Measure], notation: Notation) -> t.Node:
-    """A formula with the printed numbers in the places of the names."""
-    from dataclasses import fields, replace
-
-    if isinstance(node, t.Sym):
-        return t.Group(word(given[node.name], notation)) if node.name in given else node
-    changes = {}
-    for item in fields(node):
-        value = getattr(node, item.name)
-        if isinstance(value, t.Node):
-            changes[item.name] = with_numbers(value, given, notation)
-        elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
-            changes[item.name] = tuple(with_numbers(part, given, notation) for part in value)
-    return replace(node, **changes) if changes else node
 
 
 def numbers_at(situation: Situation, names: Iterable[str]) -> dict[str, Measure]:

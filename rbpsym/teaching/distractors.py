@@ -25,6 +25,7 @@ from rbpsym.teaching.first_wrong import first_wrong
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Measure, Slip
+from rbpsym.teaching.retold import Retelling
 from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
@@ -60,12 +61,19 @@ class Pool:
     wrongs: tuple[Wrong, ...]
     found: dict[str, tuple[Distractor, ...]] = field(default_factory=dict)
     spoiled: dict[int, str] = field(default_factory=dict)
+    told: dict[int, Retelling] = field(default_factory=dict)
 
     def of(self, target: Target) -> tuple[Distractor, ...]:
         """Accepted wrong values of a target, the best first."""
         if target.id not in self.found:
             self.found[target.id] = tuple(_accepted(self, target))
         return self.found[target.id]
+
+    def retold(self, place: int) -> Retelling:
+        """The derivation with a wrong study, each chapter written once."""
+        if place not in self.told:
+            self.told[place] = Retelling(self.wrongs[place].study)
+        return self.told[place]
 
     def slip(self, place: int) -> Slip:
         """The slip of a wrong study, with the first step that it spoils."""

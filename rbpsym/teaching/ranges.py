@@ -18,7 +18,7 @@ from rbpsym.quantities import ACCELERATION, NUMBER, TIME, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.units import known_unit, unit_of
+from rbpsym.teaching.units import known_unit, scale_of, unit_of
 
 DIGITS = 3
 LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example
@@ -37,6 +37,11 @@ class Range:
     def draw(self, draws: Draws) -> Measure:
         """One of the numbers."""
         return Measure(draws.step(self.low, self.high, self.step), self.unit, self.digits)
+
+
+def middles(ranges: Mapping[str, Range]) -> dict[str, float]:
+    """The middle of each range, in SI units."""
+    return {name: float(r.low + r.high) / 2 * scale_of(r.unit) for name, r in ranges.items()}
 
 
 def named_quantities(problem: Problem) -> Mapping[str, Dimension]:

@@ -23,8 +23,8 @@ from rbpsym.statement.model import Coordinate
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.ranges import Range, default_ranges, named_quantities, step_near
-from rbpsym.teaching.units import scale_of, si
+from rbpsym.teaching.ranges import Range, default_ranges, middles, named_quantities, step_near
+from rbpsym.teaching.units import si
 
 MOST_DRAWS = 600
 WAY = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)  # shares of the way that are looked at
@@ -213,7 +213,7 @@ def names_in(value: Scalar) -> set[str]:
 
 def _held_in_the_middle(conditions, ranges: Mapping[str, Range]) -> list[tuple[str, Scalar]]:
     """Those that the middle of the ranges keeps; another (a pulley without mass) is what the author wants."""
-    values = compiled([value for _, value in conditions])({name: _middle(r) / 2 for name, r in ranges.items()})
+    values = compiled([value for _, value in conditions])(middles(ranges))
     return [condition for condition, value in zip(conditions, values, strict=True) if value > SMALLEST]
 
 
@@ -229,21 +229,17 @@ def _ordered(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, S
     from rbpsym.algebra.scalar import symbol
 
     lengths = [q.name for q in study.problem.parameters if q.dimension == LENGTH and q.sign == "positive"]
-    middle = {name: _middle(ranges[name]) for name in lengths}
+    middle = middles(ranges)
     for first in lengths:
         for second in lengths:
             if middle[first] < middle[second]:
                 yield "order", symbol(second) - symbol(first)
 
 
-def _middle(range_: Range) -> float:
-    return float(range_.low + range_.high) * scale_of(range_.unit)
-
-
 def _measurable(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, Scalar]]:
     """4π²·f² within the bounds, if the middle of the ranges lies there (else what the author wants is followed)."""
     known = set(named_quantities(study.problem))
-    middle = {name: _middle(range_) / 2 for name, range_ in ranges.items()}
+    middle = middles(ranges)
     for place in study.equilibria:
         for square in place.frequencies_squared if place.stable else ():
             low, high = (Fraction(round((2 * math.pi * f) ** 2, 6)) for f in (SLOWEST, FASTEST))

@@ -14,14 +14,16 @@ from rbpsym.teaching.bench import (
     formula_of,
     given_as,
     numbers_at,
-    with_numbers,
     word,
 )
-from rbpsym.teaching.distractors import shown
+from rbpsym.teaching.distractors import shown, size
+from rbpsym.teaching.filling import Fill, filler
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measured
 from rbpsym.teaching.wording import spoken
+
+LONGEST = 120  # parts of a formula that is shown with numbers in the places of the names
 
 
 def where_text(setting: Setting) -> Inlines:
@@ -33,9 +35,7 @@ def where_text(setting: Setting) -> Inlines:
 
 
 def _notation(setting: Setting):
-    from rbpsym.document.notes_figures import problem_notation
-
-    return problem_notation(setting.said.problem)
+    return setting.said.notation
 
 
 def label_of(bench: Bench, step: str) -> str:
@@ -59,12 +59,27 @@ def _worked(bench: Bench, setting: Setting, target: Target, value: float | None)
 
 
 def numeric_line(bench: Bench, setting: Setting, target: Target, value: float) -> t.Node:
-    """left = formula = formula with numbers = number with unit."""
+    """left = formula = formula with numbers = number with unit; a very long formula without the third of these."""
     formula = number_formula(bench, target)
-    given = numbers_at(setting.situation, t.names(formula))
     left = target.reading.left if target.reading else target.left
-    result = measure_of(bench, target, value)
-    return t.equation(left, formula, with_numbers(formula, given, bench.notation), word(result, bench.notation))
+    result = word(measure_of(bench, target, value), bench.notation)
+    put_in = bench.once(("fill", target.id), lambda: _filler(bench, target, setting))
+    if put_in is None:
+        return t.equation(left, formula, result)
+    given = numbers_at(setting.situation, number_names(bench, target))
+    numbers = {name: t.Group(word(measure, bench.notation)) for name, measure in given.items()}
+    return t.equation(left, formula, put_in(numbers), result)
+
+
+def _filler(bench: Bench, target: Target, setting: Setting) -> Fill | None:
+    formula = number_formula(bench, target)
+    known = numbers_at(setting.situation, number_names(bench, target))
+    return filler(formula, known) if size(formula) <= LONGEST else None
+
+
+def number_names(bench: Bench, target: Target) -> frozenset[str]:
+    """The names in the formula from which a target's number comes."""
+    return bench.once(("names", target.id), lambda: frozenset(t.names(number_formula(bench, target))))
 
 
 def number_formula(bench: Bench, target: Target) -> t.Node:

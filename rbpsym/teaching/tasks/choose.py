@@ -11,7 +11,7 @@ from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, formula_
 from rbpsym.teaching.distractors import Distractor, apart
 from rbpsym.teaching.model import ChoiceKey, Item, Measure, Option
 from rbpsym.teaching.situations import Scenery, names_in
-from rbpsym.teaching.solving import number_formula, where_text, worked
+from rbpsym.teaching.solving import number_names, where_text, worked
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.units import measured
@@ -94,9 +94,7 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, right: t.N
     options = tuple(_option(bench, target, right, d, m, numbers) for _, d, m in kept)
     key = ChoiceKey(options, next(at for at, (place, _, _) in enumerate(kept) if place == 0))
     left = target.reading.left if numbers and target.reading else target.left
-    place = (
-        where_text(setting) if numbers and setting.scenery.coordinate in t.names(number_formula(bench, target)) else ()
-    )
+    place = where_text(setting) if numbers and setting.scenery.coordinate in number_names(bench, target) else ()
     prompt = spoken(setting.said, f"ask.choose.{target.kind}", **{**target.slots, "left": left, "place": place})
     return Item(
         setting.id,

@@ -20,9 +20,8 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, MASS
 from rbpsym.teaching.bench import Bench, Prepared, Setting, formula_of
-from rbpsym.teaching.distractors import shown
+from rbpsym.teaching.distractors import Wrong, shown
 from rbpsym.teaching.misconceptions.inertia import ROUND
-from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import ComparisonKey, Criterion, Item, Option
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
@@ -84,15 +83,22 @@ def variants(bench: Bench) -> Iterator[Variant]:
     for quantity in bench.study.problem.parameters:
         if quantity.dimension in (MASS, LENGTH) and quantity.sign == "positive":
             yield Variant("compare.doubled", {"name": t.Sym(quantity.name)}, partial(_doubled, name=quantity.name))
-    for site in MISCONCEPTIONS["moment-of-another-shape"].sites(bench.study):
-        body = site.slots["body"].name
-        slots = {"body": BodyRef(body), "first": _round(bench, body), "second": site.slots["variant"]}
-        yield Variant("compare.shape", slots, lambda bench, target, site=site: target.value(site.wrong()))
+    for wrong in _made_so(bench, "moment-of-another-shape"):
+        body = wrong.site.slots["body"].name
+        slots = {"body": BodyRef(body), "first": _round(bench, body), "second": wrong.site.slots["variant"]}
+        yield Variant("compare.shape", slots, partial(_of_study, study=wrong.study))
     for name, phrase in (("free-taken-as-welded", "compare.welded"), ("welded-taken-as-free", "compare.free")):
-        for site in MISCONCEPTIONS[name].sites(bench.study):
-            yield Variant(
-                phrase, {"body": site.slots["body"]}, lambda bench, target, site=site: target.value(site.wrong())
-            )
+        for wrong in _made_so(bench, name):
+            yield Variant(phrase, {"body": wrong.site.slots["body"]}, partial(_of_study, study=wrong.study))
+
+
+def _made_so(bench: Bench, name: str) -> list[Wrong]:
+    """The studies that a misconception makes: what is wrong of this system is right of another one."""
+    return [wrong for wrong in bench.pool.wrongs if wrong.misconception.name == name]
+
+
+def _of_study(bench: Bench, target: Target, study: Study) -> Scalar | None:
+    return target.value(study)
 
 
 def _round(bench: Bench, body: str) -> str:
@@ -120,7 +126,8 @@ def _item(bench: Bench, setting: Setting, wish: Wish, target: Target, variant: V
     prompt = spoken(said, f"ask.compare.{target.kind}", **{**target.slots, "left": target.left, "change": change})
     options = tuple(Option(spoken(said, f"compare.{name}")) for name in ("first", "second", "same"))
     points = wish.points if wish.points is not None else Fraction(3)
-    pair = (formula_of(bench, target), shown(value, bench.study))
+    other = bench.once(("compared", target.id, variant.phrase, str(variant.slots)), lambda: shown(value, bench.study))
+    pair = (formula_of(bench, target), other)
     return Item(
         setting.id,
         "compare",

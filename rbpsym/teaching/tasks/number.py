@@ -13,7 +13,7 @@ from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, is_numbe
 from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, FollowOn, Item, Measure, NumberKey
 from rbpsym.teaching.situations import Scenery, names_in
-from rbpsym.teaching.solving import measure_of, number_formula, where_text, worked
+from rbpsym.teaching.solving import measure_of, number_formula, number_names, where_text, worked
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -46,7 +46,7 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
         return None
     if not measure.value:
         return None
-    formula = number_formula(bench, target)
+    formula, names = number_formula(bench, target), number_names(bench, target)
     left = target.reading.left if target.reading else target.left
     value = setting.values[0]
     key = NumberKey(
@@ -54,12 +54,12 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
         target.reading.number(value) if target.reading else value,
         formula,
         left,
-        numbers_at(setting.situation, t.names(formula)),
+        numbers_at(setting.situation, names),
         units=(asked_unit(bench, target),),
         anticipated=tuple(_anticipated(bench, setting, target, measure, found)),
         follows=tuple(_follows(bench, setting, target)),
     )
-    place = where_text(setting) if setting.scenery.coordinate in t.names(formula) else ()
+    place = where_text(setting) if setting.scenery.coordinate in names else ()
     prompt = spoken(setting.said, f"ask.number.{target.kind}", **{**target.slots, "left": left, "place": place})
     return Item(
         setting.id,
@@ -77,16 +77,14 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
 def _anticipated(bench: Bench, setting: Setting, target: Target, right: Measure, found: tuple[Distractor, ...]):
     """What misconceptions make of it, as far as that differs in print."""
     kept = [right]
-    for distractor, value in zip(found, setting.values[1:], strict=True):
+    for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=True)):
         try:
             measure = measure_of(bench, target, value)
         except (ValueError, ZeroDivisionError):
             continue
         if all(apart(measure, other) for other in kept):
             kept.append(measure)
-            formula = bench.once(
-                ("along", target.id, distractor.formula), lambda d=distractor: _formula(bench, target, d)
-            )
+            formula = bench.once(("along", target.id, place), lambda d=distractor: _formula(bench, target, d))
             yield Anticipated(distractor.slip, formula, measure)
 
 

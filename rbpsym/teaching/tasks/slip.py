@@ -13,7 +13,6 @@ from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import lines_to, piece
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
-from rbpsym.teaching.retold import retold
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
@@ -59,10 +58,9 @@ def _told(bench: Bench, target: Target, wish: Wish) -> Iterator[Told]:
 def _with_slip(bench: Bench, target: Target, place: int) -> Told | None:
     hidden = MISCONCEPTIONS[bench.pool.wrongs[place].misconception.name].tells or frozenset()
     right = [s for s in lines_to(bench, target.step, MOST) if s.chapter not in hidden]
-    wrong = retold(bench.pool.wrongs[place].study)
-    if len(right) < FEWEST or not all(s.id in wrong for s in right):
+    lines = bench.pool.retold(place).steps(s.id for s in right) if len(right) >= FEWEST else None
+    if lines is None:
         return None
-    lines = tuple(wrong[s.id] for s in right)
     first = next((k for k, (a, b) in enumerate(zip(lines, right, strict=True)) if a.statement != b.statement), None)
     if first is None or lines[-1].statement == right[-1].statement or not _reads_well(lines[first], right[first]):
         return None
