@@ -85,7 +85,7 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
     said = words_of(derivation, road(derivation, shown_steps(derivation, detail), method), language)
     later = phase_sections(derivation, said, 1, phase_words(detail, language)) if method == "all" else ()
     sections = (*chapter_sections(derivation, said, 1), *later)
-    return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation))
+    return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation, language))
 
 
 def road(derivation: Derivation, shown: frozenset[str], method: str) -> frozenset[str]:
@@ -105,7 +105,7 @@ def reasons(derivation: Derivation, method: str, language: str) -> Iterator[str]
     from rbpsym.document.words import Words
     from rbpsym.document.writers.plain_text import plain_text
 
-    said, notation = Words(language, derivation.study.problem), notation_of(derivation)
+    said, notation = Words(language, derivation.study.problem), notation_of(derivation, language)
     for skipped in derivation.skipped:
         if method in ("all", skipped.method):
             yield plain_text(left_out(skipped, said), notation, language)

@@ -54,7 +54,7 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
             f"the motion of “{path.stem}” can't be drawn: {error}",
             instead="say where each coordinate starts, and give all numbers under [example].",
         ) from None
-    notation = notation_of(derivation)
+    notation = notation_of(derivation, lang)
     groups = [(figure.scenes, notation) for figure in figures]
     names = [figure.label.rpartition(".")[2] for figure in figures]
     made = {

@@ -57,7 +57,7 @@ def topic_words(topic: str, language: str) -> Inlines:
 
 def chapter_sections(chapter: Chapter, place: int, language: str, detail: str, plots: bool) -> Iterator[Section]:
     """A problem: its title, then its sections, all in its own notation."""
-    notation = notation_of(chapter.derivation)
+    notation = notation_of(chapter.derivation, language)
     yield Section(words(chapter.title(language)), (), label(place), 1, notation=notation)
     for section in problem_sections(chapter.derivation, language, detail, f"p{place}.", 2, CHECKS, plots=plots):
         yield Section(section.title, section.blocks, section.label, section.level, notation=notation)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Paragraph, Ref, Section
-from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, problem_notation
+from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
 from rbpsym.document.tables import done_table, forces_table, works_table
 from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, joined
 from rbpsym.document.words import Words
@@ -103,7 +103,7 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
         "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
     )
     yield free_bodies_figure(derivation, said)
-    notation = problem_notation(derivation.study.problem)
+    notation = said.notation
     long = [s for s in steps if table_width(forces_table([s], derivation, said), notation) > TOO_WIDE]
     yield forces_table([step for step in steps if step not in long], derivation, said)
     if long:
@@ -152,7 +152,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
 def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as integrals: a table, or one below the other if they are long."""
     table = works_table(steps, said)
-    if table_width(table, problem_notation(derivation.study.problem)) <= WIDEST:
+    if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.intro", table=Ref(table.label)))
         yield table
         return
@@ -163,7 +163,7 @@ def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
     table = done_table(steps, said)
-    if table_width(table, problem_notation(derivation.study.problem)) <= WIDEST:
+    if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", table=Ref(table.label)))
         yield table
         return

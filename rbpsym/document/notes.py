@@ -7,15 +7,15 @@ from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
+from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
-from rbpsym.notation.glyphs import Notation, notation_for
+from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.model import Problem
 
 DETAILS: Mapping[str, int] = {"brief": 1, "standard": 2, "full": 3}
@@ -30,7 +30,7 @@ def notes(derivation: Derivation, language: str = "en", detail: str = "standard"
         tuple(problem_sections(derivation, language, detail, "", 1, plots=plots)),
         source=words(problem.source),
         language=language,
-        notation=notation_of(derivation),
+        notation=notation_of(derivation, language),
         live=live(problem, ""),
     )
 
@@ -40,9 +40,9 @@ def live(problem: Problem, prefix: str) -> tuple[Live, ...]:
     return (Live(problem.name, problem.text, prefix),) if problem.text else ()
 
 
-def notation_of(derivation: Derivation) -> Notation:
+def notation_of(derivation: Derivation, language: str = "en") -> Notation:
     """How the names of a derived problem are printed."""
-    return problem_notation(derivation.study.problem)
+    return problem_notation(derivation.study.problem, language)
 
 
 def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en", prefix: str = "") -> Words:
@@ -133,7 +133,7 @@ def course_notes(
         else:
             sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)
     sections.append(course_checks_section(derived, said, CHECKS))
-    notation = _common_notation(derived)
+    notation = _common_notation(derived, language)
     return Document(
         words(said.title(course.title)),
         tuple(sections),
@@ -150,14 +150,10 @@ def _about(derived: DerivedCourse, lesson: Lesson) -> Derivation | None:
     return next((d for name, d in derived.derivations.items() if name in lesson.name), None)
 
 
-def _common_notation(derived: DerivedCourse) -> Notation:
+def _common_notation(derived: DerivedCourse, language: str) -> Notation:
     """The notations of all problems together (they should agree on names that they share)."""
-    aliases: dict[str, str] = {}
-    names: set[str] = set()
-    for derivation in derived.derivations.values():
-        aliases |= derivation.study.problem.notation
-        names |= {q.name for q in derivation.study.problem.parameters}
-    return notation_for(names, {**aliases, **derived.course.notation})
+    problems = [derivation.study.problem for derivation in derived.derivations.values()]
+    return common_notation(problems, language, derived.course.notation)
 
 
 def plain(inlines: Inlines) -> str:

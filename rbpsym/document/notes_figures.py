@@ -6,11 +6,10 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.schematic import schematic
+from rbpsym.document.language import problem_notation  # noqa: F401
 from rbpsym.document.model import FigureBlock
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
-from rbpsym.notation.glyphs import Notation, notation_for
-from rbpsym.statement.model import Problem
 
 
 def figure_label(said: Words) -> str:
@@ -18,15 +17,10 @@ def figure_label(said: Words) -> str:
     return said.prefix + "figure.system"
 
 
-def problem_notation(problem: Problem) -> Notation:
-    """How the names of a problem are printed."""
-    return notation_for({q.name for q in problem.parameters} | {c.name for c in problem.coordinates}, problem.notation)
-
-
 def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """The drawing of the whole system."""
     sketch = sketch_of(derivation)
-    alt = describe(sketch, said.language, problem_notation(derivation.study.problem))
+    alt = describe(sketch, said.language, said.notation)
     return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
 
 
@@ -39,8 +33,7 @@ def free_bodies_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """Each body alone with the forces on it; the axes are drawn once."""
     sketch = sketch_of(derivation)
     names = [body.name for body in sketch.bodies]
-    notation = problem_notation(derivation.study.problem)
-    alt = " ".join(describe_free_body(sketch, name, said.language, notation) for name in names)
+    alt = " ".join(describe_free_body(sketch, name, said.language, said.notation) for name in names)
     scenes = tuple(
         free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1]) for name in names
     )

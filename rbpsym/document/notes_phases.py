@@ -28,7 +28,7 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
         prefix = f"{said.prefix}phase{number}."
         own = speaker(phase.derivation, prefix)
         begins = _begins(phase, begin_words(phase, said, prefix))
-        title = said.say("phases.title", number=number, name=phase.name)
+        title = said.say("phases.title", number=number, name=said.named(phase.name))
         yield Section(title, tuple(begins), prefix + "section", level)
         yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
 

@@ -103,7 +103,7 @@ def _start(problem: Problem, said: Words) -> Iterator[Inlines]:
 
 def _phases(problem: Problem, said: Words) -> Iterator[Inlines]:
     """That there are further phases."""
-    names = [said.say("statement.phase", name=phase.name) for phase in problem.phases]
+    names = [said.say("statement.phase", name=said.named(phase.name)) for phase in problem.phases]
     if names:
         yield said.say("statement.phases", names=names, count=len(names))
 

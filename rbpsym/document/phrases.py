@@ -3,7 +3,8 @@
 `phrase("rule.integrate", "en", variable=node)` looks up a template such as
 "We integrate over {variable}." and fills its places. A phrase with variants is a table in the
 TOML file (`one = ...`, `many = ...`); `count=` chooses by the language's plural rule, `variant=`
-by name. `*words*` in a template are emphasised. Nothing is ever glued together in code.
+by name, and `masculine` and `feminine` go by the noun in the first place (`document.grammar`).
+`*words*` in a template are emphasised. Nothing is ever glued together in code.
 
 What may fill a place: a Node (a formula), a str or int, an inline (Ref, Emph, ...), a tuple of
 inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c").
@@ -11,14 +12,14 @@ inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c
 
 from __future__ import annotations
 
-import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from string import Formatter
 
+from rbpsym.document.grammar import Grammar, grammar_of
 from rbpsym.document.model import (
     DocumentError,
     Emph,
@@ -33,24 +34,6 @@ from rbpsym.notation.tree import Node
 
 FOLDER = Path(__file__).with_suffix("")
 INLINES = (Text, Math, Ref, Emph, Strong)
-
-
-def two_forms(count: int) -> str:
-    """The plural rule of English, Spanish and their like."""
-    return "one" if count == 1 else "many"
-
-
-PLURALS: Mapping[str, Callable[[int], str]] = {"en": two_forms, "es": two_forms}
-
-
-# Endings of feminine nouns, and the nouns that they mislead about. The first word decides.
-FEMININE = {"es": re.compile(r"(a|ción|sión|dad|tud|triz)$")}
-OTHER_GENDER = {"es": {"día": "masculine", "mapa": "masculine", "sistema": "masculine", "planeta": "masculine",
-                       "prisma": "masculine", "rueda": "feminine", "base": "feminine", "viga": "feminine"}}  # fmt: skip
-# What two words that meet become: de + el is del.
-CONTRACTIONS = {"es": ((re.compile(r"\b([Dd]e) el\b"), r"\1l"), (re.compile(r"\b([Aa]) el\b"), r"\1l"))}
-# The last "and" of a list before certain sounds: "e hilo", but "y hielo".
-BEFORE_SOUND = {"es": (re.compile(r"h?i(?![aeo])", re.IGNORECASE), " e ")}
 
 
 def languages() -> tuple[str, ...]:
@@ -75,6 +58,12 @@ def flatten(prefix: str, table: Mapping[str, object]) -> Iterator[tuple[str, str
             yield from flatten(f"{prefix}{name}.", value)
         else:
             yield f"{prefix}{name}", str(value)
+
+
+@cache
+def grammar(language: str) -> Grammar:
+    """The grammar that the file of a language tells."""
+    return grammar_of(phrases(language))
 
 
 def phrase(key: str, language: str = "en", **slots: object) -> Inlines:
@@ -105,7 +94,7 @@ def template(key: str, language: str, slots: Mapping[str, object]) -> str:
     if key in table:
         return table[key]
     if "variant" not in slots and f"{key}.masculine" in table:
-        return table[f"{key}.{gender(first_noun(table[f'{key}.masculine'], slots), language)}"]
+        return table[f"{key}.{grammar(language).gender(first_noun(table[f'{key}.masculine'], slots))}"]
     near = get_close_matches(wanted.rstrip("."), table, n=1)
     raise DocumentError(
         f"no phrase “{wanted.rstrip('.')}” in “{language}”",
@@ -117,7 +106,7 @@ def variant(language: str, slots: Mapping[str, object]) -> str:
     """The name of the variant: given, or chosen by the count; "" if neither is there."""
     if "variant" in slots:
         return str(slots["variant"])
-    return PLURALS.get(language, two_forms)(slots["count"]) if "count" in slots else ""
+    return grammar(language).number(slots["count"]) if "count" in slots else ""
 
 
 def first_noun(text: str, slots: Mapping[str, object]) -> str:
@@ -128,30 +117,15 @@ def first_noun(text: str, slots: Mapping[str, object]) -> str:
     return "".join(item.text if isinstance(item, Text) else str(item) for item in found)
 
 
-def gender(noun: str, language: str) -> str:
-    """ "feminine" or "masculine", by the ending of the first word and a list of exceptions."""
-    word = noun.split()[0].lower() if noun.split() else ""
-    ending = FEMININE.get(language)
-    by_ending = "feminine" if ending and ending.search(word) else "masculine"
-    return OTHER_GENDER.get(language, {}).get(word, by_ending)
-
-
 def contracted(inlines: Inlines, language: str) -> Inlines:
     """The inlines with the contractions of the language made inside each text."""
-    found = []
-    for inline in inlines:
-        if isinstance(inline, Text):
-            for meeting, short in CONTRACTIONS.get(language, ()):
-                inline = Text(meeting.sub(short, inline.text))
-        found.append(inline)
-    return tuple(found)
+    contract = grammar(language).contracted
+    return tuple(Text(contract(inline.text)) if isinstance(inline, Text) else inline for inline in inlines)
 
 
 def last_and(item: Inlines, language: str) -> str:
     """The word before the last item of a list, as its first sound asks."""
-    sound, other = BEFORE_SOUND.get(language, (None, ""))
-    starts = sound and isinstance(item[0], Text) and sound.match(item[0].text)
-    return other if starts else phrases(language)["list.last"]
+    return grammar(language).last_and(item[0].text if isinstance(item[0], Text) else "")
 
 
 def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:

@@ -35,7 +35,7 @@ def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
     shape = pose.study.problem.body(ref.body).shape.kind
     if said.has(f"point.{shape}.{point}"):
         return said.say(f"point.{shape}.{point}")
-    return said.say("point.center") if point in CENTERS else said.say("point.named", point=point.replace("_", " "))
+    return said.say("point.center") if point in CENTERS else said.say("point.named", point=said.named(point))
 
 
 def _is_centre(ref: PointRef, pose: DrawnPose) -> bool:

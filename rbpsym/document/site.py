@@ -38,13 +38,13 @@ def problem_card(chapter: Chapter, language: str, level: str = "") -> Card:
     """The entry of a problem, with its drawing."""
     problem = chapter.derivation.study.problem
     return Card(
-        chapter.name, chapter.title(language), chapter.topic, problem.source, level, drawing(chapter.derivation)
+        chapter.name, chapter.title(language), chapter.topic, problem.source, level, drawing(chapter.derivation, language)
     )
 
 
-def drawing(derivation: Derivation) -> str:
+def drawing(derivation: Derivation, language: str = "en") -> str:
     """The schematic of a problem; its labels are not read aloud twice."""
-    return to_svg(schematic(sketch_of(derivation)), notation_of(derivation))
+    return to_svg(schematic(sketch_of(derivation)), notation_of(derivation, language))
 
 
 def index_page(courses: Sequence[Card], problems: Sequence[Card], language: str = "en", book: str = "") -> str:

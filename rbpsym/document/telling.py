@@ -7,10 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.breaking import lines
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Text
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import DEFAULT
 
 MOST_ROWS = 6  # formulas under one number
 MOST_LINES = 12
@@ -79,8 +77,7 @@ def display(step: Step, said: Words) -> Display:
 
 def is_tall(steps: Sequence[Step], said: Words) -> bool:
     """Do the formulas of some steps take too much room to stand under one number?"""
-    notation = problem_notation(said.problem) if said.problem else DEFAULT
-    rows = sum(len(lines(step.statement, notation, COLUMN)) for step in steps)
+    rows = sum(len(lines(step.statement, said.notation, COLUMN)) for step in steps)
     return len(steps) > MOST_ROWS or rows > MOST_LINES
 
 

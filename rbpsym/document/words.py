@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.step import BodyRef, PhraseRef, StepRef
+from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
+from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.model import Problem
 
 
@@ -29,6 +31,11 @@ class Words:
     shown: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
+
+    @property
+    def notation(self) -> Notation:
+        """How formulas are printed: in the notation of the problem and of the language."""
+        return problem_notation(self.problem, self.language) if self.problem else usual_notation(self.language)
 
     def say(self, key: str, **slots: Any) -> Inlines:
         """A phrase with all its slots turned into words."""
@@ -72,7 +79,7 @@ class Words:
         """A point as the file names it: "rod.end" is the end of the rod."""
         body, _, point = text.partition(".")
         if point and self.problem and body in self.problem.body_names:
-            return phrase("point.of", self.language, point=point.replace("_", " "), body=self.the(body))
+            return phrase("point.of", self.language, point=self.named(point), body=self.the(body))
         return (Text(text),)
 
     def step(self, id: str) -> Inlines:
@@ -97,6 +104,11 @@ class Words:
         word = self.body(name)
         proper = word[-1:].isdigit() or len(word.split()[-1]) == 1
         return phrase("body.named" if proper else "body.the", self.language, body=word)
+
+    def named(self, name: str) -> str:
+        """What a point or phase is called: its name in this language, else the one in the file as words."""
+        called = self.problem.names.get(self.language, {}) if self.problem else {}
+        return called.get(name) or spaced(name)
 
     def meaning(self, name: str, own: str) -> str:
         """What a quantity means, in this language if the author gave it."""

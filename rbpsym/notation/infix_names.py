@@ -30,11 +30,30 @@ FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
 
 @dataclass(slots=True)
 class Reader(Cursor[Token]):
-    """A cursor with the symbols, functions and aliases of a problem."""
+    """A cursor with the symbols, functions and aliases of a problem.
+
+    `script` says what to choose at the places that can be read in two ways (False behind its end; None: refuse
+    them), `met` their errors, `parted` if one of them changes what is multiplied and what divided. `bars`: a |
+    would close.
+    """
 
     symbols: frozenset[str] = frozenset()
     functions: Mapping[str, Callable[[t.Node], t.Node]] = field(default_factory=lambda: FUNCTIONS)
     aliases: Mapping[str, str] = field(default_factory=dict)
+    script: tuple[bool, ...] | None = None
+    met: list[RbpsymError] = field(default_factory=list)
+    parted: bool = False
+    bars: bool = False
+
+    def decide(self, what: str, instead: str, *, changes_value: bool = False) -> bool:
+        """Which of two readings to take at the next token. Raises ReadError if none may be taken."""
+        error = self.error(what, instead)
+        if self.script is None:
+            raise error
+        chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
+        self.met.append(error)
+        self.parted = self.parted or changes_value
+        return chosen
 
 
 def symbol_named(token: Token, reader: Reader) -> str | None:
@@ -67,7 +86,7 @@ def unknown(token: Token, reader: Reader) -> RbpsymError:
     """The error for a name that the problem doesn't have."""
     known = sorted(reader.symbols | set(reader.aliases))
     pieces = _pieces(token.names[0], reader.symbols)
-    near = get_close_matches(token.names[0], [*known, *reader.functions], n=1)
+    near = get_close_matches(token.names[0], [*known, *(word for word in reader.functions if len(word) > 2)], n=1)
     hint = "The symbols are: " + ", ".join(known) + "."
     if near:
         hint = f"Did you mean “{near[0]}”?"

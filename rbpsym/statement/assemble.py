@@ -20,6 +20,7 @@ from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of
+from rbpsym.statement.translations import check_translated_names
 
 # What each section of a file is for.
 SECTIONS: dict[str, str] = {
@@ -38,6 +39,7 @@ SECTIONS: dict[str, str] = {
     "origins": "points about which angular momenta are wanted",
     "notation": 'how names are printed: theta_dot = "omega"',
     "meanings": "meanings in other languages: [meanings.es]",
+    "names": "what bodies, points and phases are called in other languages: [names.es]",
     "example": "values with units, for numbers and plots",
     "claims": "what a source says, to be confirmed or refuted",
 }
@@ -73,7 +75,9 @@ def assemble(table: Table, name: str) -> Problem:
         **_about(table, name),
     )
     check_problem(problem, table)
-    return replace(problem, phases=read_phases(table, problem, around))
+    problem = replace(problem, phases=read_phases(table, problem, around))
+    check_translated_names(problem, table)
+    return problem
 
 
 def _about(table: Table, name: str) -> dict[str, object]:
@@ -84,7 +88,8 @@ def _about(table: Table, name: str) -> dict[str, object]:
         "level": _worded(table, "level").get("en", ""),
         "topic": _worded(table, "topic").get("en", ""),
         "notation": _strings(table, "notation"),
-        "meanings": _meanings(table),
+        "meanings": _translations(table, "meanings", "theta"),
+        "names": _translations(table, "names", "rod"),
         "example": _values(table, "example"),
         "claims": _claims(table),
         "file": table.source.file,
@@ -143,9 +148,9 @@ def _values(table: Table, key: str) -> dict[str, str]:
     return {name: text_of(section.item(name), f"“{name}” of [{key}]") for name in section.names()}
 
 
-def _meanings(table: Table) -> dict[str, dict[str, str]]:
-    section = table.table("meanings", "meanings")
-    _check_languages(section, 'write [meanings.es] and, below it, theta = "..."')
+def _translations(table: Table, key: str, example: str) -> dict[str, dict[str, str]]:
+    section = table.table(key, key)
+    _check_languages(section, f'write [{key}.es] and, below it, {example} = "..."')
     return {language: _strings(section, language) for language in section.names()}
 
 

@@ -201,7 +201,7 @@ class Problem(Shown):
     """A whole statement. `notation` maps names to the glyph names that print them.
 
     `points` are the author's fixed points with O, `origins` those about which momenta are
-    wanted. `meanings` holds translations, by language and name; `example` values with units,
+    wanted. `meanings` and `names` hold translations, by language and name; `example` values with units,
     by parameter; `claims` what a source says, as data. `implicit` names the constants that no
     one declared: a coordinate starts at them. `text` is the source that it was read from, if it was.
     """
@@ -219,6 +219,7 @@ class Problem(Shown):
     claims: tuple[Mapping[str, object], ...] = ()
     points: Mapping[str, Pair] = field(default_factory=dict)
     meanings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     example: Mapping[str, str] = field(default_factory=dict)
     level: str = ""
     topic: str = ""
@@ -230,6 +231,12 @@ class Problem(Shown):
     def body(self, name: str) -> Body:
         """The body called `name` (KeyError if there is none)."""
         return {body.name: body for body in self.bodies}[name]
+
+    def names_in(self, language: str) -> Mapping[str, str]:
+        """What names are called in a language where that differs: its [names], else meanings of bodies that are one word."""
+        meant = self.meanings.get(language, {})
+        words = {name: meant[name] for name in self.body_names if meant.get(name, "").isalpha()}
+        return words | dict(self.names.get(language, {}))
 
     @property
     def body_names(self) -> tuple[str, ...]:

@@ -14,10 +14,11 @@ from hashlib import sha256
 from pathlib import Path
 
 from rbpsym.derivation.step import Derivation
+from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.glyphs import Notation, notation_for
+from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem, load_table
 from rbpsym.statement.model import Problem
@@ -77,12 +78,9 @@ class Plan:
         """Stands for the text of the worksheet and its problems: a form code holds for this text only."""
         return sha256(self.sheet.text.encode()).hexdigest()
 
-    @property
-    def notation(self) -> Notation:
+    def notation(self, language: str) -> Notation:
         """How the names of all its problems are printed."""
-        problems = [part.bench.study.problem for part in self.parts]
-        names = {q.name for p in problems for q in (*p.parameters, *(c.quantity for c in p.coordinates))}
-        return notation_for(names, {name: glyph for p in problems for name, glyph in p.notation.items()})
+        return common_notation((part.bench.study.problem for part in self.parts), language)
 
     def worksheet(self, student: Student | None = None, secret: str = "", language: str = "") -> Worksheet:
         """The paper of a student (of nobody in particular if None), with its key."""
@@ -119,7 +117,7 @@ class Plan:
             codes.written(code, secret, self.fingerprint),
             tuple(parts),
             {part.bench.name: part.bench.study.problem for part in self.parts},
-            self.notation,
+            self.notation(code.language),
             student,
             (Paragraph(words(introduction)),) if introduction else (),
         )

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from rbpsym.document.model import DocumentError, Inlines, Text
-from rbpsym.document.phrases import PLURALS, filled, flatten, merged, two_forms
+from rbpsym.document.phrases import contracted, filled, flatten, grammar, merged
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
@@ -31,9 +31,7 @@ def teaching_phrases(language: str) -> Mapping[str, str]:
     """All templates of a language by dotted key. Raises RbpsymError for a language that is not there."""
     path = FOLDER / f"{language}.toml"
     if language not in languages():
-        raise RbpsymError(
-            f"there are no worksheets in “{language}”", instead=f"languages: {', '.join(languages())}."
-        )
+        raise RbpsymError(f"there are no worksheets in “{language}”", instead=f"languages: {', '.join(languages())}.")
     return dict(flatten("", tomllib.loads(path.read_text(encoding="utf-8"))))
 
 
@@ -49,7 +47,7 @@ def spoken(said: Words, key: str, **slots: Any) -> Inlines:
     """A phrase in the words of a problem."""
     filled_slots = said.slots(slots)
     text = _template(key, said.language, filled_slots)
-    return merged(filled(text, key, said.language, filled_slots))
+    return contracted(merged(filled(text, key, said.language, filled_slots)), said.language)
 
 
 def plain_text(key: str, language: str = "en", **slots: Any) -> str:
@@ -80,4 +78,4 @@ def _template(key: str, language: str, slots: Mapping[str, Any]) -> str:
 def _variant(language: str, slots: Mapping[str, Any]) -> str:
     if "variant" in slots:
         return str(slots["variant"])
-    return PLURALS.get(language, two_forms)(slots["count"]) if "count" in slots else ""
+    return grammar(language).number(slots["count"]) if "count" in slots else ""

@@ -15,7 +15,7 @@ from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch
 from rbpsym.document.figures.svg import to_svg
 from rbpsym.document.figures.tikz import to_tikz
-from rbpsym.document.notes_figures import problem_notation
+from rbpsym.document.language import problem_notation
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.sketches import sketch_of_pose
 from rbpsym.mechanics.numbers import number

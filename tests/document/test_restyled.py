@@ -5,7 +5,8 @@ from fractions import Fraction
 import pytest
 
 from rbpsym.courses import derive_course
-from rbpsym.document.notes import course_notes, problem_notation
+from rbpsym.document.language import problem_notation
+from rbpsym.document.notes import course_notes
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex

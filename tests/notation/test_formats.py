@@ -60,5 +60,10 @@ def test_speech(name):
 
 
 def test_speech_in_another_language():
-    words = {**WORDS, "integral": "la integral desde {} hasta {} de {} d {}", "over": "sobre"}
-    assert to_speech(CALCULUS["integral times"], words=words).startswith("la integral desde theta")
+    words = {
+        **WORDS,
+        "integral": "la integral desde {a} hasta {b} de {c} d {d}",
+        "over": "sobre",
+        "letters.theta": "tita",
+    }
+    assert to_speech(CALCULUS["integral times"], Notation(words=words)).startswith("la integral desde tita")

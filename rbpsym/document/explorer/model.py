@@ -11,7 +11,6 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.explorer.labels import force_labels, label
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
 from rbpsym.document.explorer.stage import Ending, Phase, phase
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable, StatementError
@@ -47,7 +46,8 @@ def as_json(value: Any) -> str:
 
 def model(problem: Problem, language: str) -> Model:
     """The model of a problem, with all its phases where these have a closed form."""
-    said, notation = Words(language, problem), problem_notation(problem)
+    said = Words(language, problem)
+    notation = said.notation
     parts, partial = problem_stages(problem)
     study = parts[0].study
     numbers = sliders(study)
@@ -66,7 +66,7 @@ def model(problem: Problem, language: str) -> Model:
         "bodies": {name: said.body(name) for name in problem.body_names},
         "origins": {name: label(t.Sym(name), notation) for name in study.origins},
         "phases": [
-            {**found.data, "name": part.name if k else ""}
+            {**found.data, "name": said.named(part.name) if k else ""}
             for k, (part, found) in enumerate(zip(parts, phases, strict=True))
         ],
     }

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Block, Inlines, Math, Table, words
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
@@ -34,12 +33,11 @@ def given_table(derivation: Derivation, situation: Situation, said: Words) -> tu
 
 
 def _rows(problem: Problem, situation: Situation, said: Words) -> Iterator[tuple[Inlines, ...]]:
-    notation = problem_notation(problem)
     known = {q.name: q for q in problem.parameters if q.name not in problem.implicit}
     for name, measure in situation.given.items():
         meaning = said.meaning(name, known[name].meaning) if name in known else _start(problem, name, said)
         inlines = words(meaning) if isinstance(meaning, str) else meaning
-        yield (Math(t.Sym(name)),), inlines, _value(measure, notation.decimal)
+        yield (Math(t.Sym(name)),), inlines, _value(measure, said.notation.decimal)
 
 
 def _start(problem: Problem, name: str, said: Words) -> Inlines:
