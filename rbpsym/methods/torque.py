@@ -9,13 +9,12 @@ from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Space
-from rbpsym.derivation.chapters.forces import is_reaction, tag
-from rbpsym.derivation.chapters.momentum import momentum_name
 from rbpsym.derivation.draft import Draft, acceleration_symbol
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.methods.balances import Balance, outer_forces
+from rbpsym.methods.body_by_body import along_k, by_bodies
 from rbpsym.methods.planner import Plan, plan
 from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
@@ -31,7 +30,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
         with at_most(MOST_PRODUCTS):
             found = plan(draft.study)
             if found is not None:
-                return _solve(draft, found, [_balance(draft, balance) for balance in found.balances])
+                return _solve(draft, found, _balances(draft, found))
     except LimitError:
         draft.steps[:] = [step for step in draft.steps if step.chapter != draft.chapter]
     draft.skip(NAME, "skipped.planner")
@@ -55,11 +54,21 @@ def _projected(draft: Draft) -> None:
         )
 
 
-def _balance(draft: Draft, balance: Balance) -> Step:
+def _balances(draft: Draft, found: Plan) -> list[Step]:
+    """The balances one after the other; an acceleration that one says is zero is left out of the next."""
+    steps: list[Step] = []
+    settled: dict[str, Step] = {}
+    for balance in found.balances:
+        steps.append(_balance(draft, balance, settled))
+        settled.update({n: steps[-1] for n in balance.unknowns if len(balance.unknowns) == 1 and _vanishes(draft, n)})
+    return steps
+
+
+def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         return _push(draft, balance)
     if balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies):
-        return _by_bodies(draft, balance)
+        return by_bodies(draft, balance, settled)
     net = _net_torque(draft, balance)
     return _rate(draft, balance, net)
 
@@ -88,7 +97,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     draft.context.vectors[name] = Space(z=balance.right)
     together = draft.show(balance.right, factor=True)
     shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
-    items = [t.Vec(name), _along_k(shown)] + ([_along_k(together)] if shorter and len(parts) > 1 else [])
+    items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
     silent = [f for f, part in zip(forces, parts, strict=True) if not part and f.unknowns]
     return draft.add(
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
@@ -120,10 +129,6 @@ def _silent(forces) -> PhraseRef:
 def _bodies(balance: Balance) -> PhraseRef:
     refs = [BodyRef(name) for name in balance.bodies]
     return PhraseRef("bodies", {"bodies": refs, "count": len(refs)})
-
-
-def _along_k(node: t.Node) -> t.Node:
-    return t.mul(node, t.Unit("z")) if node != t.ZERO else t.ZERO
 
 
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
@@ -164,68 +169,6 @@ def _left(draft: Draft, balance: Balance) -> t.Node:
             spin = spin + state.moment * state.alpha
         return t.add(*(draft.show_brief(short(part)) for part in (orbital, spin) if not is_zero(part)))
     return draft.show_brief(balance.left)
-
-
-def _by_bodies(draft: Draft, balance: Balance) -> Step:
-    """Body by body with the torque of the inner forces as an unknown, then added."""
-    _name_inner_torques(draft, balance)
-    steps = [_of_one(draft, balance, name) for name in balance.bodies]
-    statement = t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=True))
-    names = [t.Sym(n) for n in _inner_names(draft, balance)]
-    return draft.add(
-        f"balance.{'.'.join(balance.bodies)}",
-        "combination",
-        statement,
-        "torque.added",
-        premises=[s.id for s in steps],
-        equations=[StepRef(s.id) for s in steps],
-        torques=names,
-        count=len(names),
-        data={"terms": [(1, step) for step in steps], "row": balance.row},
-    )
-
-
-def _inner(draft: Draft, balance: Balance) -> list:
-    return [f for f in draft.study.system.forces if f.on in balance.bodies and f.by in balance.bodies]
-
-
-def _inner_names(draft: Draft, balance: Balance) -> list[str]:
-    inner = [f for f in _inner(draft, balance) if f.unknowns]
-    return [draft.free(f"tau_{name}") for name in dict.fromkeys(f.name for f in inner)]
-
-
-def _name_inner_torques(draft: Draft, balance: Balance) -> None:
-    for force in _inner(draft, balance):
-        if not is_reaction(draft, force):
-            draft.define(
-                draft.free(f"tau_{force.name}"), short((force.point - balance.where).cross(force.vector) + force.couple)
-            )
-
-
-def _of_one(draft: Draft, balance: Balance, name: str) -> Step:
-    state = draft.study.system.bodies[name]
-    left = short(state.mass * (state.center - balance.where).cross(state.acceleration) + state.moment * state.alpha)
-    known, inner = NOTHING, []
-    for force in draft.study.system.on(name):
-        if force.by in balance.bodies:
-            letter = t.Sym(draft.free(f"tau_{force.name}"))
-            inner.append(t.neg(letter) if is_reaction(draft, force) else letter)
-        else:
-            known = known + (force.point - balance.where).cross(force.vector) + force.couple
-    right = t.add(*([draft.show(short(known))] if known else []), *inner)
-    momentum = t.Vec(momentum_name(draft, name, balance.label))
-    return draft.add(
-        f"balance.{name}",
-        "balance",
-        t.equation(draft.show(left), right),
-        "torque.one_of_several",
-        premises=[f"momentum.{name}.{balance.label}"],
-        body=BodyRef(name),
-        point=_point(draft, balance),
-        momentum=momentum,
-        forces=[t.Vec(f.name) for f in draft.study.system.on(name) if f.by in balance.bodies],
-        tags=tag(draft, draft.study.system.on(name)[0]),
-    )
 
 
 def _push(draft: Draft, balance: Balance) -> Step:
@@ -280,10 +223,10 @@ def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scala
     for balance in found.balances:
         if balance.unknowns - set(zeros) == {name}:
             left, right = substitute(balance.left, zeros), substitute(balance.right, zeros)
-            used = [
-                s.id for s, b in zip(steps, found.balances, strict=True) if b is balance or b.unknowns <= set(zeros)
-            ]
-            return isolated(draft, left, right, name), used
+            own = steps[found.balances.index(balance)]
+            used = [s for s, b in zip(steps, found.balances, strict=True) if s is own or b.unknowns <= set(zeros)]
+            kept = [own] if own.rule == "combination" else used  # there the others are left out already
+            return isolated(draft, left, right, name), [s.id for s in kept]
     return draft.show(value), [s.id for s in steps]
 
 
