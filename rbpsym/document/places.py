@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import cache
 
 from rbpsym.document.model import Inlines
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Line, PointRef
 
@@ -23,6 +26,16 @@ def point_in_words(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
     if pose.study.problem.body(ref.body).shape.kind == "particle":
         return body
     return said.say("point.of", point=point_name(ref, pose, said), body=body)
+
+
+def locator(study: Study) -> Callable[[str, str, Words], Inlines]:
+    """Says a point of a body of a study by its name in the file: "the lower end of the rod"."""
+
+    @cache
+    def pose() -> DrawnPose:
+        return DrawnPose(study)
+
+    return lambda body, point, said: point_in_words(PointRef(f"{body}.{point}", body, point), pose(), said)
 
 
 def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:

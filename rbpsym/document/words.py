@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,7 +22,7 @@ class Words:
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
     steps that are displayed, so that only these are referred to by number; `same` maps a step
     that repeats an earlier one to it; `is_later` of a later phase of a motion, where introductions
-    have been given already.
+    have been given already; `locate` says a point of a body as it is seen in the figure.
     """
 
     language: str
@@ -31,6 +31,7 @@ class Words:
     shown: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
+    locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)
 
     @property
     def notation(self) -> Notation:
@@ -79,6 +80,8 @@ class Words:
         """A point as the file names it: "rod.end" is the end of the rod."""
         body, _, point = text.partition(".")
         if point and self.problem and body in self.problem.body_names:
+            if self.locate is not None:
+                return self.locate(body, point, self)
             return phrase("point.of", self.language, point=self.named(point), body=self.the(body))
         return (Text(text),)
 
