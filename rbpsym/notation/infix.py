@@ -8,6 +8,7 @@ library. Products may be implied (`2 ell`, `m g ell`, `3(x + 1)`); what can be r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place, RbpsymError
@@ -18,6 +19,7 @@ from rbpsym.notation.infix_tokens import tokenize
 from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 
+MOST_WAYS = 16
 RELATION_SIGNS = ("=", "<", ">", "<=", ">=", "!=", "~")
 
 
@@ -52,16 +54,53 @@ def read_relation(
 ) -> t.Chain:
     """The chain of a typed relation `a = b`, `a < b <= c`. Raises as `read_infix`."""
     reader = _reader(text, symbols, functions, aliases, place)
+    found = _whole(reader)
+    if not isinstance(found, t.Chain):
+        raise reader.error("a relation is expected here", "Write left = right, or <, >, <=, >=.")
+    return _checked(replace(found, span=(0, len(text))), reader)
+
+
+@dataclass(frozen=True, slots=True)
+class Ways:
+    """The trees that a text can be read as, the usual one first, and the error of the first place that is not clear.
+
+    parted: whether one of these places decides what is multiplied and what divided.
+    """
+
+    trees: tuple[t.Node, ...]
+    error: RbpsymError | None
+    parted: bool
+
+
+def read_ways(
+    text: str, symbols: Iterable[str], *, functions: Mapping[str, Callable[[t.Node], t.Node]] = FUNCTIONS
+) -> Ways:
+    """All readings of a typed expression or relation that can be read in several ways. Raises as `read_infix`."""
+    trees: list[t.Node] = []
+    waiting: list[tuple[bool, ...]] = [()]
+    error, parted = None, False
+    while waiting:
+        script = waiting.pop(0)
+        reader = _reader(text, symbols, functions, MappingProxyType({}), None)
+        reader.script = script
+        trees.append(_checked(_whole(reader), reader))
+        error, parted = error or next(iter(reader.met), None), parted or reader.parted
+        chosen = (*script, *(False,) * (len(reader.met) - len(script)))
+        waiting += [(*chosen[:place], True) for place in range(len(script), len(chosen))]
+        if len(trees) + len(waiting) > MOST_WAYS:
+            raise error
+    return Ways(tuple(trees), error, parted)
+
+
+def _whole(reader: Reader) -> t.Node:
+    """The expression or relation that a text is."""
     items, ops = [expression(reader)], []
     while reader.sees(*RELATION_SIGNS):
         ops.append(reader.take().text)
         items.append(expression(reader))
     if reader.token.kind != "end":
         raise _left_over(reader)
-    if not ops:
-        raise reader.error("a relation is expected here", "Write left = right, or <, >, <=, >=.")
-    chain = t.Chain(tuple(items), tuple(ops), span=(0, len(text)))
-    return _checked(chain, reader)
+    return t.Chain(tuple(items), tuple(ops)) if ops else items[0]
 
 
 def _reader(

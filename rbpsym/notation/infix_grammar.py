@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -12,7 +13,9 @@ from rbpsym.notation.infix_names import Reader, function_named, symbol_named, un
 from rbpsym.notation.infix_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
 
-_POWERED = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+_POWERED = frozenset({
+    "sin", "cos", "tan", "cot", "sec", "csc", "sen", "tg", "ctg", "cotg", "cosec", "sinh", "cosh", "tanh", "senh", "tgh",
+})  # fmt: skip
 
 
 def _spanned(node: t.Node, start: int, reader: Reader) -> t.Node:
@@ -55,8 +58,7 @@ def _product(reader: Reader) -> t.Node:
         elif reader.sees("/"):
             factors = [_division(reader, _one(factors, start, reader), start)]
         elif _begins_factor(reader):
-            _refuse_ambiguity(reader, factors[-1])
-            factors.append(_factor(reader))
+            factors = [*factors[:-1], *_with_implied(reader, factors[-1])]
         else:
             return _one(factors, start, reader)
 
@@ -68,12 +70,12 @@ def _one(factors: list[t.Node], start: int, reader: Reader) -> t.Node:
 
 
 def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
-    slash = reader.token
-    if _is_bare_call(num, reader):
-        what = "this can be read in two ways: is the function's argument divided, or its value?"
-        raise reader.error(what, "Write sin(x)/2 or sin(x/2).", slash)
+    what = "this can be read in two ways: is the function's argument divided, or its value?"
+    inside = _is_bare_call(num, reader) and reader.decide(what, "Write sin(x)/2 or sin(x/2).")
     reader.take()
     den = _signed_factor(reader)
+    if inside:
+        return _spanned(in_last_argument(num, lambda arg: t.Div(arg, den)), start, reader)
     return _spanned(t.Div(num, den), start, reader)
 
 
@@ -86,19 +88,26 @@ def _signed_factor(reader: Reader) -> t.Node:
 
 
 def _begins_factor(reader: Reader) -> bool:
-    return reader.token.kind in ("name", "number") or reader.sees("(", "√")
+    return reader.token.kind in ("name", "number") or reader.sees("(", "√") or (reader.sees("|") and not reader.bars)
 
 
-def _refuse_ambiguity(reader: Reader, before: t.Node) -> None:
-    """Raise ReadError where an implied product follows a division or a bare argument."""
+def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
+    """A factor and the one that follows without a sign. Raises ReadError where this can be read in two ways."""
+    below = inside = False
     if isinstance(before, t.Div) and number_of(before) is None and not _is_closed(before, reader):
         what = "this can be read in two ways: is this factor above or below the fraction bar?"
-        raise reader.error(what, "Write a/(b*c), or (a/b)*c.")
-    if _is_bare_call(before, reader) and reader.token.kind != "end" and not _is_call(reader):
+        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=True)
+    if _is_bare_call(before, reader) and not _is_call(reader):
         what = "this can be read in two ways: does it belong to the function's argument?"
-        raise reader.error(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
+        inside = reader.decide(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
     if reader.token.kind == "number":
         raise reader.error("a number can't follow here without a sign", "Write * between them.")
+    factor = _factor(reader)
+    if inside:
+        return (in_last_argument(before, lambda arg: t.Mul((arg, factor))),)
+    if below:
+        return (replace(before, den=t.Mul((before.den, factor)), span=(before.span[0], reader.previous_end)),)
+    return before, factor
 
 
 def _is_closed(node: t.Node, reader: Reader) -> bool:
@@ -113,6 +122,17 @@ def _is_bare_call(node: t.Node, reader: Reader) -> bool:
     node, end = (node.base, node.base.span) if isinstance(node, t.Pow) else (node, None)
     text = reader.source.text[: end[1] if end else reader.previous_end].rstrip()
     return isinstance(node, t.Fn) and not text.endswith((")", "]", "|"))
+
+
+def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
+    """The node with the argument of the function changed that it ends with."""
+    if isinstance(node, t.Mul):
+        return replace(node, factors=(*node.factors[:-1], in_last_argument(node.factors[-1], change)))
+    if isinstance(node, t.Pow):
+        return replace(node, base=in_last_argument(node.base, change))
+    if isinstance(node, t.Neg):
+        return replace(node, arg=in_last_argument(node.arg, change))
+    return replace(node, arg=change(node.arg))
 
 
 def _is_call(reader: Reader) -> bool:
@@ -180,12 +200,26 @@ def _missing(reader: Reader) -> RbpsymError:
 
 def _parenthesis(reader: Reader) -> t.Node:
     opening = reader.take()
-    inner = expression(reader)
+    inner = _within(reader, bars=False)
     _close(reader, opening)
     return inner
 
 
+def _within(reader: Reader, *, bars: bool) -> t.Node:
+    """An expression in which a | closes, or opens."""
+    waiting, reader.bars = reader.bars, bars
+    inner = expression(reader)
+    reader.bars = waiting
+    return inner
+
+
+_CLOSINGS = MappingProxyType({"(": ")", "[": "]"})
+
+
 def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
+    text = reader.source.text
+    if sign == ")" and reader.sees(sign) and _CLOSINGS.get(text[opening.start], ")") != text[reader.token.start]:
+        raise reader.error(f"“{text[reader.token.start]}” closes what “{text[opening.start]}” opened", "Use one kind.")
     if not reader.accept(sign):
         if reader.token.kind == "end":
             raise reader.error("this parenthesis is never closed", f"Add a “{sign}”.", opening)
@@ -199,7 +233,7 @@ def _root(reader: Reader) -> t.Node:
 
 def _bars(reader: Reader) -> t.Node:
     opening = reader.take()
-    inner = expression(reader)
+    inner = _within(reader, bars=True)
     _close(reader, opening, "|")
     return _spanned(t.Abs(inner), opening.start, reader)
 
@@ -222,7 +256,8 @@ def _call(token: Token, reader: Reader) -> t.Node:
     """A function with an optional power before its argument: sin^2(x), sin x."""
     exponent = _function_power(token, reader)
     arg = _parenthesis(reader) if reader.sees("(") else _bare_argument(token, reader)
-    call = _spanned(reader.functions[token.text](arg), token.start, reader)
+    made = reader.functions[token.text](arg)  # cosh(x) is a quotient, but is none as it is typed
+    call = _spanned(t.Group(made) if isinstance(made, t.Div) else made, token.start, reader)
     return _power(call, exponent, token.start, reader) if exponent else call
 
 
@@ -244,6 +279,8 @@ def _bare_argument(token: Token, reader: Reader) -> t.Node:
     """An argument without parentheses: a number, a symbol, or a number and a symbol."""
     start = reader.token.start
     first = reader.token
+    if reader.sees("√", "|"):
+        return _atom(reader)
     if first.kind not in ("number", "name") or function_named(first, reader):
         raise reader.error(f"{token.text} needs its argument", f"Write {token.text}(...).", token)
     arg = _atom(reader)

@@ -8,6 +8,7 @@ cos θ (1 + x). Dimensions tell where it ends otherwise: in cos ωt only ωt is 
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
+from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.latex_grammar import SPACING, argument, atom, begins_factor, factor, power_of
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
@@ -31,7 +32,9 @@ def _function(reader: Reader) -> t.Node:
         if name in _INVERSE_POWER or not isinstance(exponent, t.Num):
             raise reader.error(f"this power of {name} can be read in two ways",
                                rf"Write \arc{name}, or ({token.text} x)^n.", token)  # fmt: skip
-    call = reader.spanned(t.Fn(name, _argument(reader, token)), token.start)
+    arg = _argument(reader, token)
+    made = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
+    call = reader.spanned(made, token.start)
     return power_of(reader, call, exponent, token.start) if exponent else call
 
 

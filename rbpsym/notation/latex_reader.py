@@ -14,7 +14,9 @@ from rbpsym.errors import LimitError, Place
 from rbpsym.notation import latex_calculus, latex_functions
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.latex_readings import best_reading
+from rbpsym.notation.infix import Ways
+from rbpsym.notation.latex_grammar import BELOW
+from rbpsym.notation.latex_readings import best_reading, every_reading
 from rbpsym.notation.latex_relations import SIGNS, chained, relation
 from rbpsym.notation.latex_table import Reader
 from rbpsym.notation.latex_tokens import Token, tokenize
@@ -44,6 +46,18 @@ def read_latex(
     source = Source(text, place)
     tokens = _formula_tokens(tokenize(Source(_unbroken(text), place)))
     return _checked(best_reading(source, tokens, symbols, _rows), source)
+
+
+def latex_ways(text: str, symbols: SymbolTable) -> Ways:
+    """All readings of a formula that can be read in several ways. Raises as `read_latex`."""
+    source = Source(text)
+    tokens = _formula_tokens(tokenize(Source(_unbroken(text))))
+    readings = every_reading(source, tokens, symbols, _rows)
+    met = [question for reading in readings for question in reading.met]
+    what, instead, token = met[0] if met else ("", "", tokens[0])
+    error = source.error(what, token.start, token.end, instead) if met else None
+    trees = tuple(_checked(reading.node, source) for reading in readings)
+    return Ways(trees, error, any(question[0] == BELOW for question in met))
 
 
 _FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")

@@ -7,14 +7,14 @@ formula is refused at the place where they part.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_table import Question, Reader
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.source import Source
-from rbpsym.notation.symbol_table import SymbolTable
+from rbpsym.notation.symbol_table import SymbolTable, equally
 
 MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
 Read = Callable[[Reader], t.Node]
@@ -48,6 +48,17 @@ def best_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, 
     if rivals:
         raise _asked(source, _parting(best, rivals[0]))
     return best.node
+
+
+def every_reading(source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read) -> tuple[Reading, ...]:
+    """All readings that make a formula, the first without any unusual choice. Raises ReadError if there is none."""
+    free = replace(table, faults=equally)
+    first = _reading(source, tokens, free, read, ())
+    readings = _all(source, tokens, free, read, first)
+    sound = tuple(reading for reading in readings if reading.node is not None)
+    if not sound:
+        raise first.error
+    return sound
 
 
 def _tree(reading: Reading) -> t.Node:

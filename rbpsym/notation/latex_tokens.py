@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rbpsym.errors import LimitError
+from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.letters import LETTERS, NAME_OF_LETTER, SAME_LETTER
 from rbpsym.notation.source import Source, refused
 
@@ -20,7 +21,7 @@ FUNCTION_WORDS = {
     **{name: name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln")},
     "arcsin": "asin", "arccos": "acos", "arctan": "atan", "log": "ln",
     "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot", "cosec": "csc",
-    "arcsen": "asin", "arctg": "atan",
+    "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
 }  # fmt: skip
 _SILENT = (
     r"\\(?:,|;|:|!|>| |\n)|~"

@@ -29,7 +29,10 @@ def check_exponent(exponent: t.Node) -> None:
     value = number_of(exponent)
     if value is None:
         raise LimitError("an exponent must be a plain number or contain a symbol")
-    if abs(value) > MAX_EXPONENT or value.denominator > MAX_EXPONENT:
+    if value.denominator > MAX_EXPONENT and abs(value) <= MAX_EXPONENT:
+        what = f"the exponent {float(value):g} is not a simple fraction"
+        raise LimitError(what, instead=f"Write it as a fraction with at most {MAX_EXPONENT} below, as in x^(1/3).")
+    if abs(value) > MAX_EXPONENT:
         raise LimitError(f"the exponent {value} is beyond {MAX_EXPONENT}")
 
 

@@ -52,6 +52,11 @@ class SymbolTable:
         return replace(drawn, prefix="Δ") in self.names
 
 
+def equally(node: Node) -> int:
+    """Faults that prefer no reading: for one who wants to see them all."""
+    return 0
+
+
 def drawn_glyph(drawing: Glyph) -> Drawn:
     """What a reader sees of a glyph."""
     label = "".join(_label(sub) for sub in drawing.subs)

@@ -52,11 +52,15 @@ def _ways(name: str, alias: str | None) -> Iterator[str]:
 
 
 def _twins(name: str) -> Iterator[str]:
-    """The same letter under another name: phi and varphi; ell, l and L."""
+    """The same letter under another name: phi and varphi; ell, l and L; w for ω; μ for the only μ_k."""
     head, dash, tail = name.partition("_")
     for group in (*TWINS, ELLS):
         if head in group:
             yield from (other + dash + tail for other in group if other != head)
+    if head == "omega":
+        yield f"w{dash}{tail}"
+    if head == "mu" and tail:
+        yield head
 
 
 def _table(names: frozenset[str], notation: Mapping[str, str], typed: Mapping[str, str]) -> SymbolTable:

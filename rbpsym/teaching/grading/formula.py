@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rbpsym.algebra.evaluate import scalar
@@ -14,7 +14,7 @@ from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
-from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.grading.reading import read_all, read_formula
 from rbpsym.teaching.grading.size import is_small
 from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero
 from rbpsym.teaching.model import Anticipated
@@ -53,8 +53,36 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     try:
         read = read_formula(text, sought.ground.book)
     except RbpsymError as error:
-        return j.invalid(error)
+        return _in_all_ways(text, sought) or j.invalid(error)
     return judge_tree(read, sought)
+
+
+def _in_all_ways(text: str, sought: Sought) -> Judgement | None:
+    """The judgement on what can be read in several ways, if one of them alone can be meant, or it does not matter.
+
+    Where it only matters how far the argument of a function goes, the reading that is right is meant.
+    """
+    try:
+        ways = read_all(text, sought.ground.book)
+    except RbpsymError:
+        return None
+    if len(ways.trees) < 2:
+        return None
+    sound = [tree for tree in ways.trees if _fits(tree, sought)] or list(ways.trees)
+    found = [judge_tree(tree, sought) for tree in sound]
+    statuses = {judgement.status for judgement in found}
+    if len(found) == 1 or statuses == {Status.WRONG}:
+        return found[0].with_remark("read as", formula=sound[0]) if len(found) == 1 else found[0]
+    if Status.RIGHT not in statuses or (ways.parted and len(statuses) > 1):
+        return None
+    place = next(k for k, judgement in enumerate(found) if judgement.status is Status.RIGHT)
+    return found[place].with_remark("read as", formula=sound[place]) if place else found[0]
+
+
+def _fits(read: t.Node, sought: Sought) -> bool:
+    """Has it, so read, the dimension of the key, as far as that is known?"""
+    answer = _right_side(read, sought)
+    return answer is None or _dimension_remark(answer, sought) is None
 
 
 def judge_tree(read: t.Node, sought: Sought) -> Judgement:
@@ -76,6 +104,8 @@ def _right_side(read: t.Node, sought: Sought) -> t.Node | None:
     """The last side beside the one that is asked for; None if the equation does not name it."""
     if not isinstance(read, t.Chain):
         return read
+    if _is_turned(read, sought):
+        return read.items[0]
     kept = [side for side in read.items if not _is_left(side, sought)]
     if len(kept) == len(read.items) and not _is_plain_chain(read, sought):
         return None
@@ -89,6 +119,13 @@ def _is_left(side: t.Node, sought: Sought) -> bool:
 def _is_plain_chain(read: t.Chain, sought: Sought) -> bool:
     """Is no left side known, so that a symbol before the first sign = is taken for it?"""
     return sought.left is None and isinstance(read.items[0], t.Sym)
+
+
+def _is_turned(read: t.Chain, sought: Sought) -> bool:
+    """Is no left side known, and does the symbol stand last: 3g/(2ℓ) = α?"""
+    last = read.items[-1]
+    alone = isinstance(last, t.Sym) and last.name not in sought.allowed and not isinstance(read.items[0], t.Sym)
+    return sought.left is None and alone
 
 
 def _bare(node: t.Node) -> t.Node:
@@ -250,11 +287,6 @@ def _is_linear(gap: t.Node, sought: Sought) -> bool:
         return False
     index = atoms.intern("symbol", sought.target)
     return set(value.num.by_power(index)) <= {0, 1} and index not in value.den.atoms()
-
-
-def carried_values(follows: Mapping[str, t.Node], formulas: Mapping[str, t.Node]) -> tuple[t.Node, ...]:
-    """What follows from earlier answers: each formula with the name replaced by the student's own answer."""
-    return tuple(replaced(formulas[name], name, own) for name, own in follows.items())
 
 
 def replaced(node: t.Node, name: str, by: t.Node) -> t.Node:

@@ -45,7 +45,16 @@ class Ground:
 def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> Ground:
     """The ground of some names alone, with their signs (“positive”, “nonnegative”, “nonzero”, “real”)."""
     signs = dict(symbols) if isinstance(symbols, Mapping) else {}
-    return Ground(book(symbols, language=language), Assumptions(signs))
+    return Ground(book(symbols, _rates_named(frozenset(symbols)), language), Assumptions(signs))
+
+
+_ANGLES = ("theta", "phi", "varphi", "vartheta", "psi", "beta", "alpha", "gamma")
+
+
+def _rates_named(names: frozenset[str]) -> dict[str, str]:
+    """ω for the rate of the only angle that has one, if there is no other ω."""
+    rates = [f"{name}_dot" for name in _ANGLES if f"{name}_dot" in names]
+    return {rates[0]: "omega"} if len(rates) == 1 and "omega" not in names else {}
 
 
 def ground_of(study: Study, language: str = "en") -> Ground:

@@ -2,43 +2,89 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rbpsym.errors import Place, ReadError
 from rbpsym.notation import tree as t
-from rbpsym.notation.infix import read_infix, read_relation
-from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.infix import Ways, read_infix, read_relation, read_ways
+from rbpsym.notation.latex_reader import latex_ways, read_latex
 from rbpsym.teaching.grading.book import Book
-from rbpsym.teaching.grading.standard import EULER, MADE, standard
-from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, with_decimal_points
+from rbpsym.teaching.grading.dialects import latex
+from rbpsym.teaching.grading.standard import EULER, MADE, mapped, standard
+from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
 
 Read = t.Node
 _HINT = "Enter one formula, for example with * for products and sqrt( ) for roots."
 
 
-def read_formula(text: str, book: Book) -> t.Node:
+def read_formula(text: str, book: Book, *, labels: bool = True) -> t.Node:
     """The tree of an answer: an expression, or a Chain for one with = signs.
 
+    labels: whether a name that the problem does not have may stand before a sign = (`T = 2π√(ℓ/g)`).
     Raises ReadError, LimitError (with a caret) for what is no valid answer.
     """
+    told = _told(text, book, labels)
+    return _made(_latex(told, book) if is_latex(told) else _typed(told, book), told, book)
+
+
+def read_all(text: str, book: Book, *, labels: bool = True) -> Ways:
+    """Every way to read an answer that can be read in several. Raises as `read_formula`."""
+    told = _told(text, book, labels)
+    if is_latex(told):
+        ways = latex_ways(_latex_text(told, book), book.table)
+    else:
+        ways = read_ways(plain(told, book), _symbols(book), functions=MADE)
+    return replace(ways, trees=tuple(_made(tree, told, book) for tree in ways.trees))
+
+
+def _told(text: str, book: Book, labels: bool) -> str:
     told = unframed(checked_length(text))
     if not told:
         raise ReadError("there is no answer", instead=_HINT)
-    has_euler = EULER not in book.names and EULER not in book.typed
-    node = _latex(told, book) if is_latex(told) else _typed(told, book, has_euler)
-    return _equations_only(standard(node, book.typed, has_euler), told)
+    return unlabelled(told, book) if labels else told
 
 
-def _typed(text: str, book: Book, has_euler: bool) -> t.Node:
+def _made(node: t.Node, text: str, book: Book) -> t.Node:
+    return _equations_only(_with_rates(standard(node, book.typed, _has_euler(book)), book), text)
+
+
+def _has_euler(book: Book) -> bool:
+    return EULER not in book.names and EULER not in book.typed
+
+
+def _symbols(book: Book) -> frozenset[str]:
+    return book.names | ({EULER} if _has_euler(book) else frozenset())
+
+
+def _typed(text: str, book: Book) -> t.Node:
     made = plain(text, book)
-    symbols = book.names | ({EULER} if has_euler else frozenset())
     read = read_relation if any(sign in made for sign in "=<>≤≥≠≈~") else read_infix
-    return read(made, symbols, functions=MADE)
+    return read(made, _symbols(book), functions=MADE)
+
+
+def _latex_text(text: str, book: Book) -> str:
+    return latex(with_decimal_points(text, book.language), book)
 
 
 def _latex(text: str, book: Book) -> t.Node:
-    node = read_latex(with_decimal_points(text, book.language), book.table)
+    return _single(read_latex(_latex_text(text, book), book.table))
+
+
+def _single(node: t.Node) -> t.Node:
     if isinstance(node, t.System):
         raise ReadError("several formulas stand here", instead=_HINT)
     return node
+
+
+_TAILS = {1: "_dot", 2: "_ddot"}
+
+
+def _with_rates(node: t.Node, book: Book) -> t.Node:
+    """dθ/dt is the symbol of the rate, where there is one."""
+    if isinstance(node, t.Deriv) and isinstance(node.of, t.Sym) and node.wrt == "t":
+        name = book.named(node.of.name + _TAILS.get(node.order, "_"))
+        return t.Sym(name, span=node.span) if name else node
+    return mapped(node, lambda part: _with_rates(part, book))
 
 
 def _equations_only(node: t.Node, text: str) -> t.Node:

@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from rbpsym.errors import ReadError
 from rbpsym.notation import tree as t
+from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.infix_names import FUNCTIONS
 from rbpsym.notation.limits import number_of
 
@@ -18,18 +19,6 @@ def _exp(node: t.Node) -> t.Node:
     return t.Fn("exp", node)
 
 
-def _sinh(node: t.Node) -> t.Node:
-    return t.Div(t.Add((_exp(node), t.Neg(_exp(t.Neg(node))))), t.TWO)
-
-
-def _cosh(node: t.Node) -> t.Node:
-    return t.Div(t.Add((_exp(node), _exp(t.Neg(node)))), t.TWO)
-
-
-def _tanh(node: t.Node) -> t.Node:
-    return t.Div(_sinh(node), _cosh(node))
-
-
 def _log10(node: t.Node) -> t.Node:
     return t.Div(t.Fn("ln", node), t.Fn("ln", t.Num(10)))
 
@@ -38,33 +27,14 @@ def _cbrt(node: t.Node) -> t.Node:
     return t.Pow(node, t.Div(t.ONE, t.Num(3)))
 
 
-def _over_one(function: Made) -> Made:
-    return lambda node: t.Div(t.ONE, function(node))
-
-
-def _square_and(node: t.Node, one: t.Node) -> t.Node:
-    return t.Sqrt(t.Add((t.Pow(node, t.TWO), one)))
-
-
-def _asinh(node: t.Node) -> t.Node:
-    return t.Fn("ln", t.Add((node, _square_and(node, t.ONE))))
-
-
-def _acosh(node: t.Node) -> t.Node:
-    return t.Fn("ln", t.Add((node, _square_and(node, t.Neg(t.ONE)))))
-
-
-def _atanh(node: t.Node) -> t.Node:
-    return t.Div(t.Fn("ln", t.Div(t.Add((t.ONE, node)), t.Add((t.ONE, t.Neg(node))))), t.TWO)
+def _of_reciprocal(name: str) -> Made:
+    return lambda node: t.Fn(name, t.Div(t.ONE, node))
 
 
 MADE: Mapping[str, Made] = MappingProxyType({
-    **FUNCTIONS, "sinh": _sinh, "cosh": _cosh, "tanh": _tanh, "log10": _log10, "lg": _log10, "cbrt": _cbrt, "root": t.Sqrt,
-    "log_10": _log10, "cotan": FUNCTIONS["cot"], "sech": _over_one(_cosh), "csch": _over_one(_sinh),
-    "cosech": _over_one(_sinh), "coth": _over_one(_tanh),
-    "senh": _sinh, "tgh": _tanh,
-    **dict.fromkeys(("asinh", "arcsinh", "arsinh"), _asinh), **dict.fromkeys(("acosh", "arccosh", "arcosh"), _acosh),
-    **dict.fromkeys(("atanh", "arctanh", "artanh"), _atanh),
+    **FUNCTIONS, **HYPERBOLIC, "log10": _log10, "lg": _log10, "log_10": _log10, "cbrt": _cbrt, "root": t.Sqrt,
+    "cotan": FUNCTIONS["cot"], "tangent": FUNCTIONS["tan"], "sine": FUNCTIONS["sin"], "cosine": FUNCTIONS["cos"],
+    **dict.fromkeys(("asec", "arcsec"), _of_reciprocal("acos")), **dict.fromkeys(("acsc", "arccsc"), _of_reciprocal("asin")),
 })  # fmt: skip
 PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain)
 EULER = "e"

@@ -11,12 +11,13 @@ from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place
 from rbpsym.notation.infix_tokens import MAX_LENGTH
+from rbpsym.teaching.grading import dialects as d
 from rbpsym.teaching.grading.book import Book
+from rbpsym.teaching.grading.dialects import NUMBER, is_label
 from rbpsym.teaching.grading.words import GREEK, dotted, lookup, spelled
 
 _FRAMES = (("$$", "$$"), ("$", "$"), (r"\(", r"\)"), (r"\[", r"\]"), ("`", "`"))
-_LATEX = re.compile(r"\\[A-Za-z,;! ]|[_^]\{")
-_NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)"
+_LATEX = re.compile(r"\\[A-Za-z,;!:> ]")
 # typed signs for which the readers know another
 _SIGNS = MappingProxyType({
     "’": "'", "′": "'", "‘": "'", "´": "'", "″": "''", "\u00a0": " ", "＝": "=", "∙": "*", "•": "*",
@@ -39,6 +40,19 @@ def unframed(text: str) -> str:
         if text.startswith(opening) and text.endswith(closing) and len(text) > len(opening) + len(closing):
             text = text[len(opening) : -len(closing)].strip()
     return re.sub(r"\s*[.;,]$", "", re.sub(r"^=(?![=>])\s*", "", text))
+
+
+_LABEL = re.compile(rf"(\\?[A-Za-z{GREEK}][A-Za-z0-9_{GREEK}]*(?:_\{{\w+\}})?'*)\s*[=≈]\s*(?![=>])(?=\S)")
+
+
+def unlabelled(text: str, book: Book) -> str:
+    """The text without a name before a sign = that the problem does not have: T = 2π√(ℓ/g)."""
+    found = _LABEL.match(text)
+    if found is None:
+        return text
+    word = re.sub(r"[\\{}]", "", found[1])
+    alone = is_label(word, book) and spelled(word, book) == word and text.count("=") <= 1
+    return text[found.end() :] if alone else text
 
 
 def is_latex(text: str) -> bool:
@@ -64,35 +78,7 @@ def _signs(text: str, book: Book) -> str:
     return dotted("".join(_SIGNS.get(char, char) for char in text))
 
 
-_TWO = re.compile(r"\b(root|lg|log)\s*\(")
 _CALL = re.compile(r"[A-Za-z]\w*\s*\([^()]*\d,\d")
-
-
-def _two_arguments(text: str, book: Book) -> str:
-    """root(x, n) is x^(1/n), log(x, b) is ln x / ln b."""
-    if book.language != "en":
-        return text
-    for found in reversed(list(_TWO.finditer(text))[:20]):
-        parts = _arguments_from(text, found.end())
-        if parts and len(parts[0]) == 2:
-            (first, second), end = parts
-            made = f"(({first})^(1/({second})))" if found[1] == "root" else f"(ln({first})/ln({second}))"
-            text = text[: found.start()] + made + text[end:]
-    return text
-
-
-def _arguments_from(text: str, start: int) -> tuple[list[str], int] | None:
-    """(arguments between commas, where the parenthesis ends); None if it never does."""
-    depth, parts, begin = 0, [], start
-    for place in range(start, len(text)):
-        char = text[place]
-        if char == ")" and depth == 0:
-            return [*parts, text[begin:place]], place + 1
-        if char == "," and depth == 0:
-            parts.append(text[begin:place])
-            begin = place + 1
-        depth += (char == "(") - (char == ")")
-    return None
 
 
 def _numbers(text: str, book: Book) -> str:
@@ -100,7 +86,7 @@ def _numbers(text: str, book: Book) -> str:
         text = with_decimal_points(text, book.language)
     text = re.sub(r"(?<=\d)\.(?![\d\w])", "", text)
     if "e" not in book.names:
-        text = re.sub(rf"(?<![\w.])({_NUMBER})[eE]([+\-−]?\d{{1,3}})(?![\w.])", r"(\1*10^(\2))", text)
+        text = re.sub(rf"(?<![\w.])({NUMBER})[eE]([+\-−]?\d{{1,3}})(?![\w.])", r"(\1*10^(\2))", text)
     return text
 
 
@@ -108,19 +94,17 @@ def _constants(text: str, book: Book) -> str:
     return re.sub(r"%(pi|e)\b", r"\1", text)
 
 
-def _degrees(text: str, book: Book) -> str:
-    return re.sub(rf"({_NUMBER})\s*°", r"(\1*pi/180)", text)
-
-
 _WORD = rf"[A-Za-z{GREEK}][A-Za-z0-9_{GREEK}]*"
-_RATE = re.compile(rf"(?<![A-Za-z_])d\s*(\^\s*2|²)?\s*({_WORD})\s*/\s*\(?\s*d\s*t\s*(\^\s*2|²)?\s*\)?(?![\w])")
+_RATE = re.compile(
+    rf"(?<![A-Za-z_])d\s*(\^\s*2|²)?\s*({_WORD})\s*/\s*(?:\(\s*d\s*t\s*(\^\s*2|²)?\s*\)|d\s*t\s*(\^\s*2|²)?)(?!\w)"
+)
 
 
 def _rates(text: str, book: Book) -> str:
     """dθ/dt and d²θ/dt² are the names of the rates."""
 
     def named(found: re.Match[str]) -> str:
-        tail = {0: "_dot", 2: "_ddot"}.get(bool(found[1]) + bool(found[3]))
+        tail = {0: "_dot", 2: "_ddot"}.get(bool(found[1]) + bool(found[3] or found[4]))
         name = tail and lookup(found[2] + tail, book)
         return f" {name} " if name else found[0]
 
@@ -134,14 +118,7 @@ def _times(text: str, book: Book) -> str:
     return re.sub(rf"({_WORD}'*)\s*\(t\)", lambda f: f[1] if lookup(f[1], book) else f[0], text)
 
 
-_BARE = re.compile(r"\b((?:a|arc)?(?:sin|sen|cos|tan|tg))\s+([A-Za-z]\w*)\s*/\s*(?=\([^()]*[A-Za-z])")
-
-
-def _arguments(text: str, book: Book) -> str:
-    """sin θ/(2ℓ) is sin(θ)/(2ℓ): an angle is divided by no other quantity."""
-    return _BARE.sub(r"\1(\2)/", text)
-
-
 STEPS: tuple[Callable[[str, Book], str], ...] = (
-    _signs, _constants, _two_arguments, _numbers, _degrees, _rates, _times, spelled, _arguments,
+    d.letters_of_mathematica, d.mixed_numbers, d.indices, _signs, _constants, d.small_letters, d.two_arguments, _numbers,
+    d.powers_of_ten, d.degrees, d.derivatives, _rates, _times, d.ratios, spelled, d.inverses,
 )  # fmt: skip
