@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from fractions import Fraction
-from math import isqrt
+from itertools import combinations
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy, times
@@ -14,26 +15,67 @@ from rbpsym.quantities import LENGTH, MASS, NUMBER
 MOST_FACTORED, FEW = 16, 6  # terms; longer sums are not worth the search for factors
 
 
-def taken_out(poly: Poly, style: Style) -> tuple[Coefficient, Monomial, Poly]:
-    """(coefficient, monomial, rest) with poly = coefficient × monomial × rest."""
+def taken_out(poly: Poly, style: Style, *, fenced: bool = False) -> tuple[Coefficient, Monomial, Poly]:
+    """(coefficient, monomial, rest) with poly = coefficient × monomial × rest.
+
+    A rest that will stand in brackets, because something is taken out of it or, with `fenced`, stands
+    before it, has no denominators of its own where that would make several fraction lines.
+    """
     if poly.is_monomial():
         [(m, c)] = poly.terms.items()
         return c, m, ONE
-    if is_inertia(poly, style):
+    if is_inertia(poly, style) and not style.whole:
         common = split(_common_powers(poly), style)[1]
         number = Fraction(1, 2) if is_quadratic(common) else 1
         return number, common, poly.scaled(Fraction(1) / number, inverse(common)) if common else poly
     common = _common_powers(poly)
     rest = poly.scaled(1, inverse(common)) if common else poly
-    coefficient = common_coefficient(rest, style)
+    coefficient = _energy_half(rest) if is_quadratic(common) else 1
+    if coefficient == 1:
+        coefficient = common_coefficient(rest, style)
     if coefficient != 1:
         rest = rest.scaled(Fraction(1) / coefficient)
+    if (fenced or common or coefficient not in (1, -1)) and _has_several_bars(coefficient, common, rest, style):
+        return _over_one_bar(coefficient, common, rest, style)
     return coefficient, common, rest
 
 
+def _energy_half(rest: Poly) -> Coefficient:
+    """½ M (1 + R²/(2 b²)) v², never M (½ + R²/(4 b²)) v²."""
+    broken = [c for c in rest.terms.values() if c.denominator != 1]
+    return Fraction(1, 2) if broken and all(c.denominator % 2 == 0 and c > 0 for c in rest.terms.values()) else 1
+
+
+def _has_several_bars(coefficient: Coefficient, common: Monomial, rest: Poly, style: Style) -> bool:
+    """Whether a parameter divides some term within the brackets, and there are other fraction lines beside it."""
+    power = perfect_power(rest)
+    terms = (power[1] if power else rest).terms
+    divided = [bool(_divided_by(m, style)) for m in terms]
+    lines = sum(d or c.denominator != 1 for d, c in zip(divided, terms.values(), strict=True))
+    over = bool(_divided_by(common, style))
+    if not any(divided):
+        return over and lines > 0
+    return style.whole or over or lines > 1 or (coefficient.denominator != 1 and not is_quadratic(common))
+
+
+def _divided_by(m: Monomial, style: Style) -> list[int]:
+    """The parameters below the bar of a term (π is a number)."""
+    return [i for i, e in m if e < 0 and not moves(i, style) and atoms.symbol_name(i) != "pi"]
+
+
+def _over_one_bar(
+    coefficient: Coefficient, common: Monomial, rest: Poly, style: Style
+) -> tuple[Coefficient, Monomial, Poly]:
+    """The same with all parameters that divide a term of the rest taken out of it."""
+    below = split(divisors(rest), style)[0]
+    rest = rest.scaled(1, below)
+    number = tidy(rest.content()[0])
+    return tidy(coefficient * number), times(common, inverse(below)), rest.scaled(Fraction(1) / number)
+
+
 def is_inertia(poly: Poly, style: Style) -> bool:
-    """Whether the parameters of every term form a moment of inertia, which a reader wants to see one by one."""
-    if any(c < 0 for c in poly.terms.values()) or square(poly.scaled(1, inverse(_common_powers(poly)))) is not None:
+    """Whether every term is a moment of inertia, mass times a square, which a reader wants to see one by one."""
+    if any(c < 0 for c in poly.terms.values()) or perfect_power(poly.scaled(1, inverse(_common_powers(poly)))):
         return False
     return bool(style.dimensions) and all(_is_inertia_term(split(m, style)[0], style) for m in poly.terms)
 
@@ -41,10 +83,10 @@ def is_inertia(poly: Poly, style: Style) -> bool:
 def _is_inertia_term(fixed: Monomial, style: Style) -> bool:
     total = NUMBER
     for index, exponent in fixed:
-        name = atoms.symbol_name(index)
-        if name is None:
+        dimension = style.dimensions.get(atoms.symbol_name(index), NUMBER)
+        if atoms.symbol_name(index) is None or (dimension == LENGTH and exponent % 2):
             return False
-        total = total * style.dimensions.get(name, NUMBER) ** exponent
+        total = total * dimension**exponent
     return total == MASS * LENGTH**2
 
 
@@ -81,9 +123,10 @@ def plain_value(poly: Poly) -> float | None:
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:
     """The number, its sign included, that is taken out of a sum (1 where a reader would leave it)."""
-    found = square(poly)
+    found = perfect_power(poly)
     if found is not None:
-        return found[0]
+        number, side, n = found
+        return -number if n % 2 and leads_negative(side, style) else number
     values = list(poly.terms.values())
     sign = -1 if leads_negative(poly, style) else 1
     content = poly.content()[0]
@@ -108,6 +151,29 @@ def leads_negative(poly: Poly, style: Style) -> bool:
     return all(c < 0 for c in poly.terms.values()) or (len(poly) == 2 and _names(poly, -1, 1) in style.greater)
 
 
+def leads_backwards(poly: Poly, style: Style) -> bool:
+    """Whether a sum of two symbols is to begin with the second in order, which is known to be the greater."""
+    found = sorted((m for m in poly.terms), key=lambda m: term_key(m, style))
+    names = [atoms.symbol_name(m[0][0]) for m in found if len(m) == 1 and m[0][1] == 1]
+    return len(found) == 2 == len(names) and (names[1], names[0]) in style.greater
+
+
+def joined_squares(found: Iterable[tuple[Poly, int]]) -> list[tuple[Poly, int]]:
+    """The factors with (x - y)(x + y) as x² - y², but for a number and a function."""
+    left = list(found)
+    for first, second in combinations(found, 2):
+        product = first[0] * second[0]
+        if first[1] == second[1] == 1 and len(first[0]) == len(second[0]) == 2 and _is_of_squares(product):
+            left = [factor for factor in left if factor not in (first, second)]
+            return [(product, 1), *joined_squares(left)]
+    return left
+
+
+def _is_of_squares(product: Poly) -> bool:
+    kinds = {atoms.atom(index).kind for index in product.atoms()}
+    return len(product) == 2 and not (() in product.terms and kinds & {"cos", "sin"})
+
+
 def leads_positive(poly: Poly, style: Style) -> bool:
     """Whether a difference is known to be positive."""
     return len(poly) == 2 and _names(poly, 1, -1) in style.greater
@@ -116,6 +182,7 @@ def leads_positive(poly: Poly, style: Style) -> bool:
 def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
     """The two symbols of c (a xⁿ - b yⁿ), a ≥ b, x the one with the sign `first`; c may hold further factors."""
     found = {}
+    poly = poly.scaled(1, divisors(poly))
     for m, c in poly.scaled(1, inverse(_common_powers(poly))).terms.items():
         if len(m) == 1 and m[0][1] > 0:
             found[1 if c > 0 else -1] = (atoms.symbol_name(m[0][0]), m[0][1], abs(c))
@@ -124,26 +191,27 @@ def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:
     return found[first][0], found[second][0]
 
 
-def square(poly: Poly) -> tuple[Coefficient, Poly] | None:
-    """(c, x ± y) for c (x² ± 2 x y + y²), None for other sums."""
-    squares = [(m, c) for m, c in poly.terms.items() if all(e % 2 == 0 for _, e in m)]
-    if len(poly) != 3 or len(squares) != 2:
-        return None
-    [(mixed, twice)] = [item for item in poly.terms.items() if item not in squares]
-    number = poly.content()[0] * (1 if squares[0][1] > 0 else -1)
-    (x, c), (y, d) = ((tuple((i, e // 2) for i, e in m), _root(c / number)) for m, c in squares)
-    twice = twice / number
-    if c is None or d is None or times(x, y) != mixed or abs(twice) != 2 * c * d:
-        return None
-    return tidy(number), Poly({x: c, y: d if twice > 0 else -d})
+def perfect_power(poly: Poly) -> tuple[Coefficient, Poly, int] | None:
+    """(c, x ± y, n) for c (x ± y)ⁿ multiplied out, n from 2 to 4 (c > 0 where n is odd); None for other sums."""
+    n = len(poly) - 1
+    pure = [(m, c) for m, c in poly.terms.items() if all(e % n == 0 for _, e in m)] if n in (2, 3, 4) else []
+    for first, second in combinations(pure, 2):
+        number = poly.content()[0] * (1 if first[1] > 0 or n % 2 else -1)
+        (x, c), (y, d) = ((tuple((i, e // n) for i, e in m), _root(c / number, n)) for m, c in (first, second))
+        for sign in (1, -1)[: 2 - n % 2] if c and d else ():
+            side = Poly({x: c, y: sign * d})
+            if (side**n).scaled(number) == poly:
+                return tidy(number), side, n
+    return None
 
 
-def _root(c: Coefficient) -> Coefficient | None:
-    """The rational square root."""
+def _root(c: Coefficient, n: int) -> Coefficient | None:
+    """The rational n-th root; None if there is none."""
     if c < 0:
-        return None
-    top, low = isqrt(c.numerator), isqrt(c.denominator)
-    return tidy(Fraction(top, low)) if (top * top, low * low) == (c.numerator, c.denominator) else None
+        root = _root(-c, n) if n % 2 else None
+        return None if root is None else -root
+    top, low = (round(part ** (1 / n)) for part in (c.numerator, c.denominator))
+    return tidy(Fraction(top, low)) if (top**n, low**n) == (c.numerator, c.denominator) else None
 
 
 def shared_coefficient(groups: list[dict[Monomial, Coefficient]]) -> Poly | None:

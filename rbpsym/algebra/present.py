@@ -11,6 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.bars import Piece, fraction, is_over_parameter, over, ratio, sums_before_functions, without_shared
 from rbpsym.algebra.grouping import (
     best_factors,
     by_moving,
@@ -18,20 +19,24 @@ from rbpsym.algebra.grouping import (
     divisors,
     is_inertia,
     is_worth_factoring,
+    joined_squares,
+    leads_backwards,
     leads_negative,
     leads_positive,
+    perfect_power,
     plain_value,
     ratio_to,
     shared_coefficient,
     splits_by_parameters,
-    square,
     starts_negative,
     taken_out,
 )
-from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, tidy
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key
 from rbpsym.notation import tree as t
+
+Pieces = tuple[Coefficient, list[Piece]]
 
 
 def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
@@ -41,32 +46,57 @@ def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.N
     return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
 
 
-def present_ratio(num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
-    """num/den as they are, with the functions that divide out kept behind the fraction."""
+def present_ratio(
+    num: Poly, den: Poly, style: Style = PLAIN, *, factor: bool = False, as_ratio: bool = False
+) -> t.Node:
+    """num/den with the functions that divide out kept behind the fraction.
+
+    What stands before the sums above and below is cancelled, the sums are kept as they are. With
+    `as_ratio`, what is no sum stands before the fraction: g ℓ (m/2 + M)/(...), as a number times a ratio.
+    """
     if den.is_monomial():
         return present(Scalar(num) / Scalar(den), style, factor=factor)
     if _is_upside_down(den, style):
         num, den = -num, -den
-    broken, below = taken_out(den, style)[0].denominator, divisors(den)
-    if broken != 1 or below:
-        num, den = num.scaled(broken, below), den.scaled(broken, below)
-    den = present_poly(den, style, factor)
-    coefficient, common, rest = taken_out(num, style)
-    more, pieces = (1, []) if rest == ONE else _groups(rest, style, factor)
-    coefficient, pieces = _turned(coefficient * more, pieces, style)
-    sign = coefficient < 0
+    if below := divisors(den):
+        num, den = num.scaled(1, below), den.scaled(1, below)
+    a, low, den = _whole_difference(*taken_out(den, style, fenced=True))
+    b, high, num = taken_out(num, style, fenced=True)
+    same = ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
+    if same is not None:
+        b, num, den = b * same, ONE, ONE
+    more, lower = (1, []) if den == ONE else _groups(den, style, factor)
+    further, upper = (1, []) if num == ONE else _groups(num, style, factor)
+    upper, lower = without_shared(upper, lower)
+    coefficient, upper = _turned(Fraction(b) * further / (a * more), upper, style)
+    node = _quotient(abs(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
+    return t.neg(node) if coefficient < 0 else node
+
+
+def _whole_difference(number: Coefficient, common: Monomial, den: Poly) -> tuple[Coefficient, Monomial, Poly]:
+    """Below a bar, a difference has no fractions of its own; masses and moments that add up may."""
+    if all(c > 0 for c in den.terms.values()):
+        return number, common, den
+    content = den.content()[0]
+    return number * content, common, den.scaled(Fraction(1) / content)
+
+
+def _quotient(
+    size: Coefficient, common: Monomial, upper: list[Piece], lower: list[t.Node], style: Style, as_ratio: bool
+) -> t.Node:
+    """size × common × sums over sums."""
     before, behind = split(common, style)
-    inside = [p for p, moving in pieces if not moving]
-    outside = [p for p, moving in pieces if moving]
-    size = abs(coefficient)
-    above = _powers(before, style)
-    below = _powers(tuple((i, -e) for i, e in (*before, *behind) if e < 0), style)
-    num = t.mul(*([t.Num(size.numerator)] if size.numerator != 1 else []), *above, *inside)
-    den = t.mul(*([t.Num(size.denominator)] if size.denominator != 1 else []), *below, den)
-    if num == t.ONE and outside and behind == UNIT:
-        num, outside = t.mul(*outside), []
-    node = t.mul(t.div(num, den), *_sums_before_functions([*_powers(behind, style), *outside]))
-    return t.neg(node) if sign else node
+    behind, tangents = _tangents(behind, style)
+    functions = [*_powers(behind, style), *tangents]
+    above = [*_number(size.numerator), *_powers(before, style)]
+    below = [*_number(size.denominator), *_powers(tuple((i, -e) for i, e in (*before, *behind) if e < 0), style)]
+    if as_ratio and not below and size == 1 and any(not moving for _, moving in upper):
+        return ratio(above, upper, lower, functions)
+    return fraction(above, below, upper, lower, functions)
+
+
+def _number(size: int) -> list[t.Node]:
+    return [t.Num(size)] if size != 1 else []
 
 
 def _is_upside_down(den: Poly, style: Style) -> bool:
@@ -74,8 +104,9 @@ def _is_upside_down(den: Poly, style: Style) -> bool:
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
     if leads_negative(den, style) or leads_positive(den, style):
         return leads_negative(den, style)
-    if square(den) is not None:
-        return square(den)[0] < 0
+    power = perfect_power(den)
+    if power is not None:
+        return power[0] < 0
     if len(still) == 2 == len(den.terms):
         coefficient, _, rest = taken_out(den, style)
         value = plain_value(rest)
@@ -110,8 +141,16 @@ def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: 
 
 
 def _may_turn(node: t.Add, style: Style) -> bool:
-    first, second = node.terms[0], getattr(node.terms[1], "arg", None)
-    return (getattr(first, "name", None), getattr(second, "name", None)) not in style.greater
+    return _compared(node.terms[0], getattr(node.terms[1], "arg", None)) not in style.greater
+
+
+def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | None]:
+    """The names a, b of a - b, aⁿ - bⁿ and 1 - b/a."""
+    if isinstance(second, t.Div) and first == t.ONE:
+        return _compared(second.den, second.num)
+    if isinstance(first, t.Pow) and isinstance(second, t.Pow) and first.exponent == second.exponent:
+        return _compared(first.base, second.base)
+    return getattr(first, "name", None), getattr(second, "name", None)
 
 
 def _is_taken_off(node: t.Node) -> bool:
@@ -126,21 +165,13 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
-    factors = _sums_before_functions([*_powers(behind, style), *moving])
+    if is_over_parameter(head) and not low:
+        node = over(head, [*pieces, *((tangent, True) for tangent in tangents)], _powers(behind, style))
+        return t.neg(node) if coefficient < 0 else node
+    factors = sums_before_functions([*_powers(behind, style), *moving])
     top, bottom = (head.num, head.den) if low and isinstance(head, t.Div) else (head, t.ONE)
     node = t.div(t.mul(top, *fixed, *factors), t.mul(bottom, *low))
     return t.neg(node) if coefficient < 0 else node
-
-
-def _sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
-    """(s + x cos β) sin β: a function in front of parentheses could be read as one of what they hold."""
-    functions = [node for node in factors if isinstance(getattr(node, "base", node), t.Fn)]
-    if not any(isinstance(getattr(node, "base", node), t.Add) for node in factors):
-        return factors
-    return [*(node for node in factors if node not in functions), *functions]
-
-
-Pieces = tuple[Coefficient, list[tuple[t.Node, bool]]]
 
 
 def _groups(poly: Poly, style: Style, factor: bool) -> Pieces:
@@ -179,7 +210,7 @@ def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
 
 def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
     pieces = []
-    for base, power in found:
+    for base, power in joined_squares(found):
         content = base.content()[0]
         base, coefficient = base.scaled(Fraction(1) / content), coefficient * content**power
         if leads_negative(base, style) or (power % 2 == 0 and starts_negative(base, style)):
@@ -189,8 +220,8 @@ def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coeff
 
 
 def _sum(poly: Poly, style: Style) -> t.Node:
-    """A sum, coefficients of the same moving part collected, a positive term first; a square as such."""
-    if square(poly) is not None:
+    """A sum, coefficients of the same moving part collected, a positive term first; a square or cube as such."""
+    if perfect_power(poly) is not None:
         return _plain_sum(poly, style)
     parts = by_moving(poly, style)
     if len(parts) == 1:
@@ -201,12 +232,15 @@ def _sum(poly: Poly, style: Style) -> t.Node:
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
-    found = square(poly)
+    found = perfect_power(poly)
     if found is not None:
-        number, side = found
-        whole = t.power(_plain_sum(-side if leads_negative(side, style) else side, style), 2)
-        return whole if number == 1 else t.mul(_monomial_node(number, UNIT, style), whole)
+        number, side, n = found
+        whole = t.power(_plain_sum(-side if n % 2 == 0 and leads_negative(side, style) else side, style), n)
+        size = t.mul(_monomial_node(abs(number), UNIT, style), whole)
+        return t.neg(size) if number < 0 else size
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
+    if leads_backwards(poly, style):
+        ordered = ordered[::-1]
     return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))
 
 
@@ -224,9 +258,9 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
         [(m, c)] = fixed.terms.items()
         both = tuple(sorted((dict(m) | dict(moving)).items()))
         return _signed(c, both, style)
-    if is_inertia(fixed, style) and is_quadratic(moving):  # an energy: ½Iω²
+    if is_inertia(fixed, style) and is_quadratic(moving) and not style.whole:  # an energy: ½Iω²
         return _assembled(Fraction(1, 2), moving, [(_plain_sum(fixed.scaled(2), style), False)], style)
-    coefficient, common, rest = taken_out(fixed, style)
+    coefficient, common, rest = taken_out(fixed, style, fenced=True)
     both = tuple(sorted((dict(common) | dict(moving)).items()))
     return _assembled(coefficient, both, [(_plain_sum(rest, style), False)], style)
 

@@ -1,0 +1,85 @@
+"""What stands above a fraction line, below it, before and behind it."""
+
+from __future__ import annotations
+
+from rbpsym.notation import tree as t
+
+Piece = tuple[t.Node, bool]  # a factor, and whether it moves
+SHORT = 15  # letters, numbers and functions of a sum that stands above the bar where nothing else does
+
+
+def fraction(
+    above: list[t.Node], below: list[t.Node], sums: list[Piece], lower: list[t.Node], functions: list[t.Node]
+) -> t.Node:
+    """Factors and sums over factors and sums; functions and sums that move stand behind the bar."""
+    inside = [node for node, moving in sums if not moving]
+    outside = [node for node, moving in sums if moving]
+    if not inside and outside and all(isinstance(node, t.Num) for node in above) and all(map(is_short, outside)):
+        inside, outside = outside, []
+    if not above and not inside and not outside:
+        inside, functions = functions, []
+    whole = t.div(t.mul(*above, *inside), t.mul(*sums_before_functions([*below, *lower])))
+    return t.mul(whole, *sums_before_functions([*functions, *outside]))
+
+
+def ratio(above: list[t.Node], sums: list[Piece], lower: list[t.Node], functions: list[t.Node]) -> t.Node:
+    """g ℓ (m/2 + M)/(m ℓ²/3 + M ℓ²): what is no sum stands before a ratio of sums."""
+    inside = [node for node, moving in sums if not moving]
+    outside = [node for node, moving in sums if moving]
+    return t.mul(*above, t.div(t.mul(*inside), t.mul(*lower)), *sums_before_functions([*functions, *outside]))
+
+
+def over(head: t.Node, sums: list[Piece], behind: list[t.Node]) -> t.Node:
+    """A fraction that has a parameter below it, times sums and what moves.
+
+    Short sums of parameters stand above the bar; where nothing else does, unknowns or any short sums do.
+    """
+    top = [node for node, moving in sums if not moving and is_short(node)]
+    if head.num == t.ONE and not top:
+        top = [node for node in behind if isinstance(powered(node)[0], t.Sym)]
+        top = top or [node for node, _ in sums if all(is_short(node) for node, _ in sums)]
+    rest = [node for node in (*behind, *(node for node, _ in sums)) if node not in top]
+    return t.mul(t.div(t.mul(head.num, *top), head.den), *sums_before_functions(rest))
+
+
+def is_over_parameter(head: t.Node) -> bool:
+    """Whether something else than a number is divided by."""
+    return isinstance(head, t.Div) and not isinstance(head.den, t.Num)
+
+
+def without_shared(upper: list[Piece], lower: list[Piece]) -> tuple[list[Piece], list[Piece]]:
+    """(R - a)/(R - a)² is 1/(R - a)."""
+    for k, (above, moving) in enumerate(upper):
+        for j, (below, _) in enumerate(lower):
+            (base, power), (other, lower_power) = powered(above), powered(below)
+            if base == other:
+                left = min(power, lower_power)
+                upper = [*upper[:k], (t.power(base, power - left), moving), *upper[k + 1 :]]
+                lower = [*lower[:j], (t.power(base, lower_power - left), moving), *lower[j + 1 :]]
+                return without_shared(*([piece for piece in pieces if piece[0] != t.ONE] for pieces in (upper, lower)))
+    return upper, lower
+
+
+def powered(node: t.Node) -> tuple[t.Node, int]:
+    """Base and exponent of a factor."""
+    if isinstance(node, t.Pow) and isinstance(node.exponent, t.Num):
+        return node.base, node.exponent.value
+    return node, 1
+
+
+def is_short(node: t.Node) -> bool:
+    """Whether a formula has few letters, and no bar of its own."""
+    parts = list(t.walk(node))
+    return not any(isinstance(part, t.Div) for part in parts) and sum(map(_is_letter, parts)) <= SHORT
+
+
+def _is_letter(node: t.Node) -> bool:
+    return isinstance(node, (t.Sym, t.Num, t.Fn))
+
+
+def sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
+    """(s + x cos β) sin β: a function in front of parentheses could be read as one of what they hold."""
+    functions = [node for node in factors if isinstance(powered(node)[0], t.Fn)]
+    if not any(isinstance(powered(node)[0], t.Add) for node in factors):
+        return factors
+    return [*(node for node in factors if node not in functions), *functions]
