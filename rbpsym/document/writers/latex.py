@@ -60,11 +60,11 @@ def section(part: Section, page: Page) -> str:
 
 
 def blocks(parts: tuple, page: Page) -> str:
-    """Blocks below each other; a paragraph and the formula that it leads to are one for TeX."""
+    """Blocks below each other; a formula and what it follows are one paragraph for TeX."""
     found = ""
     for block, before in zip(parts, (None, *parts[:-1]), strict=False):
-        joint = "" if before is None else "\n" if page.is_lead(before, block) else "\n\n"
-        found += joint + page.show(block)
+        goes_on = isinstance(before, (Paragraph, Display)) and isinstance(block, Display)
+        found += ("" if before is None else "\n" if goes_on else "\n\n") + page.show(block)
     return found
 
 
@@ -194,7 +194,8 @@ def item_list(block: ItemList, page: Page) -> str:
 def callout(block: Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or latex_text(page.word(f"callout.{block.kind}"))
-    return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}\n{blocks(block.blocks, page)}\n\\end{{callout}}"
+    joint = "\n" if block.blocks and isinstance(block.blocks[0], Display) else "\n\n"
+    return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}{joint}{blocks(block.blocks, page)}\n\\end{{callout}}"
 
 
 LATEX: Mapping[type, Print] = {
