@@ -127,12 +127,22 @@ def polar(length: Scalar, angle: Scalar) -> Vector:
     """length × u(angle), the direction reduced to a half turn without a leading minus."""
     if not length:
         return Vector({})
+    if angle.den is not ONE:
+        return _polar_over_sum(length, angle)
     terms = dict(angle.num.terms)
     turns = Fraction(terms.pop(PI_TERM, 0))
     whole, rest = divmod(turns, 1)
     if rest:
         terms[PI_TERM] = rest
     return Vector({Scalar(Poly(terms)): -length if whole % 2 else length})
+
+
+def _polar_over_sum(length: Scalar, angle: Scalar) -> Vector:
+    """The same for an angle over a sum, (A + q π D)/D: whole half turns q are taken out."""
+    first, size = next(iter(angle.den.terms.items()))
+    [with_pi] = (Scalar(Poly({first: 1})) * PI).num.terms
+    whole = Fraction(angle.num.terms.get(with_pi, 0)) / size // 1
+    return Vector({angle - PI * whole: -length if whole % 2 else length})
 
 
 def vector_sum(parts) -> Vector:

@@ -13,6 +13,7 @@ from rbpsym.statement.scope import Scope
 from rbpsym.statement.signs import sign_of
 
 _SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
+_SOLID = ("disk", "cylinder", "ball", "sphere")
 
 
 def _error(element: Element, what: str, instead: str) -> StatementError:
@@ -92,6 +93,16 @@ def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Elem
     return element if element["rim"] is not None else _with(element, rim=own)
 
 
+def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """Two solid bodies are never one inside the other: they touch from outside unless another radius is meant."""
+    circle = element.values.get("circle")
+    if circle is None or circle.body is None or element["side"] != "auto":
+        return element
+    one, other = bodies[element["body"]], bodies[circle.body]
+    solid = one.shape.kind in _SOLID and other.shape.kind in _SOLID and element["radius"] == round_size(other)
+    return _with(element, side="outside") if solid and circle.point in ("center", "cm") else element
+
+
 def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """Inside a circle there is room for smaller bodies only."""
     if element.values.get("circle") is None or element["side"] != "inside":
@@ -162,9 +173,9 @@ CURVE_RULES = {
     "contact": (*_ON_CURVE, slides),
     "guide": _ON_CURVE,
     "slider": (has_angle, one_curve, two_bodies, slides),
-    "touch": (*_ON_CURVE, rim_size, room, slides),
-    "rolling": (*_ON_CURVE, rim_size, room),
-    "gear": (*_ON_CURVE, rim_size, room),
+    "touch": (*_ON_CURVE, rim_size, apart, room, slides),
+    "rolling": (*_ON_CURVE, rim_size, apart, room),
+    "gear": (*_ON_CURVE, rim_size, apart, room),
     "sticking": _ON_CURVE,
     "string": (string_path,),
     "prescribed": (unit_direction,),
