@@ -17,6 +17,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.mechanics.work import ForceWork
+from rbpsym.methods.paths import over_coordinates
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 
@@ -142,8 +143,6 @@ def _against_slip(draft: Draft, element: Element, value: Scalar) -> t.Node:
 
 def _handed_on(draft: Draft, name: str, items: list[ForceWork], terms: list[t.Sym]) -> None:
     """The net work of a constraint force whose support is driven."""
-    from rbpsym.methods.work_energy import over_coordinates
-
     total: dict[str, Scalar] = {}
     for item in items:
         for _, word in HALVES:

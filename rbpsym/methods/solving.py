@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, without_even_roots
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -19,7 +19,8 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
         return draft.show(NOTHING)
     if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
         return draft.show(rest / coefficient, factor=True)
-    return present_ratio(rest.num, coefficient.num, draft.study.style, factor=coefficient.num.is_monomial())
+    above, below = without_even_roots(rest.num), without_even_roots(coefficient.num)
+    return present_ratio(above, below, draft.study.style, factor=below.is_monomial())
 
 
 def _varies(coefficient: Scalar, draft: Draft) -> bool:

@@ -17,8 +17,9 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods import net_work
+from rbpsym.methods import axis_work, net_work
 from rbpsym.methods.net_work import HALVES
+from rbpsym.methods.paths import over_coordinates
 from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
@@ -41,6 +42,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
         _integrals(draft, item)
     net_work.write(draft, works)
     _theorem(draft, works)
+    axis_work.write(draft)
     for item in works:
         _done(draft, item)
     return _acceleration(draft)
@@ -98,28 +100,6 @@ def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
             return None
         path = t.PathIntegral(t.Sym(torque), t.Sym(draft.free(f"varphi_{item.on}")), "times")
     return t.equation(letter, path, over_coordinates(draft, work.parts))
-
-
-def over_coordinates(draft: Draft, parts: Mapping[str, Scalar]) -> t.Node:
-    """Σ ∫ f dq from the start to now."""
-    return t.add(*(integral(draft, name, part) for name, part in parts.items()))
-
-
-def integral(draft: Draft, name: str, part: Scalar) -> t.Node:
-    """∫_{q₀}^{q} part dq, a common sign in front."""
-    shown = draft.show(part, factor=True)
-    start = start_of(draft, name)
-    if isinstance(shown, t.Neg):
-        return t.neg(t.Integral(shown.arg, name, start, t.Sym(name)))
-    return t.Integral(shown, name, start, t.Sym(name))
-
-
-def start_of(draft: Draft, name: str) -> t.Node:
-    """The start of a coordinate as the author wrote it, else a constant with index 0."""
-    if name == "t":
-        return t.ZERO
-    coordinate = next(c for c in draft.study.problem.coordinates if c.name == name)
-    return coordinate.start if coordinate.start is not None else t.Sym(f"{name}_0")
 
 
 def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
@@ -205,7 +185,8 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         draft.skip(NAME, "skipped.one_equation" if names else "skipped.no_freedom", method=NAME, count=len(names))
         return None
     [name] = names
-    total = sum(draft.context.works.values(), NOTHING)
+    letters = {name_of(draft, item, half) for item in draft.study.works for half, _ in HALVES}
+    total = sum((draft.context.works[letter] for letter in sorted(letters)), NOTHING)
     gained = draft.context.rate_of(sum(draft.study.kinetic, NOTHING))
     row = short((gained - total) / symbol(f"{name}_dot"))
     rough = {n: v for n, v in draft.study.dynamics.reactions.items() if derivative(row, n)}

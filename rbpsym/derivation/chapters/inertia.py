@@ -9,7 +9,7 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.mass import Moments, mass_moments
 from rbpsym.derivation.step import BodyRef
@@ -51,6 +51,9 @@ def write(draft: Draft) -> None:
                 data=_about(name, state, state.moment),
             )
         _steiner(draft, name, state, moment)
+    for label in draft.study.origins:
+        if len(draft.study.system.bodies) > 1 and turning_together(draft, label):
+            _together(draft, label)
 
 
 def _placed_only(draft: Draft, name: str, state: BodyState) -> None:
@@ -206,6 +209,43 @@ def turns_about(draft: Draft, name: str, state: BodyState) -> dict[str, Scalar]:
         if is_zero(energy.orbital_momentum(state, origin) - state.mass * square * state.omega):
             found[label] = square
     return found
+
+
+def turning_together(draft: Draft, label: str) -> bool:
+    """Whether all bodies turn about the fixed point with one angular velocity."""
+    states = draft.study.system.bodies
+    omega = next(iter(states.values())).omega
+    alike = bool(omega) and all(is_zero(state.omega - omega) for state in states.values())
+    return alike and all(label in turns_about(draft, name, state) for name, state in states.items())
+
+
+def moment_about(draft: Draft, label: str) -> t.Sym:
+    """The moment of inertia of the whole system about the fixed point about which it turns."""
+    letter = t.Sym(draft.free(f"I_{label}"))
+    [only] = list(draft.study.system.bodies)[:1]
+    return letter if letter.name in draft.context.scalars else t.Sym(draft.of_body("I", only))
+
+
+def moment_of(draft: Draft, name: str, label: str) -> t.Sym:
+    """The moment of inertia of one of several bodies about the fixed point about which it turns."""
+    about = t.Sym(draft.free(f"I_{name}_{label}"))
+    return about if about.name in draft.context.scalars else t.Sym(draft.of_body("I", name))
+
+
+def _together(draft: Draft, label: str) -> None:
+    """The moments of inertia about a common axis add."""
+    names = list(draft.study.system.bodies)
+    letters = [moment_of(draft, name, label) for name in names]
+    total = sum((draft.context.scalars[letter.name] for letter in letters), NOTHING)
+    whole = draft.define(draft.free(f"I_{label}"), total)
+    draft.add(
+        f"moment.together.{label}",
+        "identity",
+        t.equation(whole, t.add(*letters), draft.show(total)),
+        "inertia.together",
+        premises=[f"moment.{name}.{label}" for name in names] + [f"moment.{name}" for name in names],
+        point=t.Sym(label),
+    )
 
 
 def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:

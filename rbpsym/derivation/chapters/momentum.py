@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space
-from rbpsym.derivation.chapters.inertia import turns_about
+from rbpsym.derivation.chapters.inertia import moment_of, turning_together, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics import energy
@@ -87,6 +87,15 @@ def _phrase(orbital: Scalar, spin: Scalar) -> str:
     return "momentum.orbital" if orbital else "momentum.spin"
 
 
+def _turning(draft: Draft, label: str) -> tuple[t.Node, ...]:
+    """(I_rod + I_disk) ω k where all bodies turn about the origin together."""
+    if not turning_together(draft, label):
+        return ()
+    moments = [moment_of(draft, name, label) for name in draft.study.system.bodies]
+    omega = next(iter(draft.study.system.bodies.values())).omega
+    return (t.mul(t.add(*moments), draft.show(omega), t.Unit("z")),)
+
+
 def _total(draft: Draft, bodies: list[str], label: str) -> None:
     """The sum over the bodies."""
     origin = draft.study.origins[label]
@@ -97,7 +106,7 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
     draft.add(
         f"momentum.total.{label}",
         "angular_momentum",
-        t.equation(t.Vec(name), sum_, along_z(draft, value)),
+        t.equation(t.Vec(name), sum_, *_turning(draft, label), along_z(draft, value)),
         "momentum.total",
         premises=[f"momentum.{b}.{label}" for b in bodies],
         point=t.Sym(label),

@@ -1,0 +1,74 @@
+"""Works and changes of kinetic energy since the start, as they are written beside works that are not known yet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rbpsym.algebra.calculus import depends_on, names_in, substitute
+from rbpsym.algebra.evaluate import at_start
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.derivation.draft import Draft
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.notation import tree as t
+
+
+def started(draft: Draft) -> bool:
+    """Whether the start of every coordinate and its speed are said."""
+    start = draft.study.system.scope.start
+    return all(name in start for q in draft.study.system.independent for name in (q, f"{q}_dot"))
+
+
+def is_of_position(draft: Draft, work: Work) -> bool:
+    """Whether the integrands hold neither unknown forces nor speeds nor the time."""
+    system = draft.study.system
+    moving = {*system.unknowns, *system.speeds, *system.accelerations, "t"}
+    return not any(moving & names_in(part) for part in work.parts.values())
+
+
+def carried_out(draft: Draft, items: Iterable[ForceWork]) -> Scalar | None:
+    """Both works of some forces together as a function of position; None where they are none."""
+    total = NOTHING
+    for item in items:
+        for work in (item.translational, item.rotational):
+            if work.value is None or not is_of_position(draft, work):
+                return None
+            total = total + work.value
+    return short(total)
+
+
+def since_start(draft: Draft, value: Scalar) -> t.Node:
+    """A work as a change: what it is now less what it was at the start, U - U₀ and not U₀ - U."""
+    shown, opposite = draft.show(value, factor=True), draft.show(-value, factor=True)
+    return t.neg(opposite) if _begins_with_start(draft, shown) and not _begins_with_start(draft, opposite) else shown
+
+
+def _begins_with_start(draft: Draft, node: t.Node) -> bool:
+    """Does the sum in it begin with a term of the start?"""
+    body = node.arg if isinstance(node, t.Neg) else node
+    sums = [part for part in t.walk(body) if isinstance(part, t.Add)]
+    starts = {name for q in draft.study.system.coordinates for name in names_in(_start_of(draft, q))}
+    return bool(sums) and bool(t.names(sums[-1].terms[0]) & starts) and not _moves(draft, sums[-1].terms[0])
+
+
+def _start_of(draft: Draft, name: str) -> Scalar:
+    return draft.study.system.scope.start.get(name, NOTHING)
+
+
+def _moves(draft: Draft, node: t.Node) -> bool:
+    return bool(t.names(node) & set(draft.study.system.coordinates))
+
+
+def gained(draft: Draft, kinetic: Scalar) -> Scalar:
+    """How much a kinetic energy has grown since the start; what a constant speed gives to it drops out."""
+    start, accelerations = draft.study.system.scope.start, draft.study.dynamics.accelerations or {}
+    constant = [q for q in draft.study.system.independent if is_zero(accelerations.get(f"{q}_ddot", UNITY))]
+    now = substitute(kinetic, {f"{q}_dot": start[f"{q}_dot"] for q in constant})
+    return short(now - at_start(now, draft.study.system.scope))
+
+
+def show_gained(draft: Draft, value: Scalar) -> t.Node:
+    """½ M (v² - v₀²), from rest ½ M v²."""
+    speeds = [n for q in draft.study.system.independent for n in names_in(_start_of(draft, f"{q}_dot"))]
+    return draft.show(value, factor=True) if any(depends_on(value, n) for n in speeds) else draft.show_brief(value)
