@@ -6,8 +6,9 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.schematic import schematic
+from rbpsym.document.figures.sketch import Sketch
 from rbpsym.document.language import problem_notation  # noqa: F401
-from rbpsym.document.model import FigureBlock
+from rbpsym.document.model import FigureBlock, Text
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
 
@@ -24,6 +25,12 @@ def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
     return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
 
 
+def described(sketch: Sketch, name: str, said: Words) -> str:
+    """The alt text of the free-body diagram of a body."""
+    called = "".join(part.text for part in said.the(name) if isinstance(part, Text))
+    return describe_free_body(sketch, name, said.language, said.notation, called)
+
+
 def free_bodies_label(said: Words) -> str:
     """The label of the free-body diagrams."""
     return said.prefix + "figure.free"
@@ -33,7 +40,7 @@ def free_bodies_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """Each body alone with the forces on it; the axes are drawn once."""
     sketch = sketch_of(derivation)
     names = [body.name for body in sketch.bodies]
-    alt = " ".join(describe_free_body(sketch, name, said.language, said.notation) for name in names)
+    alt = " ".join(described(sketch, name, said) for name in names)
     scenes = tuple(
         free_body(sketch, name, said.body(name) if len(names) > 1 else "", axes_too=name == names[-1]) for name in names
     )

@@ -52,7 +52,7 @@ def _described(body: Body, said: Words) -> Inlines:
     """The shape with its sizes; the body's name where the shape does not say it already."""
     shape, name = _shape(body, said), said.body(body.name)
     spoken = "".join(part.text for part in shape if isinstance(part, Text))
-    return shape if name in spoken.split() else said.say("statement.named", name=name, shape=shape)
+    return shape if name in spoken.split() else said.say("statement.named", body=said.stressed(body.name), shape=shape)
 
 
 def _shape(body: Body, said: Words) -> Inlines:

@@ -12,6 +12,7 @@ inlines (a phrase, put in as it is), a list of any of these (joined: "a, b and c
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
@@ -30,9 +31,10 @@ from rbpsym.document.model import (
     Strong,
     Text,
 )
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import Node, Word, walk
 
 FOLDER = Path(__file__).with_suffix("")
+DECIMAL_COMMA = re.compile(r"\d,\d")
 INLINES = (Text, Math, Ref, Emph, Strong)
 
 
@@ -163,14 +165,21 @@ def inlines_of(value: object, language: str) -> Inlines:
 
 
 def joined(items: list[Inlines], language: str) -> Inlines:
-    """ "a, b and c" by the language's rule (`list.separator` and `list.last` of its phrases)."""
+    """ "a, b and c" by the language's rule (`list.separator`, `list.numbers` and `list.last` of its phrases)."""
     found: list[Inline] = []
+    comma = phrases(language)["list.numbers" if any(map(has_decimal_comma, items)) else "list.separator"]
     for position, item in enumerate(items):
         is_last = position == len(items) - 1
-        link = last_and(item, language) if is_last else phrases(language)["list.separator"]
+        link = last_and(item, language) if is_last else comma
         found += [Text(link)] if position else []
         found += item
     return tuple(found)
+
+
+def has_decimal_comma(item: Inlines) -> bool:
+    """Is there a number in it with a decimal comma, which a comma behind would be taken for?"""
+    texts = (part.text for inline in item if isinstance(inline, Math) for part in walk(inline.node) if isinstance(part, Word))
+    return any(DECIMAL_COMMA.search(text) for text in texts)
 
 
 def merged(inlines: Iterator[Inline]) -> Inlines:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,7 +10,7 @@ from rbpsym.derivation.step import BodyRef, PhraseRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
-from rbpsym.notation.glyphs import Notation
+from rbpsym.notation.glyphs import Notation, spaced
 from rbpsym.statement.model import Problem
 
 
@@ -104,9 +103,16 @@ class Words:
 
     def the(self, name: str) -> Inlines:
         """The body with its article; one with a number or letter of its own has none."""
+        return self._called(name, "body.the", "body.named")
+
+    def stressed(self, name: str) -> Inlines:
+        """The body with its article, emphasised."""
+        return self._called(name, "body.stressed", "body.stressed_named")
+
+    def _called(self, name: str, common: str, proper: str) -> Inlines:
         word = self.body(name)
-        proper = word[-1:].isdigit() or len(word.split()[-1]) == 1
-        return phrase("body.named" if proper else "body.the", self.language, body=word)
+        is_proper = word[-1:].isdigit() or len(word.split()[-1]) == 1
+        return phrase(proper if is_proper else common, self.language, body=word)
 
     def named(self, name: str) -> str:
         """What a point or phase is called: its name in this language, else the one in the file as words."""
@@ -121,11 +127,6 @@ class Words:
         """Whether there are words under a key (an empty phrase means: nothing is said)."""
         table = phrases(self.language)
         return bool(table.get(key)) or any(name.startswith(f"{key}.") for name in table)
-
-
-def spaced(name: str) -> str:
-    """A name as words: rod_1 and rod1 are both “rod 1”."""
-    return re.sub(r"(?<=[^\W\d_])(?=\d)", " ", name.replace("_", " "))
 
 
 def capital(inlines: Any) -> Any:

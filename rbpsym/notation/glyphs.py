@@ -92,6 +92,11 @@ def notation_for(names: Iterable[str], said: Mapping[str, str] | None = None, us
     )
 
 
+def spaced(name: str) -> str:
+    """A name as words: rod_1 and rod1 are both “rod 1”."""
+    return re.sub(r"(?<=[^\W\d_])(?=\d)", " ", name.replace("_", " "))
+
+
 @lru_cache(maxsize=4096)
 def glyph(name: str) -> Glyph:
     """The glyph of a name; any identifier gives a glyph."""

@@ -17,7 +17,7 @@ from rbpsym.document.figures.sketch import (
     SketchPoint,
 )
 from rbpsym.document.phrases import has_phrase, plain
-from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
 from rbpsym.notation.text import to_text
 
 
@@ -26,12 +26,15 @@ def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT)
     return sentence("figure.picture", list(seen(sketch, language, notation)), language)
 
 
-def describe_free_body(sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT) -> str:
-    """The alt text of a free-body diagram."""
+def describe_free_body(
+    sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT, body: str = ""
+) -> str:
+    """The alt text of a free-body diagram; `body` is what the body is called in a sentence."""
     parts = [force_words(f, language, notation) for f in sketch.forces if f.body == body_name]
     parts += [couple_words(c, language, notation) for c in sketch.couples if c.body == body_name]
     parts = parts or [plain("figure.no_force", language)]
-    return sentence("figure.free_body", parts, language, body=body_name)
+    body = body or spaced(renamed(body_name, notation.names))
+    return sentence("figure.free_body", parts, language, body=body)
 
 
 def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
@@ -43,7 +46,7 @@ def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
 def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
     """The parts of a system, one after the other."""
     for body in sketch.bodies:
-        yield body_words(body, language)
+        yield body_words(body, language, notation)
     for point in sketch.points:
         yield point_words(point, language, notation)
     for line in sketch.lines:
@@ -69,22 +72,31 @@ def named(label: Caption, notation: Notation) -> str:
     return "" if label is None else label if isinstance(label, str) else to_text(label, notation)
 
 
-def place(point: Point) -> str:
+def place(point: Point, language: str = "en", notation: Notation = DEFAULT) -> str:
     """A place with one decimal."""
-    return "({:.1f}, {:.1f})".format(*(value + 0.0 for value in point)).replace("-0.0", "0.0")
+    x, y = (f"{value + 0.0:.1f}".replace("-0.0", "0.0").replace("-", "−") for value in point)
+    mark = notation.decimal
+    return plain("figure.place", language, x=x.replace(".", mark), y=y.replace(".", mark))
 
 
-def body_words(body: SketchBody, language: str) -> str:
-    """A body by its kind, name and place."""
+def body_words(body: SketchBody, language: str, notation: Notation) -> str:
+    """A body by its kind, name (if that says more) and place."""
     key = f"figure.shape.{body.kind}"
     half = body.sizes.get("length", 0.0) / 2
+    name = spaced(renamed(body.name, notation.names))
+    known = f"index.{body.kind}"
+    is_plain = has_phrase(known, language) and plain(known, language) == name
+    places = {
+        "center": body.center,
+        "start": turned((-half, 0.0), body.at, body.angle),
+        "end": turned((half, 0.0), body.at, body.angle),
+    }
     return plain(
         key if has_phrase(key, language) else "figure.shape.outline",
         language,
-        name=body.name,
-        center=place(body.center),
-        start=place(turned((-half, 0.0), body.at, body.angle)),
-        end=place(turned((half, 0.0), body.at, body.angle)),
+        variant="plain" if is_plain else "named",
+        name=name,
+        **{key: place(point, language, notation) for key, point in places.items()},
     )
 
 
