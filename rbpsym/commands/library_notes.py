@@ -74,7 +74,7 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
     """The index page, and a page for each problem and course."""
     from rbpsym.courses import derive_course
     from rbpsym.document.notes import course_notes, notes
-    from rbpsym.document.site import Card, index_page, page, problem_card
+    from rbpsym.document.site import Card, around, index_page, occurring, page, problem_card
     from rbpsym.statement.course import load_course
 
     courses: list[tuple[Card, str]] = []
@@ -89,10 +89,13 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
     levels = {entry.name: entry.level(wish.language) for entry in shelf()}
     cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
     book = f"{STEM}.pdf" if "pdf" in wish.formats else ""
-    found: dict[str, str | bytes] = {"index.html": index_page([c for c, _ in courses], cards, wish.language, book)}
+    terms = occurring(problems, wish.language)
+    index = index_page([c for c, _ in courses], cards, wish.language, book, terms)
+    found: dict[str, str | bytes] = {"index.html": index}
     found |= {f"{card.name}.html": content for card, content in courses}
-    for chapter in problems:
-        found[f"{chapter.name}.html"] = page(notes(chapter.derivation, wish.language, wish.detail, plots=wish.plots))
+    for number, chapter in enumerate(problems):
+        document = notes(chapter.derivation, wish.language, wish.detail, plots=wish.plots)
+        found[f"{chapter.name}.html"] = page(document, around(problems, number, wish.language))
     return found
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from unicodedata import combining, normalize
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Document, Inlines, ItemList, Paragraph, Ref, Section, Text, words
 from rbpsym.document.notes import CHECKS, notation_of, problem_sections
 from rbpsym.document.notes_checks import checks_table
-from rbpsym.document.phrases import has_phrase, phrase
+from rbpsym.document.phrases import has_phrase, phrase, plain
 from rbpsym.document.words import Words, capital
 from rbpsym.mechanics.study import Study
 
@@ -77,21 +78,29 @@ def checks(chapters: Sequence[Chapter], language: str) -> Section:
 
 
 def index(chapters: Sequence[Chapter], language: str) -> Section:
-    """What occurs in which problem: shapes, forces, constraints and phenomena, each with links."""
-    found: dict[str, list[str]] = {}
+    """What occurs on which page."""
+    items = tuple((*words(term), *references(map(label, places))) for term, places in occurrences(chapters, language))
+    return Section(phrase("library.index", language), (ItemList(items),), "section.index", level=0)
+
+
+def occurrences(chapters: Sequence[Chapter], language: str) -> list[tuple[str, list[int]]]:
+    """Shapes, forces, constraints and phenomena in the order of the alphabet, with the places of their problems."""
+    found: dict[str, list[int]] = {}
     for place, chapter in enumerate(chapters, 1):
         for kind in subjects(chapter.derivation.study):
             if has_phrase(f"index.{kind}", language):
-                found.setdefault(kind, []).append(label(place))
-    entries = [(phrase(f"index.{kind}", language), marks) for kind, marks in found.items()]
-    items = tuple((*term, *references(marks)) for term, marks in sorted(entries, key=lambda pair: pair[0][0].text))
-    blocks = (Paragraph(phrase("library.index_intro", language)), ItemList(items))
-    return Section(phrase("library.index", language), blocks, "section.index", 1)
+                found.setdefault(plain(f"index.{kind}", language), []).append(place)
+    return sorted(found.items(), key=lambda entry: without_accents(entry[0]))
 
 
-def references(labels: Sequence[str]) -> Inlines:
-    """Links with commas before them."""
-    return tuple(part for label in labels for part in (Text(", "), Ref(label)))
+def without_accents(text: str) -> str:
+    """The letters by which words are put in order."""
+    return "".join(char for char in normalize("NFD", text.casefold()) if not combining(char))
+
+
+def references(labels: Iterable[str]) -> Inlines:
+    """Pages with commas before them."""
+    return tuple(part for label in labels for part in (Text(", "), Ref(label, page=True)))
 
 
 def subjects(study: Study) -> set[str]:

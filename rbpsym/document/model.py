@@ -35,10 +35,14 @@ class Math:
 
 @dataclass(frozen=True, slots=True)
 class Ref:
-    """The number of the block or section labelled `label`; `numbered` fills in `mark`."""
+    """The number of the block or section labelled `label`; `numbered` fills in `mark`.
+
+    With `page`, formats that have pages print the page where it stands.
+    """
 
     label: str
     mark: str = ""
+    page: bool = False
 
 
 @dataclass(frozen=True, slots=True)

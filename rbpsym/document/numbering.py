@@ -131,7 +131,8 @@ def resolve_ref(ref: Ref, counters: Counters) -> Ref:
     """The reference with its mark. Raises DocumentError if nothing has that label."""
     if ref.label not in counters.marks:
         raise DocumentError(f"nothing in the document is labelled “{ref.label}”")
-    return Ref(counters.targets.get(ref.label, ref.label), counters.marks[ref.label])
+    mark = counters.marks[ref.label]
+    return Ref(counters.targets.get(ref.label, ref.label), f"§\u202f{mark}" if ref.page else mark, ref.page)
 
 
 def numbered(document: Document) -> Document:

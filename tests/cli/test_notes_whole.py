@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import time
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from rbpsym.document.book import Chapter, book
 from rbpsym.document.model import Display, Ref
 from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered, parts
-from rbpsym.document.site import index_page, page, problem_card
+from rbpsym.document.site import around, index_page, occurring, page, problem_card
 from rbpsym.document.writers import writer
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
@@ -139,16 +140,16 @@ def test_the_book_numbers_by_problem_and_each_reference_has_a_target() -> None:
     assert "2.1" in numbers and "3.1" in numbers
     assert len(set(numbers)) == len(numbers)
     tops = [section.title[0].text for section in done.sections if section.level == 0]
-    assert tops == ["Ladders", "Pendulums", "Further problems"]
+    assert tops == ["Ladders", "Pendulums", "Further problems", "Index"]
 
 
 def test_the_index_names_what_occurs() -> None:
     done = numbered(book(chapters()))
     index = next(section for section in done.sections if section.label == "section.index")
     entries = {item[0].text: [i.mark for i in item if isinstance(i, Ref)] for item in index.blocks[-1].items}
-    assert entries["rod"] == ["1", "2"]
-    assert entries["loss of contact"] == ["1"]
-    assert entries["rolling without slipping"] == ["3"]
+    assert entries["rod"] == ["§\u202f1", "§\u202f2"]
+    assert entries["loss of contact"] == ["§\u202f1"]
+    assert entries["rolling without slipping"] == ["§\u202f3"]
     assert list(entries) == sorted(entries)
 
 
@@ -171,8 +172,31 @@ def test_the_site_leads_to_every_problem_and_back() -> None:
     assert re.findall(r'<a href="([\w-]+)\.html"', text) == list(NAMES)
     assert text.count("<svg") == len(NAMES)
     assert "library.pdf" in text
-    assert 'href="index.html"' in page(notes(chapters()[0].derivation))
     assert "<script" not in text and "http://www.w3.org" in text and not re.search(r'(?:src|href)="http', text)
+
+
+def test_a_page_of_the_site_leads_to_the_problems_of_its_topic_and_to_its_neighbours() -> None:
+    ladder, pendulum, ball = chapters()
+    twins = [ladder, replace(pendulum, topic=ladder.topic), ball]
+    text = page(notes(ladder.derivation), around(twins, 0, "en"))
+    assert re.findall(r'href="([\w-]+)\.html"', text) == ["index", pendulum.name, pendulum.name]
+    assert ">Ladders<" in text
+    text = page(notes(ball.derivation), around(twins, 2, "en"))
+    assert re.findall(r'href="([\w-]+)\.html"', text) == ["index", pendulum.name]
+
+
+def test_the_site_has_the_index_of_what_occurs() -> None:
+    text = index_page([], [problem_card(chapter, "en") for chapter in chapters()], found=occurring(chapters(), "en"))
+    entries = dict(re.findall(r"<dt>([^<]*)</dt>\s*<dd>(.*?)</dd>", text, re.S))
+    assert "sliding-ladder.html" in entries["loss of contact"]
+    assert set(re.findall(r'href="#([\w-]+)"', text)) == set(re.findall(r'<section id="([\w-]+)"', text))
+
+
+def test_the_printed_index_gives_pages() -> None:
+    document = book(chapters()[:2])
+    assert r"rod, \pageref{p1.part}, \pageref{p2.part}" in writer("tex")(document)
+    assert 'rod, #page-of(label("p1.part"));, #page-of(label("p2.part"));' in writer("typ")(document)
+    assert "rod, §\u202f1, §\u202f2" in writer("md")(document)
 
 
 def test_a_problem_that_cannot_be_derived_is_told_and_left_out(tmp_path: Path, monkeypatch) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 
 from markupsafe import Markup, escape
@@ -34,8 +35,22 @@ from rbpsym.document.writers.plain_text import plain_text
 COLUMN = 33.0
 
 
-def write_html(document: Document, home: str = "") -> str:
-    """The document as one HTML file; `home` is the address of the page that it belongs to."""
+@dataclass(frozen=True, slots=True)
+class Around:
+    """The site that a page stands in: its index page, the problems of the same topic, the ones before and after.
+
+    Each is an address with a title; what is "" or empty is left out.
+    """
+
+    home: str = ""
+    topic: str = ""
+    others: tuple[tuple[str, str], ...] = ()
+    before: tuple[str, str] | None = None
+    after: tuple[str, str] | None = None
+
+
+def write_html(document: Document, around: Around = Around()) -> str:
+    """The document as one HTML file, with links to the site `around` it."""
     document = numbered(document)
     page = page_for(document, HTML, COLUMN)
     return shell(
@@ -46,7 +61,7 @@ def write_html(document: Document, home: str = "") -> str:
         subtitle=Markup(page.inlines(document.subtitle)),
         source=Markup(page.inlines(document.source)),
         language=document.language,
-        home=home,
+        around=around,
         home_name=page.word("library.home"),
         contents=page.word("block.contents"),
         sections=[contents_entry(part, page) for part in document.sections if part.level == 1],

@@ -75,7 +75,7 @@ def anchor(label: str) -> str:
 
 def reference(inline: Ref, page: Page) -> str:
     """A reference that TeX resolves itself: an equation's comes in brackets."""
-    command = r"\eqref" if inline.mark.startswith("(") else r"\ref"
+    command = r"\pageref" if inline.page else r"\eqref" if inline.mark.startswith("(") else r"\ref"
     return f"{command}{{{inline.label}}}"
 
 

@@ -71,8 +71,10 @@ def anchor(label: str) -> str:
 
 
 def reference(inline: Ref, page: Page) -> str:
-    """A link that shows the number."""
-    return f"#link(label({typst_string(inline.label)}))[{typst_text(inline.mark)}];"
+    """A link that shows the number, or the page."""
+    command = "page-of" if inline.page else "link"
+    shown = "" if inline.page else f"[{typst_text(inline.mark)}]"
+    return f"#{command}(label({typst_string(inline.label)})){shown};"
 
 
 def math(inline: Math, page: Page) -> str:
