@@ -189,3 +189,32 @@ def test_error_carried_forward_is_guarded() -> None:
     for trivial in ("0", "1", "m - m", "theta"):
         carried = (read_infix(trivial, names),)
         assert judge_formula(trivial, Sought(key, on, carried=carried)).credit == 0, trivial
+
+
+LADDER_KEY = "-3*g*cos(theta)/(4*ell)"
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("-3g cosθ/4l", Status.RIGHT),  # by its dimension 3g cosθ/(4ℓ)
+        (r"-3g\cos\theta/4\ell", Status.RIGHT),
+        ("-3/4 g/l cos(theta)", Status.RIGHT),
+        ("-3/4 g/l cosθ", Status.RIGHT),
+        ("-3g/4*l*cos(theta)", Status.WRONG),
+        ("3g/4l cosθ", Status.WRONG),  # wrong in every reading
+        ("-3g/2l cosθ", Status.WRONG),
+        ("theta'' = -3g cosθ/(4l)", Status.RIGHT),
+        (r"\frac{d^2\theta}{dt^2} = -\frac{3g\cos\theta}{4\ell}", Status.RIGHT),
+    ],
+)
+def test_dimensions_tell_what_is_meant(text: str, status: Status) -> None:
+    ground = ground_of(Study(load_problem(find_problem("sliding-ladder"))))
+    assert grade_answer(text, LADDER_KEY, ground).status is status
+
+
+@pytest.mark.parametrize("text", ["3g/4l", "3g/4 l", r"3g/4\ell"])
+def test_without_dimensions_two_readings_are_refused(text: str) -> None:
+    ground = bare_ground({"g": "positive", "ell": "positive"})
+    assert grade_answer(text, "3*g/(4*ell)", ground).status is Status.INVALID
+    assert grade_answer(text, "3*g/(2*ell)", ground).status is Status.WRONG

@@ -1,4 +1,4 @@
-"""The table of answers that people type (`answers.txt`)."""
+"""The tables of answers that people type (`answers.txt`, `holdout.txt`)."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ class Row:
     symbols: tuple[tuple[str, str], ...]
 
 
-def rows() -> list[Row]:
-    """All rows of the table."""
+def rows(table: str = "answers.txt") -> list[Row]:
+    """All rows of a table."""
     found, symbols = [], ()
-    for line in (Path(__file__).parent / "answers.txt").read_text(encoding="utf-8").splitlines():
+    for line in (Path(__file__).parent / table).read_text(encoding="utf-8").splitlines():
         if line.startswith("["):
             symbols = tuple(
                 (name.rstrip("+"), "positive" if name.endswith("+") else "real") for name in line[1:-1].split()

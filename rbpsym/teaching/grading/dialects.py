@@ -32,6 +32,7 @@ def small_letters(text: str, book: Book) -> str:
     def lowered(found: re.Match[str]) -> str:
         word, small = found[0], found[0].lower()
         is_one = len(word) > 1 and not lookup(word, book) and word not in CALLED
+        is_one = is_one and not (lookup(word[0], book) and word[1:] in CALLED)  # A cos(x), where A is a name
         known = small in CALLED or small in TWO_ARGUMENTS or small == "pi" or (len(word) > 2 and lookup(small, book))
         return small if is_one and known and word[0].isupper() else word
 
@@ -71,6 +72,18 @@ def two_arguments(text: str, book: Book) -> str:
         if parts and len(parts[0]) == 2:
             arguments, end = parts
             text = text[: found.start()] + TWO_ARGUMENTS[found[1]](*arguments) + text[end:]
+    return text
+
+
+_BASED = re.compile(r"(?<![A-Za-z_])(?:log|lg)_\(?(\w+)\)?\s*[(\[]")
+
+
+def based_logarithms(text: str, book: Book) -> str:
+    """log_2(x) is ln x / ln 2."""
+    for found in reversed(list(_BASED.finditer(text))[:20]):
+        parts = arguments_from(text, found.end())
+        if parts and len(parts[0]) == 1:
+            text = text[: found.start()] + _logarithm(parts[0][0], found[1]) + text[parts[1] :]
     return text
 
 
@@ -170,7 +183,10 @@ def latex(text: str, book: Book) -> str:
         rf"({NUMBER})\s*(?:\^\s*\{{?\s*\\circ\s*\}}?|\\degree(?![A-Za-z])|°)", r"\\left(\1\\cdot\\pi/180\\right)", text
     )
     text = re.sub(r"\\(?:s|nice|x|c|l)frac(?![A-Za-z])", r"\\frac", text)
+    text = re.sub(r"\\div(?![A-Za-z])", "/", text)
+    text = re.sub(rf"(\\(?:sin|cos|tan)\s*{NUMBER})\s*\\(?:cdot|times)(?![A-Za-z])", r"\1 ", text)
     text = re.sub(r"\{([^{}]*)\\over(?![A-Za-z])([^{}]*)\}", r"\\frac{\1}{\2}", text)
+    text = re.sub(r"\\log\s*_\s*(?:\{(\w+)\}|(\w))", lambda f: rf"\frac{{1}}{{\ln({f[1] or f[2]})}}\ln ", text)
     text = re.sub(rf"({NUMBER})\s*\\%", r"\\frac{\1}{100}", text)
     return _LATEX_MIXED.sub(_latex_mixed, text)
 

@@ -73,7 +73,7 @@ def _in_all_ways(text: str, sought: Sought) -> Judgement | None:
     statuses = {judgement.status for judgement in found}
     if len(found) == 1 or statuses == {Status.WRONG}:
         return found[0].with_remark("read as", formula=sound[0]) if len(found) == 1 else found[0]
-    if Status.RIGHT not in statuses or (ways.parted and len(statuses) > 1):
+    if Status.RIGHT not in statuses or ways.parted:
         return None
     place = next(k for k, judgement in enumerate(found) if judgement.status is Status.RIGHT)
     return found[place].with_remark("read as", formula=sound[place]) if place else found[0]

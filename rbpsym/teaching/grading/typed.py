@@ -119,6 +119,7 @@ def _times(text: str, book: Book) -> str:
 
 
 STEPS: tuple[Callable[[str, Book], str], ...] = (
-    d.letters_of_mathematica, d.mixed_numbers, d.indices, _signs, _constants, d.small_letters, d.two_arguments, _numbers,
+    d.letters_of_mathematica, d.mixed_numbers, d.indices, _signs, _constants, d.small_letters, d.two_arguments,
+    d.based_logarithms, _numbers,
     d.powers_of_ten, d.degrees, d.derivatives, _rates, _times, d.ratios, spelled, d.inverses,
 )  # fmt: skip
