@@ -18,12 +18,11 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, total
 from rbpsym.algebra.vector import Vector
-from rbpsym.errors import LimitError, StatementError
+from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import (
     CONSTANT,
     Matrix,
     blocks,
-    is_surely_nonzero_on,
     linear_row,
     short,
     solve_linear,
@@ -31,6 +30,7 @@ from rbpsym.mechanics.elimination import (
     solve_rows,
 )
 from rbpsym.mechanics.system import BodyState, Force, System
+from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
 
 LARGEST_BLOCK = 3
 LARGEST_REACTION = 10_000  # products to multiply out: beyond, nobody reads the formula
@@ -167,17 +167,9 @@ def _accelerations(system: System, mass: Matrix, forcing: tuple[Scalar, ...]) ->
         try:
             values = solve_matrix(part, [forcing[i] for i in block])
         except ZeroDivisionError:
-            raise _massless(system, block) from None
+            raise massless(system, block) from None
         found |= {system.accelerations[i]: value for i, value in zip(block, values, strict=True)}
     return {name: found[name] for name in system.accelerations}
-
-
-def _massless(system: System, block: tuple[int, ...]) -> StatementError:
-    names = ", ".join(system.independent[i] for i in block)
-    return StatementError(
-        f"too few equations: nothing with mass resists a change of {names}",
-        instead="let each coordinate move a body with mass, or leave the coordinate out.",
-    )
 
 
 def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
@@ -191,6 +183,12 @@ def newton_euler_rows(system: System) -> list[tuple[str, str, Scalar]]:
             turn = turn - torque_about_center(force, state)
         rows += [(name, "x", push.x), (name, "y", push.y), (name, "rotation", turn)]
     return rows
+
+
+def _known_rows(system: System) -> list[tuple[str, str, Scalar]]:
+    """Those of `newton_euler_rows` in which no unknown force stands."""
+    known = set(system.unknowns)
+    return [row for row in newton_euler_rows(system) if not known & names_in(row[2])]
 
 
 def _along_forces(system: System) -> list[Scalar]:
@@ -216,10 +214,10 @@ def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> di
     rows = [value for _, _, value in newton_euler_rows(system)]
     solution = solve_linear([*rows, *_along_forces(system)], unknowns)
     if solution.free:
-        raise _indistinct(system, solution.free)
+        raise indistinct(system, solution.free)
     images = accelerations or {}
-    if accelerations is not None and any(is_surely_nonzero_on(value, images) for value in solution.left):
-        raise _contradictory(system) if any(_asking(system)) else _unheld(system, images)
+    if accelerations is not None and any(is_nonzero(system, value, images) for value in solution.left):
+        raise contradictory(system) if any(asking(system)) else unheld(system, _known_rows(system), images)
     return {name: _on_motion(solution.values[name], images) for name in unknowns}
 
 
@@ -242,58 +240,15 @@ def _products(value: Scalar, accelerations: Mapping[str, Scalar]) -> int:
     return common * (found + len(row[CONSTANT].num))
 
 
-def _indistinct(system: System, free: tuple[str, ...]) -> StatementError:
-    names = " and ".join(free) if len(free) < 3 else ", ".join(free[:-1]) + f" and {free[-1]}"
-    first = next((f.name for f in system.forces if set(f.unknowns) & set(free)), None)
-    if first is None:  # accelerations that nothing determines
-        return _massless(system, tuple(system.accelerations.index(name) for name in free))
-    return StatementError(
-        f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
-        instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "
-        "(a contact), so that each force has an equation.",
-        place=system.element(first).place,
-    )
-
-
-def _contradictory(system: System) -> StatementError:
-    """Named are the constraints that the poses do not keep by themselves, or else all of them."""
-    names = _asking(system) or tuple(element.name for element in system.problem.constraints)
-    fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
-    return StatementError(
-        f"the constraints contradict the motion of the bodies: their equations have no solution with "
-        f"{', '.join(f'“{name}”' for name in names)}{fixed}",
-        instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
-        place=system.element(names[0]).place if names else None,
-    )
-
-
-def _asking(system: System) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(c.constraint for c in system.conditions if not is_zero(c.value)))
-
-
-def _unheld(system: System, images: Mapping[str, Scalar]) -> StatementError:
-    """A pose that ties a body to coordinates without a force that does it."""
-    known = set(system.unknowns)
-    rows = ((body, value) for body, _, value in newton_euler_rows(system) if not known & names_in(value))
-    name = next((body for body, value in rows if is_surely_nonzero_on(value, images)), system.problem.bodies[-1].name)
-    return StatementError(
-        f"the pose of the body “{name}” says more than its constraints hold: nothing exerts the force or couple that "
-        f"keeps it on its way",
-        instead="add the constraint that does it (contact, rolling, guide, pin, weld ...), or give the body coordinates "
-        "of its own.",
-        place=system.problem.body(name).place,
-    )
-
-
 def _solve_together(system: System, mass: Matrix, ideal: Mapping[str, bool]) -> Dynamics:
     """Accelerations and forces in one elimination, where a constraint force does not drop out."""
     unknowns = (*system.unknowns, *system.accelerations)
     rows = [linear_row(value, unknowns) for _, _, value in newton_euler_rows(system)]
     solution = solve_rows(rows, unknowns)
     if solution.free:
-        raise _indistinct(system, solution.free)
+        raise indistinct(system, solution.free)
     if not all(is_zero(value) for value in solution.left):
-        raise _contradictory(system)
+        raise contradictory(system)
     accelerations = {name: solution.values[name] for name in system.accelerations}
     reactions = {name: solution.values[name] for name in system.unknowns}
     gained = [accelerations[name] for name in system.accelerations]

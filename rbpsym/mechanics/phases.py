@@ -17,6 +17,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.clock import shifted
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State
 from rbpsym.mechanics.impulse import Struck, strike
@@ -38,11 +39,13 @@ class HandOver:
 
 @dataclass(frozen=True)
 class Stage:
-    """A phase with its mechanics; `began` is None for the first."""
+    """A phase with its mechanics; `began` is None for the first. `clock` is the time from the start of the first
+    phase to its beginning, None where that has no closed form."""
 
     name: str
     study: Study
     began: HandOver | None = None
+    clock: Scalar | None = NOTHING
 
 
 def stages(problem: Problem) -> tuple[Stage, ...]:
@@ -58,21 +61,24 @@ def known_stages(problem: Problem) -> tuple[tuple[Stage, ...], NotApplicable | N
     found = [Stage(problem.name, Study(replace(problem, phases=())))]
     for phase in problem.phases:
         try:
-            found.append(_next(found[-1].study, phase))
+            found.append(_next(found[-1], phase))
         except NotApplicable as reason:
             return tuple(found), reason
     return tuple(found), None
 
 
-def _next(study: Study, phase: Phase) -> Stage:
+def _next(stage: Stage, phase: Phase) -> Stage:
+    study = stage.study
     before = ENDINGS[phase.event](study, phase)
-    placed = Study(_started(phase.problem, before.places, {}))
+    clock = None if None in (stage.clock, before.time) else stage.clock + before.time
+    problem = shifted(phase, clock)
+    placed = Study(_started(problem, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
     speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
-    after = _started(phase.problem, before.places, speeds)
+    after = _started(problem, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
-    return Stage(phase.name, Study(after), HandOver(before, speeds, impulses, short(without_even_roots(lost))))
+    return Stage(phase.name, Study(after), HandOver(before, speeds, impulses, short(without_even_roots(lost))), clock)
 
 
 def _tidy(values: Mapping[str, Scalar]) -> dict[str, Scalar]:

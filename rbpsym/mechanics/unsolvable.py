@@ -1,0 +1,95 @@
+"""Sentences for systems whose equations have no solution, or more than one: what is missing or too much.
+
+Newton's and Euler's equations of all bodies must determine every acceleration and every unknown force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from itertools import islice
+
+from rbpsym.algebra.normal import is_rooted, is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
+from rbpsym.mechanics.numbers import number, samples
+from rbpsym.mechanics.system import System
+
+SEEN = 1e-6  # of the largest term: what is clearly not zero in numbers
+
+HOLDS = {"": "force or couple", "x": "force along x", "y": "force along y", "rotation": "couple"}
+
+
+def indistinct(system: System, free: tuple[str, ...]) -> StatementError:
+    """Unknown forces (or accelerations) that the equations leave open."""
+    names = " and ".join(free) if len(free) < 3 else ", ".join(free[:-1]) + f" and {free[-1]}"
+    first = next((f.name for f in system.forces if set(f.unknowns) & set(free)), None)
+    if first is None:  # accelerations that nothing determines
+        return massless(system, tuple(system.accelerations.index(name) for name in free))
+    return StatementError(
+        f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
+        instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "
+        "(a contact), so that each force has an equation.",
+        place=system.element(first).place,
+    )
+
+
+def massless(system: System, block: tuple[int, ...]) -> StatementError:
+    """Accelerations that nothing resists."""
+    names = ", ".join(system.independent[i] for i in block)
+    return StatementError(
+        f"too few equations: nothing with mass resists a change of {names}",
+        instead="let each coordinate move a body with mass, or leave the coordinate out.",
+    )
+
+
+def contradictory(system: System) -> StatementError:
+    """Named are the constraints that the poses do not keep by themselves, or else all of them."""
+    names = asking(system) or tuple(element.name for element in system.problem.constraints)
+    fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
+    return StatementError(
+        f"the constraints contradict the motion of the bodies: their equations have no solution with "
+        f"{', '.join(f'“{name}”' for name in names)}{fixed}",
+        instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
+        place=system.element(names[0]).place if names else None,
+    )
+
+
+def asking(system: System) -> tuple[str, ...]:
+    """Constraints whose conditions the poses do not keep by themselves."""
+    return tuple(dict.fromkeys(c.constraint for c in system.conditions if not is_zero(c.value)))
+
+
+def unheld(system: System, rows: Iterable[tuple[str, str, Scalar]], images: Mapping[str, Scalar]) -> StatementError:
+    """A pose that ties a body to coordinates without a force that does it; `rows`: its equations without unknowns."""
+    last = (system.problem.bodies[-1].name, "")
+    name, way = next(((body, way) for body, way, value in rows if is_nonzero(system, value, images)), last)
+    return StatementError(
+        f"the pose of the body “{name}” says more than its constraints hold: nothing exerts the {HOLDS[way]} that "
+        f"keeps it on its way",
+        instead="add the constraint that does it (contact, rolling, guide, pin, weld ...), or give the body coordinates "
+        "of its own.",
+        place=system.problem.body(name).place,
+    )
+
+
+def is_nonzero(system: System, value: Scalar, images: Mapping[str, Scalar]) -> bool:
+    """Proved modulo a prime; where there are roots, which have no image there, seen in numbers.
+
+    It only chooses between a sentence and a derivation in which the same equation would be refuted."""
+    if is_surely_nonzero_on(value, images):
+        return True
+    if not any(is_rooted(part.num) for part in (value, *images.values())):
+        return False
+    return all(_is_seen(value, images, numbers) for numbers in islice(samples(system.problem), 3))
+
+
+def _is_seen(value: Scalar, images: Mapping[str, Scalar], numbers: Mapping[str, float]) -> bool:
+    """Whether the value is clearly not zero there, against the largest of its terms."""
+    known = dict(numbers)
+    try:
+        known |= {name: number(image, numbers) for name, image in images.items()}
+        sizes = [abs(number(part, known)) for part in linear_row(value, tuple(images)).values()]
+        return abs(number(value, known)) > SEEN * max(1.0, *sizes)
+    except (KeyError, ValueError, ZeroDivisionError, OverflowError):
+        return False
