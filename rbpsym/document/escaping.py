@@ -17,6 +17,14 @@ TYPST_ENUMERATION = re.compile(r"^(\d+)\.")
 MARKDOWN = re.compile(r"([\\`*_{}\[\]<>#|~$])")
 
 
+APOSTROPHE = re.compile(r"(?<=\w)'(?=\w|\s|$)")
+
+
+def typographic(text: str) -> str:
+    """The text with the apostrophes of print."""
+    return APOSTROPHE.sub("’", text)
+
+
 def latex_text(text: str) -> str:
     """For LaTeX (T1 encoding); letters stay as they are."""
     return text.translate(LATEX)
@@ -24,7 +32,7 @@ def latex_text(text: str) -> str:
 
 def typst_text(text: str) -> str:
     """For Typst markup; a number with a point at the start would begin a list."""
-    return TYPST_ENUMERATION.sub(r"\1\.", TYPST.sub(r"\\\1", text))
+    return TYPST_ENUMERATION.sub(r"\1\.", TYPST.sub(r"\\\1", typographic(text)))
 
 
 def typst_string(text: str) -> str:
@@ -34,4 +42,4 @@ def typst_string(text: str) -> str:
 
 def markdown_text(text: str) -> str:
     """For Markdown as GitHub reads it."""
-    return MARKDOWN.sub(r"\\\1", text).replace("&", "&amp;")
+    return MARKDOWN.sub(r"\\\1", typographic(text)).replace("&", "&amp;")

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from math import floor, log10
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.words import Words
+from rbpsym.notation.tree import Node, Num, Pow
 
 Told = tuple[Words, tuple[Step, ...]]
 
@@ -102,4 +104,9 @@ def _oracles(summary: dict, said: Words) -> Iterator[Inlines]:
     if summary["lagrange"]:
         yield said.say(f"checks.lagrange.{summary['lagrange']}")
     if summary["simulation"]:
-        yield said.say("checks.simulation", error=f"{summary['simulation']['max_relative_error']:.0e}")
+        yield said.say("checks.simulation", error=power_above(summary["simulation"]["max_relative_error"]))
+
+
+def power_above(error: float) -> Node:
+    """The power of ten that an error does not reach; an error of zero is that of the arithmetic itself."""
+    return Pow(Num(10), Num(floor(log10(max(error, 1e-16))) + 1))

@@ -284,3 +284,12 @@ def test_a_missing_pdflatex_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(shutil, "which", lambda _: None)
     with pytest.raises(RbpsymError, match="pdflatex is not installed"):
         write_pdf(sample(), "pdflatex")
+
+
+def test_apostrophes_are_those_of_print() -> None:
+    document = Document(words("Newton's laws and the bodies' spins"), (Section(words("Steiner's rule"), ()),))
+    for name in ("html", "typ", "md", "docx", "ipynb"):
+        text = written(name, document)
+        assert "Newton’s laws" in text or name in TAGGED
+        assert "Steiner’s rule" in text
+        assert "Steiner's" not in text

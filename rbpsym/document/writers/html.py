@@ -10,6 +10,7 @@ from functools import cache
 from markupsafe import Markup, escape
 
 from rbpsym.document import breaking
+from rbpsym.document.escaping import typographic
 from rbpsym.document.figures.svg import color_rules, to_svg
 from rbpsym.document.model import (
     Callout,
@@ -211,7 +212,7 @@ def callout(block: Callout, page: Page) -> str:
 
 
 HTML: Mapping[type, Print] = {
-    Text: lambda inline, page: str(escape(inline.text)),
+    Text: lambda inline, page: str(escape(typographic(inline.text))),
     Math: lambda inline, page: inline_math(inline.node, page),
     Ref: reference,
     Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.document import breaking
+from rbpsym.document.escaping import typographic
 from rbpsym.document.extras import extra
 from rbpsym.document.model import (
     Callout,
@@ -171,7 +172,7 @@ def reference(inline: Ref, page: Page) -> str:
 
 
 WORD: Mapping[type, Print] = {
-    Text: lambda inline, page: text_run(inline.text, page.look),
+    Text: lambda inline, page: text_run(typographic(inline.text), page.look),
     Math: lambda inline, page: to_omml(inline.node, page.notation),
     Ref: reference,
     Emph: lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
