@@ -131,7 +131,7 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as symbols, what cancels, the theorem in its halves, then the works carried out."""
     teller = Teller(said)
-    rules = ("work", "workless", "power", "work_energy", "work_done", "solution")
+    rules = ("work", "workless", "power", "work_energy", "work_sum", "work_done", "solution")
     kinds = {rule: [step for step in steps if step.rule == rule] for rule in rules}
     integrals, handed_on = by_kind(kinds["work"], ("work.handed_on",))
     if integrals:
@@ -144,7 +144,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
         yield from _halves(halves, teller, said)
-    yield from teller.steps((*whole, *kinds["solution"]))
+    yield from teller.steps((*whole, *kinds["work_sum"], *kinds["solution"]))
     if kinds["work_done"]:
         yield from _done(kinds["work_done"], derivation, said)
 

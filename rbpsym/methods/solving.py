@@ -11,8 +11,11 @@ from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.notation import tree as t
 
 
-def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
-    """The unknown of one linear equation as a quotient that keeps the form of both sides."""
+def isolated(draft: Draft, left: Scalar, right: Scalar, name: str, *, as_ratio: bool = False) -> t.Node:
+    """The unknown of one linear equation as a quotient that keeps the form of both sides.
+
+    With `as_ratio`, what is no sum stands before it (see `present_ratio`).
+    """
     coefficient = derivative(left - right, name)
     rest = substitute(right - left, {name: NOTHING})
     if is_zero(rest):
@@ -20,7 +23,7 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
     if coefficient.den is not ONE or rest.den is not ONE or _varies(coefficient, draft):
         return draft.show(rest / coefficient, factor=True)
     above, below = without_even_roots(rest.num), without_even_roots(coefficient.num)
-    return present_ratio(above, below, draft.study.style, factor=below.is_monomial())
+    return present_ratio(above, below, draft.study.style, factor=below.is_monomial(), as_ratio=as_ratio)
 
 
 def _varies(coefficient: Scalar, draft: Draft) -> bool:

@@ -215,10 +215,15 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
 
 
 def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scalar, source: Step | None):
-    """The isolated form from one equation, with what the others say of its further unknowns if that is zero."""
+    """The isolated form from one equation, with what the others say of its further unknowns if that is zero.
+
+    A net torque stands over the moment of inertia of one body; what follows from equations of several
+    bodies is a ratio of sums.
+    """
     if source is not None:
         balance = found.balances[steps.index(source)]
-        return isolated(draft, balance.left, balance.right, name), [source.id]
+        added = source.rule == "combination"
+        return isolated(draft, balance.left, balance.right, name, as_ratio=added), [source.id]
     zeros = {n: NOTHING for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
     for balance in found.balances:
         if balance.unknowns - set(zeros) == {name}:
@@ -226,7 +231,7 @@ def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scala
             own = steps[found.balances.index(balance)]
             used = [s for s, b in zip(steps, found.balances, strict=True) if s is own or b.unknowns <= set(zeros)]
             kept = [own] if own.rule == "combination" else used  # there the others are left out already
-            return isolated(draft, left, right, name), [s.id for s in kept]
+            return isolated(draft, left, right, name, as_ratio=own.rule == "combination"), [s.id for s in kept]
     return draft.show(value), [s.id for s in steps]
 
 

@@ -17,7 +17,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods import axis_work, net_work
+from rbpsym.methods import axis_work, net_work, work_by_bodies
 from rbpsym.methods.net_work import HALVES
 from rbpsym.methods.paths import over_coordinates
 from rbpsym.methods.solving import isolated, solved_for
@@ -43,6 +43,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     net_work.write(draft, works)
     _theorem(draft, works)
     axis_work.write(draft)
+    work_by_bodies.write(draft)
     for item in works:
         _done(draft, item)
     return _acceleration(draft)

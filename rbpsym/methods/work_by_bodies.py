@@ -1,0 +1,134 @@
+"""The work–energy theorem of each body alone, with the whole work of the forces between them as an unknown.
+
+What such a force does on one body it does with the opposite sign on the other, so that in the sum it goes away.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.chapters.forces import is_reaction
+from rbpsym.derivation.chapters.inertia import turning_together
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
+from rbpsym.mechanics import energy
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.system import Force
+from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started
+from rbpsym.notation import tree as t
+
+MOST_AT_THE_BOARD = 2  # bodies; with more of them it is a matter for full detail
+
+
+def write(draft: Draft) -> None:
+    """A step for each body and their sum, where all other works are known as functions of position."""
+    system = draft.study.system
+    if len(system.bodies) < 2 or system.has_clock or not started(draft) or draft.study.dynamics.accelerations is None:
+        return
+    if any(turning_together(draft, label) for label in draft.study.origins):
+        return
+    inner = _inner(draft)
+    known = {name: _known(draft, name, inner) for name in system.bodies}
+    if inner and None not in known.values():
+        _write(draft, inner, known)
+
+
+def _inner(draft: Draft) -> dict[str, Force]:
+    """Ideal forces between two bodies that do work on each of them, by name: the action, not the reaction."""
+    found = {}
+    for force in draft.study.system.forces:
+        same = [f for f in draft.study.system.forces if f.name == force.name]
+        pair = len({f.on for f in same}) == 2 and all(f.by in draft.study.system.bodies for f in same)
+        if pair and draft.study.dynamics.workless.get(force.name) and not is_reaction(draft, force):
+            found[force.name] = force
+    return {name: force for name, force in found.items() if not is_zero(_power(draft, name, force.on))}
+
+
+def _power(draft: Draft, name: str, on: str) -> Scalar:
+    """The rate of both works of a force on a body."""
+    from rbpsym.derivation.mass import power
+
+    return short(power(draft.study.system, [f for f in draft.study.system.on(on) if f.name == name]))
+
+
+def _known(draft: Draft, body: str, inner: Mapping[str, Force]) -> list[Scalar] | None:
+    """The works of the other forces on a body, force by force; None if one of them is not known yet."""
+    found = []
+    for item in (i for i in draft.study.works if i.on == body and i.force not in inner):
+        if is_zero(_power(draft, item.force, body)):
+            continue
+        value = carried_out(draft, [item])
+        if value is None:
+            return None
+        found.append(value)
+    return found
+
+
+def _write(draft: Draft, inner: Mapping[str, Force], known: Mapping[str, list[Scalar] | None]) -> None:
+    letters = {name: t.Sym(draft.free(f"cal_w_{name}")) for name in inner}
+    for name, force in inner.items():
+        draft.context.works[letters[name].name] = _power(draft, name, force.on)
+    level = STANDARD if len(known) <= MOST_AT_THE_BOARD else FULL
+    acted_on = {force.on for force in inner.values()}
+    order = sorted(known, key=lambda body: body not in acted_on)
+    steps = [_of_body(draft, body, known[body] or [], inner, letters, level) for body in order]
+    _sum(draft, steps, known, letters, level)
+
+
+def _of_body(
+    draft: Draft,
+    body: str,
+    known: list[Scalar],
+    inner: Mapping[str, Force],
+    letters: Mapping[str, t.Sym],
+    level: int,
+) -> Step:
+    """± the works of the inner forces, and those that are known: the change of the kinetic energy of the body."""
+    parties = {name: {f.on for f in draft.study.system.forces if f.name == name} for name in inner}
+    unknown = [n if inner[k].on == body else t.neg(n) for k, n in letters.items() if body in parties[k]]
+    state = draft.study.system.bodies[body]
+    growth = gained(draft, energy.translational_energy(state) + energy.rotational_energy(state))
+    acting = [k for k in letters if inner[k].on == body]
+    return draft.add(
+        f"alone.{body}",
+        "work_energy",
+        t.equation(t.add(*unknown, *(since_start(draft, work) for work in known)), show_gained(draft, growth)),
+        "work.alone",
+        premises=[f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body] + _theorems(draft, body),
+        body=BodyRef(body),
+        works=[letters[k] for k in acting],
+        forces=[t.Vec(k) for k in acting or letters],
+        variant={0: "other", 1: "one"}.get(len(acting), "many"),
+        level=level,
+        data={"known": sum(known, NOTHING), "growth": growth},
+    )
+
+
+def _theorems(draft: Draft, body: str) -> list[str]:
+    return [f"theorem.{half}.{body}" for half in ("T", "theta")]
+
+
+def _sum(
+    draft: Draft,
+    steps: list[Step],
+    known: Mapping[str, list[Scalar] | None],
+    letters: Mapping[str, t.Sym],
+    level: int,
+) -> None:
+    """Added over all bodies."""
+    total = short(sum((work for works in known.values() for work in works or []), NOTHING))
+    growth = short(sum((step.data["growth"] for step in steps), NOTHING))
+    draft.add(
+        "alone.added",
+        "work_sum",
+        t.equation(since_start(draft, total), draft.show(growth)),
+        "work.added",
+        premises=[step.id for step in steps],
+        equations=[StepRef(step.id) for step in steps],
+        works=list(letters.values()),
+        count=len(letters),
+        level=level,
+        data={"terms": [(1, step) for step in steps]},
+    )
