@@ -18,7 +18,7 @@ def fraction(
         inside, outside = outside, []
     if not above and not inside and not outside:
         inside, functions = functions, []
-    whole = t.div(t.mul(*above, *inside), t.mul(*sums_before_functions([*below, *lower])))
+    whole = t.div(t.mul(*roots_last([*above, *inside])), t.mul(*sums_before_functions([*below, *lower])))
     return t.mul(whole, *sums_before_functions([*functions, *outside]))
 
 
@@ -39,7 +39,7 @@ def over(head: t.Node, sums: list[Piece], behind: list[t.Node]) -> t.Node:
         top = [node for node in behind if isinstance(powered(node)[0], t.Sym)]
         top = top or [node for node, _ in sums if all(is_short(node) for node, _ in sums)]
     rest = [node for node in (*behind, *(node for node, _ in sums)) if node not in top]
-    return t.mul(t.div(t.mul(head.num, *top), head.den), *sums_before_functions(rest))
+    return t.mul(t.div(t.mul(*roots_last([head.num, *top])), head.den), *sums_before_functions(rest))
 
 
 def is_over_parameter(head: t.Node) -> bool:
@@ -83,3 +83,11 @@ def sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
     if not any(isinstance(powered(node)[0], t.Add) for node in factors):
         return factors
     return [*(node for node in factors if node not in functions), *functions]
+
+
+def roots_last(factors: list[t.Node]) -> list[t.Node]:
+    """M (3 R - 2 h) √(2 g h), the sum before the root."""
+    plain = [node for factor in factors for node in (factor.factors if isinstance(factor, t.Mul) else (factor,))]
+    if not any(isinstance(powered(node)[0], t.Add) for node in plain):
+        return plain
+    return sorted(plain, key=lambda node: isinstance(powered(node)[0], t.Sqrt))

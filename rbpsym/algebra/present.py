@@ -134,7 +134,7 @@ def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: 
     if coefficient > 0:
         return coefficient, pieces
     for k, (node, moving) in enumerate(pieces):
-        if isinstance(node, t.Add) and len(node.terms) == 2 and _is_taken_off(node.terms[1]) and _may_turn(node, style):
+        if isinstance(node, t.Add) and len(node.terms) == 2 and t.is_negative(node.terms[1]) and _may_turn(node, style):
             turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
             return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
     return coefficient, pieces
@@ -151,10 +151,6 @@ def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | N
     if isinstance(first, t.Pow) and isinstance(second, t.Pow) and first.exponent == second.exponent:
         return _compared(first.base, second.base)
     return getattr(first, "name", None), getattr(second, "name", None)
-
-
-def _is_taken_off(node: t.Node) -> bool:
-    return isinstance(node, t.Neg) or (isinstance(node, t.Num) and node.value < 0)
 
 
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
@@ -245,12 +241,8 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
 
 
 def _positive_first(nodes: list[t.Node]) -> list[t.Node]:
-    first = next((k for k, node in enumerate(nodes) if not _is_negative(node)), 0)
+    first = next((k for k, node in enumerate(nodes) if not t.is_negative(node)), 0)
     return [nodes[first], *nodes[:first], *nodes[first + 1 :]]
-
-
-def _is_negative(node: t.Node) -> bool:
-    return isinstance(node, t.Neg) or (isinstance(node, t.Num) and node.value < 0)
 
 
 def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
@@ -280,16 +272,18 @@ QUOTIENTS = {"sin": ("cos", "tan"), "cos": ("sin", "cot")}
 
 
 def _tangents(m: Monomial, style: Style) -> tuple[Monomial, list[t.Node]]:
-    """sin A / cos A is printed tan A, cos A / sin A cot A; what is left of the monomial, and the tangents."""
+    """sin A / cos A is printed tan A, sin² A / cos A sin A tan A; what is left of the monomial, and the tangents."""
     powers, nodes = dict(m), []
     for index, exponent in m if style.tangents else ():
         found = atoms.atom(index)
         other, name = QUOTIENTS.get(found.kind, (None, ""))
         below = atoms.intern(other, found.arg) if other else None
-        if exponent > 0 and powers.get(below) == -exponent:
-            nodes.append(t.power(t.Fn(name, angle_node(found.arg, style)), exponent))
-            del powers[index], powers[below]
-    return (tuple(powers.items()), nodes) if nodes else (m, [])
+        low = -powers.get(below, 0)
+        if exponent >= low > 0:
+            nodes.append(t.power(t.Fn(name, angle_node(found.arg, style)), low))
+            del powers[below]
+            powers[index] = exponent - low
+    return (tuple(item for item in powers.items() if item[1]), nodes) if nodes else (m, [])
 
 
 def _with_denominator(c: Coefficient, before: Monomial, behind: Monomial, style: Style) -> t.Node:

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
+from rbpsym.algebra.grouping import perfect_power
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of
 
@@ -20,6 +21,58 @@ def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar
     inner = value.num.scaled(Fraction(1) / rational, inverse(squares))
     outer = Scalar(Poly({_halved(squares): 1})) * root(Scalar(Poly({(): rational})))
     return outer if inner == ONE else outer * generator_of("root", Scalar(inner))
+
+
+def tidied(value: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:
+    """The value with the squares of its roots' radicands carried out, and √(3 g ℓ)/ℓ as √(3 g/ℓ).
+
+    `surely` tells which sums are known to be positive. The result has the same value where the radicands are
+    positive; the caller proves it.
+    """
+    for index in sorted(value.atoms()):
+        found = atoms.atom(index)
+        if found.kind == "root":
+            value = _with_divisor_inside(
+                _replaced(value, index, _tidied_root(found.arg, is_positive, surely)), is_positive
+            )
+    return value
+
+
+def _tidied_root(radicand: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:
+    radicand = without_even_roots(radicand)
+    below = perfect_power(radicand.den)
+    if below is not None and below[2] == 2:
+        side = next((side for side in (below[1], -below[1]) if surely(side)), None)
+        if side is not None:
+            return simplified_root(Scalar(radicand.num) / below[0], is_positive) / Scalar(side)
+    return simplified_root(radicand, is_positive)
+
+
+def _replaced(value: Scalar, index: int, image: Scalar) -> Scalar:
+    if image.num == generator(index) and image.den is ONE:
+        return value
+    return _with_image(value.num, index, image) / _with_image(value.den, index, image)
+
+
+def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
+    return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
+
+
+def _with_divisor_inside(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
+    """√(3 g ℓ)/ℓ as √(3 g/ℓ), where the root is a factor of the whole."""
+    common, divided = dict(value.num.content()[1]), dict(value.den.content()[1])
+    roots = [i for i, e in common.items() if e == 1 and atoms.atom(i).kind == "root" and atoms.atom(i).arg.atoms()]
+    if len(roots) != 1:
+        return value
+    radicand = atoms.atom(roots[0]).arg
+    inside = dict(radicand.num.content()[1]) if radicand.den is ONE else {}
+    below = {i: divided.get(i, 0) - common.get(i, 0) for i in inside}
+    moved = {i: 1 for i in below if inside[i] == 1 == below[i] and is_positive(atoms.symbol_name(i) or "")}
+    if not moved:
+        return value
+    by = tuple(sorted(moved.items()))
+    rest = value * Scalar(Poly({by: 1})) / Scalar(generator(roots[0]))
+    return rest * generator_of("root", Scalar(radicand.num.scaled(1, tuple((i, -2) for i, _ in by))))
 
 
 def _halved(powers: Monomial) -> Monomial:

@@ -11,6 +11,7 @@ from rbpsym.algebra.scalar import Scalar, name_of
 from rbpsym.quantities import Dimension
 
 DERIVED = ("_dot", "_ddot")
+COEFFICIENT, OTHER = 0.4, 5  # ranks: a number such as μ is the first factor, but makes no term the first
 
 
 @dataclass(frozen=True)
@@ -79,5 +80,9 @@ def term_key(m: Monomial, style: Style) -> tuple:
     """Terms with accelerations first, then by parameters, constants of motion last."""
     names = [atoms.symbol_name(i) or "" for i, _ in m]
     second = 0 if any(n.endswith("_ddot") for n in names) else 1
-    keys = sorted((atom_key(i, style), -e) for i, e in m)
+    keys = sorted((_among_terms(atom_key(i, style)), -e) for i, e in m)
     return (second, [(str(k), e) for k, e in keys])
+
+
+def _among_terms(key: tuple) -> tuple:
+    return (OTHER, *key[1:]) if key[0] == COEFFICIENT else key

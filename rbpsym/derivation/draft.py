@@ -6,8 +6,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from rbpsym.algebra.atoms import symbol_name
+from rbpsym.algebra.grouping import leads_positive
 from rbpsym.algebra.normal import is_rooted, without_even_roots
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.present import present
+from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.context import Context
@@ -87,10 +91,27 @@ class Draft:
         if not is_rooted(value.num) and not is_rooted(value.den):
             return present(value, self.study.style, factor=factor)
         value = quotient(without_even_roots(value.num), without_even_roots(value.den))
-        shown = present(value, self.study.style, factor=factor)
-        joined = self._roots_joined(shown)
-        same = shown == joined or scalars_equal(self.context.value(joined), value, self.study.assumptions).is_proved
-        return joined if same else shown
+        plain = present(value, self.study.style, factor=factor)
+        shown = present(self._tidied(value), self.study.style, factor=factor)
+        forms = dict.fromkeys((self._roots_joined(shown), shown, plain))
+        return next(form for form in forms if form == plain or self._is_proved(form, value))
+
+    def _tidied(self, value: Scalar) -> Scalar:
+        """The value with what is known to be a square out of its roots."""
+        return tidied(
+            value, self._is_positive, lambda total: leads_positive(total, self.study.style) or self._adds_up(total)
+        )
+
+    def _is_positive(self, name: str) -> bool:
+        return self.study.assumptions.sign_of(name) == "positive"
+
+    def _adds_up(self, total: Poly) -> bool:
+        """Whether a sum has positive terms alone."""
+        names = [symbol_name(index) for index in total.atoms()]
+        return all(c > 0 for c in total.terms.values()) and all(name and self._is_positive(name) for name in names)
+
+    def _is_proved(self, form: t.Node, value: Scalar) -> bool:
+        return scalars_equal(self.context.value(form), value, self.study.assumptions).is_proved
 
     def _roots_joined(self, node: t.Node) -> t.Node:
         """√a √b as √(ab), wherever it stands above or below a fraction line."""

@@ -9,7 +9,7 @@ from functools import cached_property
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
-from rbpsym.algebra.style import Style
+from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.mechanics import energy, events, friction, motion, oscillation, work
@@ -17,7 +17,7 @@ from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.notation.tree import Fn, Sym, walk
-from rbpsym.quantities import ACCELERATION, Quantity
+from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
 from rbpsym.statement.model import Problem
 
 
@@ -98,13 +98,18 @@ class Study:
 
     @cached_property
     def style(self) -> Style:
-        """How factors are ordered: masses, stiffnesses, g, other parameters, lengths."""
-        rank = {q.name: (*_rank(q), place) for place, q in enumerate(self.problem.parameters)}
+        """How factors are ordered: coefficients, masses, stiffnesses, g, lengths, other parameters."""
+        rank = {q.name: (self._rank(q), place) for place, q in enumerate(self.problem.parameters)}
         rank |= {name: (0.5, place) for place, name in enumerate(self.system.unknowns)}
         moving = [c.name for c in self.problem.coordinates] + list(self.system.unknowns)
         dimensions = {q.name: q.dimension for q in self.problem.parameters}
         varying = frozenset([*moving, *(f"{name}_dot" for name in moving), "t"])
         return Style(rank, varying, dimensions, greater=self._greater)
+
+    def _rank(self, quantity: Quantity) -> float:
+        if quantity.dimension == NUMBER and quantity.name not in self.problem.implicit:
+            return COEFFICIENT
+        return next((rank for test, rank in RANKS if test(quantity.dimension)), OTHER)
 
     @property
     def _greater(self) -> frozenset[tuple[str, str]]:
@@ -193,8 +198,3 @@ def _single(bound: Scalar | None) -> set[str]:
     """The symbol that a bound is, if it is one."""
     names = set() if bound is None else names_in(bound)
     return names if len(names) == 1 and bound == symbol(*names) else set()
-
-
-def _rank(quantity: Quantity) -> tuple:
-    rank = next((rank for test, rank in RANKS if test(quantity.dimension)), 5)
-    return (rank,)

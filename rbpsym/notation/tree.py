@@ -300,11 +300,18 @@ def neg(node: Node) -> Node:
     return Neg(node)
 
 
+def is_negative(node: Node) -> bool:
+    """Whether a term begins with a minus."""
+    return isinstance(node, Neg) or (isinstance(node, Num) and node.value < 0)
+
+
 def mul(*factors: Node) -> Node:
     """A product without ones and nesting, the sign pulled in front; 0 if a factor is 0."""
     flat: list[Node] = []
     negative = False
     for factor in factors:
+        if len(factors) > 1 and isinstance(factor, Add) and all(map(is_negative, factor.terms)):
+            factor = neg(Add(tuple(map(neg, factor.terms))))
         if isinstance(factor, Neg):
             negative, factor = not negative, factor.arg
         if isinstance(factor, Num) and factor.value < 0:

@@ -101,7 +101,7 @@ def _quotient(study: Study, place: Equilibrium, square: Scalar) -> t.Node:
     for row, inertia in zip(place.stiffness, place.inertia, strict=True):
         for k, m in zip(row, inertia, strict=True):
             if k and m and k.den is ONE and m.den is ONE and is_zero(k / m - square):
-                return present_ratio(k.num, m.num, study.style)
+                return present_ratio(k.num, m.num, study.style, as_ratio=True)
     from rbpsym.algebra.present import present
 
     return present(square, study.style, factor=True)

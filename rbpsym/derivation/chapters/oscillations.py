@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -149,8 +149,10 @@ def _letter(draft: Draft, item: Equilibrium) -> str:
 
 def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
     """Stiffness over inertia for one degree of freedom, else the root as it is."""
-    if len(item.stiffness) == 1 and item.stiffness[0][0].den is ONE and item.inertia[0][0].den is ONE:
-        return present_ratio(item.stiffness[0][0].num, item.inertia[0][0].num, draft.study.style)
+    if len(item.stiffness) == 1 and not is_rooted(square.num):
+        [[stiffness]], [[inertia]] = item.stiffness, item.inertia
+        if stiffness.den is ONE and inertia.den is ONE:
+            return present_ratio(stiffness.num, inertia.num, draft.study.style, as_ratio=True)
     return draft.show(square, factor=True)
 
 
