@@ -64,6 +64,7 @@ def results(study: Study) -> dict[str, Any]:
         "angular_momentum": _momenta(study),
         "works": _works(study),
         "equilibria": _equilibria(study),
+        "balance": _balance(study),
         "conditions": [_condition(loss, study) for loss in study.losses],
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "phases": _phases(study),
@@ -136,6 +137,21 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
         }
         for item in study.equilibria
     ]
+
+
+def _balance(study: Study) -> dict[str, Any] | None:
+    """The position of rest that no formula gives: the force that vanishes there."""
+    item = study.open_balance
+    if item is None:
+        return None
+    square = item.frequency_squared
+    return {
+        "coordinate": item.name,
+        "vanishes": text(item.force, study),
+        "stable": item.stable,
+        "place": item.place,
+        "frequency_squared": None if square is None else text(square, study),
+    }
 
 
 def _condition(loss, study: Study) -> dict[str, Any]:

@@ -83,6 +83,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
     ):
         yield from table(title, values, drawn)
     yield from _equilibria(answer, drawn)
+    yield from _balance(answer["balance"], drawn)
     yield from _conditions(answer, drawn)
     yield from _friction(answer, drawn)
     for phase in answer["phases"]:
@@ -142,6 +143,16 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
         squares = ", ".join(drawn.formula(value) for value in item["frequencies_squared"])
         told = f"; squares of frequencies: {squares}" if squares and item["stable"] else ""
         yield f"  {_places(item['at'], drawn)}: {STABLE[item['stable']]}{told}"
+
+
+def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
+    if item is None:
+        return
+    yield click.style("equilibrium (no closed form)", dim=True)
+    square = item["frequency_squared"]
+    told = f"; square of the frequency: {drawn.formula(square)}" if square else ""
+    place, name, force = (drawn.formula(item[key]) for key in ("place", "coordinate", "vanishes"))
+    yield f"  {name} = {place} where {force} = 0: {STABLE[item['stable']]}{told}"
 
 
 def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import permutations
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.mechanics.elimination import short
 
 Matrix = list[list[Scalar]]
 
@@ -21,19 +23,68 @@ def _still(context: Context, value: Scalar, at: Mapping[str, Scalar]) -> Scalar:
     return substitute(substitute(value, dict.fromkeys(context.study.system.speeds, NOTHING)), at)
 
 
-def forces_at_rest(context: Context, step: Step) -> Verdict:
-    """Each row is the generalized force of one coordinate at rest: minus the slope of the potential energy, if there is one."""
+def _forces_at_rest(context: Context) -> list[Scalar]:
+    """Minus the slopes of the potential energy, if there is one."""
     study = context.study
     conservative = study.potential is not None and not study.system.has_clock and not study.system.implicit
     names = study.system.independent
     forces = [-derivative(study.potential, n) for n in names] if conservative else list(study.dynamics.forcing)
-    forces = [_still(context, force, {}) for force in forces]
-    found = []
+    return [_still(context, force, {}) for force in forces]
+
+
+def forces_at_rest(context: Context, step: Step) -> Verdict:
+    """Each row is the generalized force of one coordinate at rest."""
+    forces, found = _forces_at_rest(context), []
     for left, _, right in relations(step.statement):
         stated = context.value(left) - context.value(right)
         verdicts = [same(context, stated, force) for force in forces]
         found.append(next((v for v in verdicts if v.is_proved), verdicts[0]))
     return weakest(found)
+
+
+def force_vanishes(context: Context, step: Step) -> Verdict:
+    """What is said to be equal differs by the force at rest in the named place, but for a factor that does not vanish.
+
+    `data`: "balance". The factor has a sign and does not depend on the place.
+    """
+    item, [force] = step.data["balance"], _forces_at_rest(context)
+    [(left, _, right)] = list(relations(step.statement))
+    stated = context.value(right) - context.value(left)
+    there = substitute(force, {item.name: symbol(item.place)})
+    factor = short(there / stated)
+    if depends_on(factor, item.place) or not sign(factor, context.assumptions).is_nonzero:
+        return same(context, stated, there)
+    return same(context, stated * factor, there)
+
+
+def force_at_ends(context: Context, step: Step) -> Verdict:
+    """The rows are the force at rest at the two ends of the range, in their order (`data`: "balance")."""
+    item, [force] = step.data["balance"], _forces_at_rest(context)
+    coordinate = context.study.problem.coordinate(item.name)
+    found = []
+    for (left, _, _), bound in zip(relations(step.statement), (coordinate.lower, coordinate.upper), strict=True):
+        found.append(same(context, context.value(left), substitute(force, {item.name: context.value(bound)})))
+    return weakest(found)
+
+
+def series_in_balance(context: Context, step: Step) -> Verdict:
+    """The right side vanishes in the place, is linear, its slope times the inertia is that of the force there,
+    and the force does not change with the speed.
+
+    The force vanishes there: the rate of change of the inertia adds nothing (`data`: "balance").
+    """
+    item, [force] = step.data["balance"], _forces_at_rest(context)
+    [(_, _, right)] = list(relations(step.statement))
+    stated, there = context.value(right), {item.name: symbol(item.place)}
+    slope = derivative(stated, item.name)
+    [[mass]] = _inertia(context, there)
+    pull = substitute(derivative(force, item.name), there)
+    zeros = [substitute(stated, there), derivative(slope, item.name)]
+    zeros += [
+        _still(context, derivative(context.study.dynamics.forcing[0], s), there) for s in context.study.system.speeds
+    ]
+    found = [same(context, value, NOTHING) for value in zeros]
+    return weakest([*found, same(context, slope * mass, pull)])
 
 
 def place_stated(context: Context, step: Step) -> Verdict:

@@ -64,7 +64,7 @@ def _of(system: System, name: str, value: Scalar, squares: Mapping[str, Scalar])
 def _bounds(system: System, name: str, numbers: Mapping[str, float]) -> tuple[float, float]:
     from rbpsym.algebra.evaluate import scalar
 
-    coordinate = next(c for c in system.problem.coordinates if c.name == name)
+    coordinate = system.problem.coordinate(name)
     low, high = (None if b is None else number(scalar(b), numbers) for b in (coordinate.lower, coordinate.upper))
     return (-3.2 if low is None else low), (3.2 if high is None else high)
 

@@ -47,13 +47,18 @@ def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
     return tuple(short(substitute(value, still)) for value in dynamics.forcing)
 
 
+def is_autonomous(system: System, dynamics: Dynamics) -> bool:
+    """Whether the forces at rest are functions of free coordinates alone: no clock, no kinetic friction."""
+    if system.implicit or not all(dynamics.ideal.values()):
+        return False
+    return not any(depends_on(force, "t") for force in resting_forces(system, dynamics))
+
+
 def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> tuple[Equilibrium, ...]:
     """The positions of rest within the ranges of the coordinates, as far as closed forms go."""
-    if system.implicit or not all(dynamics.ideal.values()) or len(system.independent) > 4:
+    if not is_autonomous(system, dynamics) or len(system.independent) > 4:
         return ()
     forces = resting_forces(system, dynamics)
-    if any(depends_on(force, "t") for force in forces):
-        return ()
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return ()

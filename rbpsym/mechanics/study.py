@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.mechanics import energy, events, friction, motion, oscillation, work
+from rbpsym.mechanics import balance, energy, events, friction, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -160,6 +160,11 @@ class Study:
     def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
         """Positions of rest with their stability and frequencies."""
         return oscillation.equilibria(self.system, self.dynamics, self.assumptions)
+
+    @cached_property
+    def open_balance(self) -> balance.Balance | None:
+        """The position of rest where no formula gives one; None if there is a formula or no such place."""
+        return None if self.equilibria else balance.balance(self.system, self.dynamics, self.assumptions)
 
     @cached_property
     def losses(self) -> tuple[events.Loss, ...]:

@@ -232,6 +232,10 @@ class Problem(Shown):
         """The body called `name` (KeyError if there is none)."""
         return {body.name: body for body in self.bodies}[name]
 
+    def coordinate(self, name: str) -> Coordinate:
+        """The coordinate of that name."""
+        return next(coordinate for coordinate in self.coordinates if coordinate.name == name)
+
     def names_in(self, language: str) -> Mapping[str, str]:
         """What names are called in a language where that differs: its [names], else meanings of bodies that are one word."""
         meant = self.meanings.get(language, {})

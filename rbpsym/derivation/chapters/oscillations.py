@@ -7,7 +7,7 @@ from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.chapters import modes
+from rbpsym.derivation.chapters import modes, open_balance
 from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.derivation.step import FULL
 from rbpsym.mechanics.elimination import short
@@ -22,6 +22,8 @@ def write(draft: Draft) -> None:
         _rest(draft)
     for place, item in enumerate(draft.study.equilibria, 1):
         _equilibrium(draft, item, place)
+    if draft.study.open_balance:
+        open_balance.write(draft, draft.study.open_balance)
 
 
 def _rest(draft: Draft) -> None:
