@@ -52,6 +52,8 @@ def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
         slots["friction"] = t.Sym(str(element["friction"]))
     if element.values.get("coefficient") is not None:
         slots |= {"coefficient": element["coefficient"], "key": f"statement.{element.kind}_rough"}
+    if isinstance(what, PointRef) and what.body is None and element.values.get("of"):
+        slots["key"] = f"{slots.get('key', f'statement.{element.kind}')}_on_point"
     if element.values.get("couple"):
         slots["couple"] = t.Sym(str(element["couple"]))
     return slots
@@ -109,12 +111,16 @@ def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    turns = [
-        said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said)
-        for turn in element["path"]
+    turns = element["path"]
+    turns = turns if turns[-1].sense or not turns[0].sense else turns[::-1]
+    told = [
+        said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said) for turn in turns
     ]
-    straight = len(turns) == 2 and not any(turn.sense for turn in element["path"])
-    return {"path": turns, **({"key": "statement.string_straight"} if straight else {})}
+    if len(turns) == 2 and not turns[-1].sense:
+        return {"path": told, "key": "statement.string_straight"}
+    over = "over_" if len(turns) > 2 else ""
+    key = f"statement.string_{over}wound" if turns[-1].sense else "statement.string"
+    return {"first": told[0], "path": told[1:-1], "last": told[-1], "key": key}
 
 
 def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:

@@ -48,7 +48,15 @@ def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
     shape = pose.study.problem.body(ref.body).shape.kind
     if said.has(f"point.{shape}.{point}"):
         return said.say(f"point.{shape}.{point}")
-    return said.say("point.center") if point in CENTERS else said.say("point.named", point=said.named(point))
+    if point in CENTERS:
+        return said.say("point.center")
+    name = said.named(point)
+    return said.say("point.own" if is_word(name) else "point.named", point=name)
+
+
+def is_word(name: str) -> bool:
+    """Is the name of a point a word ("rung"), and not a letter ("A", "P2")?"""
+    return len(name) > 2 and name.islower() and not any(map(str.isdigit, name))
 
 
 def _is_centre(ref: PointRef, pose: DrawnPose) -> bool:

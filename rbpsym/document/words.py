@@ -42,12 +42,14 @@ class Words:
         return phrase(key, self.language, **self.slots(slots))
 
     def slots(self, slots: Mapping[str, Any]) -> dict[str, Any]:
-        """The slots as the phrases take them; a body is also there with a capital letter."""
+        """The slots as the phrases take them; a body or a list of points is also there with a capital letter."""
         found: dict[str, Any] = {}
         for name, value in slots.items():
             found[name] = self.word(value)
             if isinstance(value, (BodyRef, PhraseRef)):
                 found[name[0].upper() + name[1:]] = capital(found[name])
+            elif isinstance(value, list) and value:
+                found[name[0].upper() + name[1:]] = [capital(found[name][0]), *found[name][1:]]
         return found
 
     def word(self, value: Any) -> Any:

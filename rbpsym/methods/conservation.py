@@ -245,7 +245,8 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     accelerations = draft.study.dynamics.accelerations or {}
     open_ = [n for n in system.independent if not is_zero(accelerations.get(f"{n}_ddot", symbol("open")))]
     if len(open_) != 1:
-        draft.skip(NAME, "skipped.one_equation", method=NAME, count=len(system.independent))
+        if open_:
+            draft.skip(NAME, "skipped.one_equation", method=NAME, count=len(system.independent))
         return None
     [name] = open_
     resting = {f"{n}_ddot": NOTHING for n in system.independent if n != name}

@@ -93,7 +93,7 @@ def _kind(element: Element) -> str:
 
 def _labels(element: Element) -> list[str]:
     joint = JOINTS[element.kind]
-    refs = [ref for join in joint.joins(element) for ref in join if ref]
+    refs = [ref for join in joint.joins(element) for ref in join if ref and (ref.body or element.kind != "pivot")]
     refs += [touch.point for touch in joint.touches(element)]
     if not refs and element.values.get("point") is not None:
         refs = [element["point"]]
