@@ -13,7 +13,7 @@ from rbpsym.algebra.evaluate import Scope, time_derivative
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics.assemble import vector_rate
-from rbpsym.mechanics.geometry import Geometry, start_numbers
+from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.placing import locator, open_names, poses
 from rbpsym.mechanics.rates import full_rates
 from rbpsym.mechanics.system import BodyState, Pose, System, at_point
@@ -44,7 +44,7 @@ def as_given(system: System) -> Given:
     scope = Scope(rates=full_rates([c.name for c in problem.coordinates]))
     states = {n: _state(system.bodies[n], pose, scope) for n, pose in placed.items()}
     where = locator(problem, inertias, placed)
-    return Given(Geometry(where, placed, start_numbers(problem), states), unplaced, unturned)
+    return Given(Geometry(where, placed, start_numbers(problem), states, unsaid(problem)), unplaced, unturned)
 
 
 def _closed(raw: Pose, found: Pose, place: bool, angle: bool) -> Pose:

@@ -14,7 +14,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
-from rbpsym.mechanics.geometry import Geometry, start_numbers
+from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, Setting
 from rbpsym.mechanics.numbers import number, sample
@@ -190,7 +190,7 @@ def setting_of(system: System, where) -> Setting:
 def _with_forces(system: System, where) -> System:
     setting = setting_of(system, where)
     placed = {name: state.pose for name, state in system.bodies.items()}
-    geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies)
+    geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies, unsaid(system.problem))
     applied = [f for e in system.problem.interactions for f in LAWS[e.kind].forces(e, setting)]
     kept = [f for e in system.problem.constraints for f in JOINTS[e.kind].forces(e, geometry)]
     forces = tuple(_in_coordinates(force, system.dependent, system.scope) for force in (*applied, *kept))

@@ -11,7 +11,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.geometry import Geometry, start_numbers
+from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.system import System
 
@@ -20,7 +20,8 @@ def geometry_of(system: System) -> Geometry:
     """The geometry of an assembled system, its states of motion included."""
     placed = {name: state.pose for name, state in system.bodies.items()}
     inertias = {name: state.inertia for name, state in system.bodies.items()}
-    return Geometry(locator(system.problem, inertias, placed), placed, start_numbers(system.problem), system.bodies)
+    where, numbers = locator(system.problem, inertias, placed), start_numbers(system.problem)
+    return Geometry(where, placed, numbers, system.bodies, unsaid(system.problem))
 
 
 def slip_senses(system: System) -> dict[str, int]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -22,12 +23,16 @@ TINY = 1e-9
 
 @dataclass(frozen=True)
 class Geometry:
-    """Positions of points, poses of bodies, sample numbers; states of motion where they are known."""
+    """Positions of points, poses of bodies, sample numbers; states of motion where they are known.
+
+    `unsaid` are coordinates of which nothing says where they are: their sample numbers tell nothing.
+    """
 
     where: Callable[[PointRef], Vector]
     poses: Mapping[str, Pose]
     numbers: Mapping[str, float]
     states: Mapping[str, BodyState] = field(default_factory=dict)
+    unsaid: frozenset[str] = frozenset()
 
     def angle(self, body: str | None) -> Scalar:
         """Angle of a body's x' axis, counter-clockwise from +x; 0 for the ground."""
@@ -49,12 +54,21 @@ class Geometry:
             return 0
         return 0 if abs(found) < TINY else 1 if found > 0 else -1
 
+    def is_unsaid(self, value: Scalar) -> bool:
+        """Whether its sign hangs on where something is that nothing says."""
+        return any(depends_on(value, name) for name in self.unsaid)
+
     def velocity(self, body: str | None, place: Vector) -> Vector:
         """Velocity of the material point of a body at a place: V + ω k × (place - R)."""
         if body is None:
             return ORIGIN
         state = self.states[body]
         return state.velocity + (place - state.center).turned() * state.omega
+
+
+def unsaid(problem: Problem) -> frozenset[str]:
+    """Coordinates without a start and a range."""
+    return frozenset(c.name for c in problem.coordinates if c.start is None and c.lower is None and c.upper is None)
 
 
 def sample_numbers(problem: Problem, dependent: Mapping[str, Scalar]) -> dict[str, float]:

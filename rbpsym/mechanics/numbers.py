@@ -142,8 +142,14 @@ def _starts(problem: Problem, numbers: dict[str, float]) -> dict[str, float]:
     for coordinate in problem.coordinates:
         name = getattr(coordinate.start, "name", None)
         if name in problem.implicit:
-            found[name] = _within(coordinate, numbers, 0.8)
+            found[name] = _within(coordinate, numbers, 0.8) * _side(coordinate, problem.example.get(name, ""))
     return found
+
+
+def _side(coordinate: Coordinate, example: str) -> int:
+    """Without a range, the author's own number says on which side of zero it is."""
+    given = _read(example) if coordinate.lower is None and coordinate.upper is None else None
+    return -1 if given is not None and given < 0 else 1
 
 
 def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:

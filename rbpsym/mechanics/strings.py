@@ -15,6 +15,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import QUARTER, Vector, polar
+from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import Force
@@ -34,42 +35,77 @@ class Segment:
     length: Scalar
 
 
+class Crossing(Exception):
+    """A string can't leave or reach a circle as it is said to: it would have to run through it."""
+
+    def __init__(self, first: Turn, second: Turn) -> None:
+        super().__init__(first.center.label, second.center.label)
+        self.ends = (first, second)
+
+
 def segment(first: Turn, second: Turn, geometry: Geometry) -> Segment:
     """The common tangent of two circles in the senses in which the string runs (points: radius 0).
 
     With ρ = s r (counter-clockwise positive) the string leaves a circle at C - ρ k×u, so the
-    distance of the centres across the string is ρ_second - ρ_first.
+    distance of the centres across the string is ρ_second - ρ_first. Raises Crossing.
     """
     here, there = geometry.where(first.center), geometry.where(second.center)
     leaving, arriving = (scalar(turn.radius) * turn.sense for turn in (first, second))
     apart = (there - here).settled()
-    along, length = _tangent(apart, arriving - leaving, geometry)
+    found = _straight(apart, arriving - leaving, geometry)
+    if found is None:
+        raise Crossing(first, second)
+    along, length = found
     across = along.turned()
     return Segment(first, second, here - across * leaving, there - across * arriving, along, length)
 
 
-def _tangent(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector, Scalar]:
-    """(u, length of the segment) with apart = length u + offset k×u."""
+def _straight(apart: Vector, offset: Scalar, geometry: Geometry) -> tuple[Vector, Scalar] | None:
+    """(u, length of the segment) with apart = length u + offset k×u; None where only the opposite sense has a plain
+    one. Where nothing says where the end is, the plain one is meant."""
+    other = None
     for angle in dict.fromkeys(a + QUARTER * k for a in apart.parts for k in range(4)):
         along = polar(UNITY, angle)
         length = tidy(apart.dot(along))
-        if geometry.sign(length) > 0 and is_zero(apart.dot(along.turned()) - offset):
+        if not is_zero(apart.dot(along.turned()) - offset):
+            continue
+        if geometry.sign(length) > 0:
             return along, length
+        other = other or (along, length)
+    if other is None:
+        return _slanting(apart, offset)
+    return other if geometry.is_unsaid(other[1]) else None
+
+
+def _slanting(apart: Vector, offset: Scalar) -> tuple[Vector, Scalar]:
     square = tidy(apart.dot(apart))
     length = root(tidy(square - offset * offset))
     return (apart * length - apart.turned() * offset) * square.inverse() if offset else apart * length.inverse(), length
 
 
 def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
-    """The straight pieces of a run."""
+    """The straight pieces of a run. Raises Crossing."""
     return [segment(a, b, geometry) for a, b in zip(run, run[1:], strict=False)]
+
+
+def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
+    try:
+        return segments(run, geometry)
+    except Crossing as fault:
+        first, second = (turn.body or turn.center.label for turn in fault.ends)
+        raise StatementError(
+            f"the string “{element.name}” would have to cross its pulley between “{first}” and “{second}” at the start",
+            instead="let it run round the other way (cw instead of ccw), or say on which side of the pulley its ends are, "
+            'also where a coordinate follows from others: start = "-h" for a weight that hangs below it, or a range.',
+            place=element.place,
+        ) from None
 
 
 def pulls(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """The tension on both ends of every run; where the string slides round a circle, both pulls act at its centre."""
     found: list[Force] = []
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
-        parts = segments(run, geometry)
+        parts = _pieces(element, run, geometry)
         first, last = parts[0], parts[-1]
         others = [turn.body or "ground" for turn in (run[-1], run[0])] if len(parts) == 1 else ["string", "string"]
         found += _pull(name, run[0], others[0], first.start, first.along)
@@ -92,7 +128,7 @@ def speeds_along(element: Element, geometry: Geometry) -> tuple[tuple[str, Scala
         return ()
     found = []
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
-        parts = segments(run, geometry)
+        parts = _pieces(element, run, geometry)
         free = len(parts) == 1 and is_rooted(parts[0].length.num)
         found.append((name, parts[0].length if free else UNITY))
     return tuple(found)

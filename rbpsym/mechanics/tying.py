@@ -12,7 +12,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import all_conditions, solve_explicitly
-from rbpsym.mechanics.geometry import Geometry, start_numbers
+from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.rates import from_start, full_rates, integrated, rate_conditions
@@ -68,7 +68,7 @@ def _check_kept(found: Condition, again: Condition | None, solved: Mapping[str, 
 
 
 def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping[str, Pose]) -> Geometry:
-    return Geometry(locator(problem, inertias, placed), placed, start_numbers(problem))
+    return Geometry(locator(problem, inertias, placed), placed, start_numbers(problem), unsaid=unsaid(problem))
 
 
 def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], names: tuple[str, ...]) -> Rates:
@@ -77,7 +77,7 @@ def _rates(problem: Problem, inertias, given, solved: Mapping[str, Scalar], name
     scope = Scope(rates=full_rates([name for name in names if name not in solved]))
     geometry = _geometry(problem, inertias, placed)
     states = {name: _state(name, inertias[name], pose, scope) for name, pose in placed.items()}
-    moving = Geometry(geometry.where, placed, geometry.numbers, states)
+    moving = Geometry(geometry.where, placed, geometry.numbers, states, geometry.unsaid)
     return {place: c for place, c in enumerate(rate_conditions(problem, moving)) if not is_zero(c.value)}
 
 
