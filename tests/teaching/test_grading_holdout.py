@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import statistics
 from collections import Counter
 from functools import cache
+from pathlib import Path
 from time import process_time
 
 import pytest
 
-from rbpsym.teaching.grading.answer import grade_answer
+from rbpsym.teaching.grading.answer import grade_answer, grade_number
 from rbpsym.teaching.grading.ground import Ground, bare_ground
 from rbpsym.teaching.grading.judgement import Judgement, Status
 from tests.teaching.typed_answers import Row, rows
@@ -56,3 +58,42 @@ def test_time() -> None:
         assert found.status is not Status.RIGHT or row.expected == "right", row
     assert statistics.median(spent) <= 0.003
     assert statistics.quantiles(spent, n=100)[-1] <= 0.1
+
+
+# --- numbers
+
+LETTERS = {"value": "v", "unit": "u", "figures": "f"}
+
+
+def numbers() -> dict[tuple[float, str, int], list[tuple[str, str]]]:
+    """(value, unit, figures) -> the answers with what of them is right."""
+    found: dict[tuple[float, str, int], list[tuple[str, str]]] = {}
+    for line in (Path(__file__).parent / "holdout_numbers.txt").read_text(encoding="utf-8").splitlines():
+        head = re.fullmatch(r"\[(\S+) (\S+) (\d)\]", line)
+        if head:
+            key = (float(head[1]), "" if head[2] == "1" else head[2], int(head[3]))
+            found[key] = []
+        elif line and not line.startswith("#"):
+            found[key].append(tuple(line.split(" => ")))
+    return found
+
+
+def is_as_expected(found: Judgement, expected: str) -> bool:
+    right = "".join(LETTERS[name] for name, credit in found.parts if credit == 1)
+    outcomes = {
+        "??": found.status is Status.INVALID, "0": found.status is Status.WRONG and not found.credit,
+        "-": found.status in (Status.WRONG, Status.PARTLY) and "v" not in right,
+    }  # fmt: skip
+    return outcomes.get(expected, right == expected)
+
+
+@pytest.mark.parametrize("key", numbers(), ids=str)
+def test_numbers(key: tuple[float, str, int]) -> None:
+    value, unit, figures = key
+    for answer, expected in numbers()[key]:
+        found = grade_number(answer, value, unit, figures=figures)
+        assert is_as_expected(found, expected), (answer, expected, found)
+
+
+def test_the_numbers_are_many() -> None:
+    assert sum(map(len, numbers().values())) >= 280

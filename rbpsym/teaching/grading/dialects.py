@@ -126,7 +126,7 @@ def indices(text: str, book: Book) -> str:
         name = f"{found[1]}_{found[2]}"
         return f" {name} " if lookup(name, book) and not lookup(found[1], book) else found[0]
 
-    return re.sub(r"([A-Za-z]\w*)\s*\[\s*(\w{1,3})\s*\]", named, text)
+    return re.sub(r"(?<!\w)([A-Za-z]\w*)\s*\[\s*(\w{1,3})\s*\]", named, text)
 
 
 def mixed_numbers(text: str, book: Book) -> str:
@@ -160,7 +160,7 @@ def powers_of_ten(text: str, book: Book) -> str:
 def degrees(text: str, book: Book) -> str:
     """60° and 60 degrees are angles."""
     word = r"|\s*deg(?:rees?)?\b|\s*grados?\b" if not lookup("deg", book) else ""
-    return re.sub(rf"({NUMBER})(?:\s*°{word})", r"(\1*pi/180)", text)
+    return re.sub(rf"(?<![\d.])({NUMBER})(?:\s*°{word})", r"(\1*pi/180)", text)
 
 
 def inverses(text: str, book: Book) -> str:
@@ -180,14 +180,16 @@ def latex(text: str, book: Book) -> str:
     """LaTeX with what the reader knows for other commands: \\sin^{-1}, 60^\\circ, \\over, \\sfrac, 1\\frac{3}{4}."""
     text = _LATEX_INVERSE.sub(r"\\arc\1 ", text)
     text = re.sub(
-        rf"({NUMBER})\s*(?:\^\s*\{{?\s*\\circ\s*\}}?|\\degree(?![A-Za-z])|°)", r"\\left(\1\\cdot\\pi/180\\right)", text
+        rf"(?<![\d.])({NUMBER})\s*(?:\^\s*\{{?\s*\\circ\s*\}}?|\\degree(?![A-Za-z])|°)",
+        r"\\left(\1\\cdot\\pi/180\\right)",
+        text,
     )
     text = re.sub(r"\\(?:s|nice|x|c|l)frac(?![A-Za-z])", r"\\frac", text)
     text = re.sub(r"\\div(?![A-Za-z])", "/", text)
     text = re.sub(rf"(\\(?:sin|cos|tan)\s*{NUMBER})\s*\\(?:cdot|times)(?![A-Za-z])", r"\1 ", text)
     text = re.sub(r"\{([^{}]*)\\over(?![A-Za-z])([^{}]*)\}", r"\\frac{\1}{\2}", text)
     text = re.sub(r"\\log\s*_\s*(?:\{(\w+)\}|(\w))", lambda f: rf"\frac{{1}}{{\ln({f[1] or f[2]})}}\ln ", text)
-    text = re.sub(rf"({NUMBER})\s*\\%", r"\\frac{\1}{100}", text)
+    text = re.sub(rf"(?<![\d.])({NUMBER})\s*\\%", r"\\frac{\1}{100}", text)
     return _LATEX_MIXED.sub(_latex_mixed, text)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import isfinite, log10, pi
+from math import floor, isfinite, log10, pi
 
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.grading import judgement as j
@@ -81,9 +81,22 @@ def _meant(typed: Typed, sought: Wanted) -> Typed:
 
 def is_near(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
     """Within the tolerance, or rightly rounded to no fewer figures than are accepted (all in SI units)."""
-    gap, factor = abs(typed.si - exact), typed.unit.factor if typed.unit else 1.0
-    rounded = typed.most >= max(tolerance.digits - tolerance.fewer, 1) and gap <= 0.5000001 * typed.place * factor
-    return (rounded and bool(exact)) or gap <= float(tolerance.relative) * abs(exact) * (1 + 1e-12)
+    gap = abs(typed.si - exact)
+    return _is_rounded(typed, exact, tolerance) or gap <= float(tolerance.relative) * abs(exact) * (1 + 1e-12)
+
+
+def _is_rounded(typed: Typed, exact: float, tolerance: Tolerance) -> bool:
+    """Is it the exact value, rounded to as many figures as are accepted and typed?"""
+    if not exact or not typed.most:
+        return False
+    factor = typed.unit.factor if typed.unit else 1.0
+    value = exact / factor
+    for figures in range(max(tolerance.digits - tolerance.fewer, 1), typed.most + 1):
+        place = 10.0 ** (floor(log10(abs(value))) - figures + 1)
+        steps = typed.value / place
+        if abs(steps - round(steps)) < 1e-6 and abs(typed.value - value) <= 0.5000001 * place:
+            return True
+    return False
 
 
 def _is_worth_carrying(own: float, sought: Wanted) -> bool:

@@ -40,7 +40,7 @@ _BLANK = "[ \u00a0\u2009\u202f]"
 _DECIMAL = rf"\d{{1,3}}(?:{_BLANK}\d{{3}})+(?:\.\d+)?|\d+(?:\.\d*)?|\.\d+"
 _TEN = r"\s*(?:[*x×·⋅.]|\\cdot|\\times)?\s*10\s*(?:\^|\*\*)\s*[({]?\s*([+\-−]?\d{1,4})\s*[)}]?"
 _RAISED = r"\s*[*x×·⋅]\s*10([⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,4})"
-_NUMBER = re.compile(rf"([+\-−]?)\s*({_DECIMAL})(?:[eE]([+\-−]?\d{{1,4}})(?![\w.])|{_TEN}|{_RAISED})?")
+_NUMBER = re.compile(rf"([+\-−]?)\s*({_DECIMAL})(?:[eE]([+\-−]?\d{{1,4}})(?![\d.])|{_TEN}|{_RAISED})?")
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
 
 
@@ -53,6 +53,12 @@ def read_quantity(text: str, language: str = "en") -> Typed:
         raise ReadError("there is no answer", instead="Enter a number with its unit, as in 4.2 m/s^2.")
     found = _NUMBER.match(told)
     rest = told[found.end() :] if found else ""
+    if found and re.match(r"[.,]\d", rest):
+        raise ReadError(
+            "there are two decimal marks",
+            instead="Write the number as in 4.2.",
+            place=Place(text=told[:200], column=found.end() + 1),
+        )
     if found and re.match(r"\s+1\s*/\s*[A-Za-z(]", rest):
         return _decimal(found, _unit(rest))
     if found and not re.match(r"\s*(?:[*/^(+\-−√π!]|sqrt|pi|\d)", rest):
@@ -77,14 +83,17 @@ def _bare(text: str, language: str) -> str:
     told = unframed(re.split(r"[=≈≃]", unframed(text))[-1]).lstrip("~ ")
     if is_latex(told) or "\\" in told or "^{" in told:
         told = _without_latex(told)
-    return with_decimal_points(told.replace("º", "°"), language).strip()
+    told = re.sub(r"(?<=\d)['’](?=\d{3}(?!\d))", "", told.replace("º", "°"))
+    return with_decimal_points(told, language).strip()
 
 
 _LATEX = (
+    (re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"\1 \2"),
+    (re.compile(r"\\sqrt\s*\{([^{}]*)\}"), r"sqrt(\1)"),
     (re.compile(r"\\(?:mathrm|text|mbox|textrm|unit|si|operatorname)\s*\{([^{}]*)\}"), r" \1 "),
     (re.compile(r"\\(?:d|t)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"(\1)/(\2)"),
-    (re.compile(r"\\sqrt\s*\{([^{}]*)\}"), r"sqrt(\1)"),
-    (re.compile(r"\^\s*\{?\s*\\circ\s*\}?"), "°"),
+    (re.compile(r"\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])"), "°"),
+    (re.compile(r"\\(?=(?:sin|cos|tan)(?![A-Za-z]))"), ""),
     (re.compile(r"\\(?:cdot|times)(?![A-Za-z])"), "·"),
     (re.compile(r"\\pi(?![A-Za-z])"), "π"),
     (re.compile(r"\\Omega(?![A-Za-z])"), "Ω"),
@@ -131,7 +140,8 @@ def _exact(told: str) -> Typed:
     first: RbpsymError | None = None
     for end in _cuts(told):
         try:
-            node = read_infix(told[:end].rstrip(" *·"), (), functions=MADE)
+            number = re.sub(r"(\d)\s*(?:°|deg(?:rees?)?\b)(?=\s*\))", r"\1*pi/180", told[:end].rstrip(" *·"))
+            node = read_infix(number, (), functions=MADE)
             unit = _unit(told[end:])
             low, high = enclosure.ends(enclosed(node))
             return Typed(float((low + high) / 2), unit)

@@ -78,7 +78,7 @@ def _signs(text: str, book: Book) -> str:
     return dotted("".join(_SIGNS.get(char, char) for char in text))
 
 
-_CALL = re.compile(r"[A-Za-z]\w*\s*\([^()]*\d,\d")
+_CALL = re.compile(r"(?<!\w)[A-Za-z]\w*\s*\([^()]*\d,\d")
 
 
 def _numbers(text: str, book: Book) -> str:
@@ -115,7 +115,7 @@ def _times(text: str, book: Book) -> str:
     """θ(t) is θ where t is no name of its own."""
     if "t" in book.names:
         return text
-    return re.sub(rf"({_WORD}'*)\s*\(t\)", lambda f: f[1] if lookup(f[1], book) else f[0], text)
+    return re.sub(rf"(?<!\w)({_WORD}'*)\s*\(t\)", lambda f: f[1] if lookup(f[1], book) else f[0], text)
 
 
 STEPS: tuple[Callable[[str, Book], str], ...] = (

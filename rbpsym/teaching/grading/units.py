@@ -15,6 +15,7 @@ from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
 from rbpsym.quantities import Dimension
+from rbpsym.teaching.grading.unit_words import in_signs, unprefixed
 
 Powers = tuple[tuple[str, Fraction], ...]
 MOST_POWER, LONGEST = 12, 120
@@ -104,6 +105,9 @@ def unit_named(name: str) -> UnitOf | None:
     known = _METRIC.get(name) or _OTHER.get(name)
     if known:
         return known
+    spelled = unprefixed(name)
+    if spelled and (stem := _WORDS.get(spelled[1].lower())) in _METRIC:
+        return unit_named(spelled[0] + stem)
     for prefix, factor in _PREFIXES.items():
         stem = _METRIC.get(name[len(prefix) :]) if name.startswith(prefix) else None
         if stem:
@@ -115,10 +119,11 @@ def read_unit(text: str) -> UnitOf:
     """The unit of a text; "" is a pure number. Raises ReadError for what is none."""
     if len(text) > LONGEST:
         raise ReadError("this is too long for a unit", instead="Write it as in m/s^2.", place=Place(text=text[:60]))
-    tokens = list(_tokens(text))
-    found, rest = _product(tokens, text)
+    told = in_signs(text)
+    tokens = list(_tokens(told))
+    found, rest = _product(tokens, told)
     if rest:
-        raise _refused(text, rest[0][1])
+        raise _refused(told, rest[0][1])
     return found
 
 
