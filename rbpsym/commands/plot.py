@@ -32,7 +32,8 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
       rbpsym plot my-problem.toml --format pdf,png
 
     Numbers have units where the file has an [example], else they are in units made of the problem's own
-    quantities. The files are called NAME-works, NAME-energies, NAME-forces.
+    quantities. The files are called NAME-works, NAME-energies, NAME-forces;
+    where there are more, also NAME-speeds, NAME-positions.
     """
     from rbpsym.commands.shelf import found
     from rbpsym.derive import derive
@@ -40,7 +41,8 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_plots import plot_figures
     from rbpsym.document.pictures import RESOLUTION, drawings
-    from rbpsym.document.plots.subjects import motion
+    from rbpsym.document.plots.motion import motion
+    from rbpsym.document.plots.running import REASONS
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError
     from rbpsym.statement.loader import load_problem
@@ -52,7 +54,9 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     except NotApplicable as error:
         raise StatementError(
             f"the motion of “{path.stem}” can't be drawn: {error}",
-            instead="say where each coordinate starts, and give all numbers under [example].",
+            instead=""
+            if str(error) == REASONS["statics"]
+            else "say where each coordinate starts, and give all numbers under [example].",
         ) from None
     notation = notation_of(derivation, lang)
     groups = [(figure.scenes, notation) for figure in figures]

@@ -7,11 +7,12 @@ from collections.abc import Iterator, Sequence
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
-from rbpsym.document.notes_figures import problem_notation
 from rbpsym.document.phrases import plain
-from rbpsym.document.plots.panel import Curve, Panel, scene
+from rbpsym.document.plots.motion import Motion, motion
+from rbpsym.document.plots.panel import Curve, Mark, Panel, has_jump, scene
+from rbpsym.document.plots.running import REASONS
 from rbpsym.document.plots.scales import Scale, told_numbers
-from rbpsym.document.plots.subjects import Motion, energies, forces, motion, positions, speeds, works
+from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
 from rbpsym.notation import tree as t
@@ -19,49 +20,89 @@ from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.speech import to_speech
 
 IN_A_ROW = 2
+Panels = list[Panel]
 
 
-def plots_section(derivation: Derivation, said: Words, level: int) -> Section | None:
-    """The curves of a derivation; None where the motion can't be followed in numbers."""
+def plots_section(derivation: Derivation, said: Words, level: int) -> Section:
+    """The curves of a derivation, or a sentence that says why there are none."""
+    title, label = said.say("plots.title"), said.prefix + "section.plots"
     try:
         moving = motion(derivation)
         figures = tuple(plot_figures(moving, said))
-    except NotApplicable:
-        return None
-    if not figures:
-        return None
-    title, label = said.say("plots.title"), said.prefix + "section.plots"
+    except NotApplicable as reason:
+        return Section(title, (Paragraph(why_not(reason, said)),), label, level)
     return Section(title, (Paragraph(numbers(moving, said)), *figures), label, level)
 
 
+def why_not(reason: NotApplicable, said: Words) -> Inlines:
+    """Why nothing is drawn."""
+    key = next((key for key, text in REASONS.items() if text == reason.what), "other")
+    return said.say(f"plots.none.{key}")
+
+
 def plot_figures(moving: Motion, said: Words) -> Iterator[FigureBlock]:
-    """Works, energies with speeds, forces with the motion in time."""
+    """Works, energies with speeds, forces with the motion in time; two panels in a figure."""
     worked = list(works(moving))
-    if worked:
-        yield figure("works", worked, said.say("plots.works" if len(worked) > 1 else "plots.works_one"), moving, said)
-    stored, moved = list(energies(moving)), list(speeds(moving))
-    if stored:
-        yield figure("energies", stored + moved[: IN_A_ROW - 1], said.say("plots.energies"), moving, said)
-    pushed, placed = list(forces(moving)), list(positions(moving, plain("plots.linear", said.language)))
-    if pushed or placed:
-        shown = (pushed + placed)[:IN_A_ROW]
-        yield figure("forces", shown, caption_of_forces(moving, pushed, shown, said), moving, said)
+    groups = [("works" if len(worked) > 1 else "works_one", worked)] if worked else []
+    groups += shared(("energies", list(energies(moving))), ("speeds", list(speeds(moving))))
+    placed = list(positions(moving, plain("plots.linear", said.language)))
+    groups += shared(("forces", list(forces(moving))), ("positions", placed))
+    for number, (name, panels) in enumerate(groups):
+        words = caption(moving, name, panels, said, is_first=number == 0)
+        yield figure(label_of(name, groups, number), panels, words, moving, said)
 
 
-def caption_of_forces(moving: Motion, pushed: Sequence[Panel], shown: Sequence[Panel], said: Words) -> Inlines:
-    """What the forces and the motion in time show, and what their dashed lines mean."""
-    key = "forces" if pushed and len(shown) > 1 else "forces_alone" if pushed else "positions"
-    found = said.say(f"plots.{key}")
-    if pushed and moving.loss:
-        found += (Text(" "), *said.say("plots.lost", force=t.Sym(moving.loss[0])))
-    if any(isinstance(curve.name, str) for panel in shown for curve in panel.curves):
-        found += (Text(" "), *said.say("plots.small"))
+def label_of(name: str, groups: Sequence[tuple[str, Panels]], number: int) -> str:
+    """The name of a figure: that of its first panel, with a number if it is not the first of this name."""
+    kind = name.partition("_")[0]
+    before = sum(other.partition("_")[0] == kind for other, _ in groups[:number])
+    return f"{kind}-{before + 1}" if before else kind
+
+
+def shared(one: tuple[str, Panels], other: tuple[str, Panels]) -> Iterator[tuple[str, Panels]]:
+    """Two kinds of panels in one figure, where there is one of each; else in figures of their own."""
+    if len(one[1]) == len(other[1]) == 1:
+        yield f"{one[0]}_{other[0]}", one[1] + other[1]
+        return
+    for name, panels in (one, other):
+        for start in range(0, len(panels), IN_A_ROW):
+            yield name, panels[start : start + IN_A_ROW]
+
+
+def caption(moving: Motion, name: str, panels: Panels, said: Words, *, is_first: bool) -> Inlines:
+    """What the panels of a figure show, and what their dashed lines and circles mean."""
+    found = said.say(f"plots.{name}")
+    for key, slots in remarks(moving, name, panels, is_first):
+        found += (Text(" "), *said.say(f"plots.{key}", **slots))
     return found
+
+
+def remarks(moving: Motion, name: str, panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
+    """What has to be said beside: keys of phrases and their slots."""
+    all_curves = [curve for panel in panels for curve in panel.curves]
+    if any(isinstance(curve.name, t.Delta) for curve in all_curves):
+        yield "since_start", {}
+    if omitted := sum(panel.omitted for panel in panels):
+        yield "omitted", {"count": omitted}
+    if "forces" in name and moving.loss:
+        yield kind_of_loss(moving), {"force": t.Sym(moving.loss[0])}
+    if any(curve.style == "curve thin" for curve in all_curves):
+        yield "small", {}
+    if is_first and len(moving.whole.legs) > 1:
+        yield "phases", {}
+    if any(has_jump(panel) for panel in panels):
+        yield "jumps", {}
+
+
+def kind_of_loss(moving: Motion) -> str:
+    """Whether a string goes slack or a contact is lost."""
+    element = moving.way.legs[-1].study.system.element(moving.loss[0])
+    return "slack" if element.kind == "string" else "lost"
 
 
 def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: Motion, said: Words) -> FigureBlock:
     """Panels side by side."""
-    notation = problem_notation(moving.derivation.study.problem)
+    notation = said.notation
     alt = " ".join(described(panel, notation, said) for panel in panels)
     scenes = tuple(scene(panel, notation) for panel in panels)
     return FigureBlock(scenes, caption, alt, f"{said.prefix}figure.{name}")
@@ -70,7 +111,7 @@ def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: Motion,
 def numbers(moving: Motion, said: Words) -> Inlines:
     """With which numbers the curves are drawn."""
     problem = moving.derivation.study.problem
-    told = list(told_numbers(problem, moving.scales, problem_notation(problem).decimal))
+    told = list(told_numbers(problem, moving.scales, said.notation.decimal))
     if not moving.scales.base:
         return said.say("plots.numbers", numbers=told)
     base = [t.Sym(quantity.name) for quantity in moving.scales.base]
@@ -81,7 +122,20 @@ def described(panel: Panel, notation: Notation, said: Words) -> str:
     """What a panel shows, for those who do not see it."""
     curves = [line for curve in panel.curves if (line := told_curve(curve, panel.up_scale, notation, said))]
     across = to_speech(panel.across, notation)
+    curves += [told_mark(mark, panel.across_scale, notation, said) for mark in panel.marks if mark.name]
     return plain("plots.alt", said.language, across=across, curves=" ".join(curves))
+
+
+def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
+    """Where something happens, and what."""
+    name = mark.name if isinstance(mark.name, str) else to_speech(mark.name, notation)
+    return plain("plots.alt_mark", said.language, place=amount(mark.place, scale, notation), name=name)
+
+
+def amount(value: float, scale: Scale, notation: Notation) -> str:
+    """A number with its unit, as it is read out."""
+    unit = scale.sign or (f" {to_speech(scale.node, notation)}" if scale.node is not None else "")
+    return f"{value:.3g}{unit}".replace("-", "−")
 
 
 def told_curve(curve: Curve, scale: Scale, notation: Notation, said: Words) -> str:
@@ -89,8 +143,7 @@ def told_curve(curve: Curve, scale: Scale, notation: Notation, said: Words) -> s
     known = [value for value in curve.values if math.isfinite(value)]
     if not known:
         return ""
-    unit = scale.sign or (f" {to_speech(scale.node, notation)}" if scale.node is not None else "")
     values = {"first": known[0], "last": known[-1], "low": min(known), "high": max(known)}
-    slots = {name: f"{value:.3g}{unit}".replace("-", "−") for name, value in values.items()}
+    slots = {name: amount(value, scale, notation) for name, value in values.items()}
     name = curve.name if isinstance(curve.name, str) else to_speech(curve.name, notation)
     return plain("plots.alt_curve", said.language, name=name, **slots)

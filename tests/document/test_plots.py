@@ -18,9 +18,11 @@ from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.numbering import parts
 from rbpsym.document.plots.axes import axis, round_step, written
+from rbpsym.document.plots.motion import motion
 from rbpsym.document.plots.panel import scene
+from rbpsym.document.plots.running import REASONS
 from rbpsym.document.plots.scales import scales
-from rbpsym.document.plots.subjects import energies, forces, motion, positions, small_oscillation, speeds, works
+from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words
 from rbpsym.document.writers import writer
 from rbpsym.errors import NotApplicable
@@ -64,7 +66,7 @@ def moving(name: str):
     return motion(derived(name))
 
 
-RULES = ("work_done", "kinetic_energy", "potential", "conservation")
+RULES = ("work_done", "kinetic_energy", "potential")
 NAMES = ("sliding-ladder", "disk-with-spring", "rod-and-disk-free", "")
 by_name = pytest.mark.parametrize("name", NAMES)
 
@@ -86,8 +88,9 @@ def test_every_curve_is_the_formula_of_a_step(name: str) -> None:
                 if curve.name not in steps or curve.style == "curve sum":
                     continue
                 value = scalar(steps[curve.name].statement.items[-1])
+                near = 1e-9 if make is not works else 1e-4 * max(map(abs, curve.values)) * panel.up_scale.size
                 for state, shown in list(zip(way.states, curve.values, strict=True))[:: max(1, len(way.states) // 7)]:
-                    assert shown * panel.up_scale.size == pytest.approx(number(value, state), rel=1e-9, abs=1e-12)
+                    assert shown * panel.up_scale.size == pytest.approx(number(value, state), rel=1e-9, abs=near)
                     seen += 1
     assert seen > 10
 
@@ -95,7 +98,7 @@ def test_every_curve_is_the_formula_of_a_step(name: str) -> None:
 @by_name
 def test_the_energy_stays_and_the_speed_is_that_of_the_first_integral(name: str) -> None:
     found = moving(name)
-    energy = scalar(next(s for s in derived(name).steps if s.rule == "conservation").statement.items[-1])
+    energy = sum(derived(name).study.kinetic) + derived(name).study.potential
     values = found.whole.values(energy)
     size = max(abs(value) for value in found.whole.values(derived(name).study.kinetic[0])) or 1.0
     assert max(values) - min(values) < 1e-4 * size
@@ -108,7 +111,7 @@ def test_the_energy_stays_and_the_speed_is_that_of_the_first_integral(name: str)
 @by_name
 def test_the_work_of_all_forces_is_the_gain_of_kinetic_energy(name: str) -> None:
     found = moving(name)
-    whole = [0.0] * len(found.real.states)
+    whole = [0.0] * len(found.real.times)
     for panel in works(found):
         for curve in panel.curves:
             if curve.style != "curve sum":
@@ -123,7 +126,7 @@ def test_the_loss_is_where_the_derivation_says() -> None:
     [panel] = forces(found)
     [mark] = panel.marks
     at = number(derived("sliding-ladder").study.losses[0].at["theta"], found.scales.numbers)
-    assert mark * panel.across_scale.size == pytest.approx(at, abs=2e-3)
+    assert mark.place * panel.across_scale.size == pytest.approx(at, abs=2e-3)
     assert found.loss[0] == "N_w"
     assert len(found.real.times) < len(found.way.times)
 
@@ -132,11 +135,12 @@ def test_the_small_oscillation_has_the_derived_frequency() -> None:
     found = moving("")
     square = number(derived("").study.equilibria[0].frequencies_squared[0], found.scales.numbers)
     scale = next(positions(found)).up_scale
-    small = small_oscillation(found, found.whole, scale)
+    [panel] = positions(found, "linear")
+    small = next(curve for curve in panel.curves if curve.style == "curve thin")
     period = 2 * math.pi / math.sqrt(square)
     start = found.whole.states[0]["theta"] / scale.size
-    for time, value in zip(found.whole.times, small, strict=True):
-        assert value == pytest.approx(start * math.cos(2 * math.pi * time / period), abs=1e-9)
+    for time, value in zip(found.whole.times, small.values, strict=True):
+        assert value == pytest.approx(start * math.cos(2 * math.pi * time / period), abs=1e-4 * start)
     assert found.whole.times[found.whole.turns[1]] > period  # the large swing is slower
 
 
@@ -152,13 +156,19 @@ def test_numbers_of_the_author_have_units_and_generic_ones_are_groups() -> None:
     assert generic.of(TIME).size == pytest.approx(math.sqrt(numbers["ell"] / numbers["g"]))
 
 
-def test_a_system_without_a_start_or_scale_has_no_plots() -> None:
-    unknown = PLAIN.replace('start = "theta_0"\n', "")
-    with pytest.raises(NotApplicable):
-        motion(rbpsym.derive(load_text(unknown), simulation=False))
+def test_a_system_without_a_start_has_no_plots_and_the_notes_say_why() -> None:
+    found = rbpsym.derive(load_text(PLAIN.replace('start = "theta_0"\n', "")), simulation=False)
+    with pytest.raises(NotApplicable, match=REASONS["no_start"]):
+        motion(found)
+    for language, said in (("en", "where each coordinate starts"), ("es", "dónde empieza cada coordenada")):
+        [paragraph] = plots_section(found, Words(language, found.study.problem), 1).blocks
+        assert said in "".join(getattr(part, "text", "") for part in paragraph.inlines)
+
+
+def test_statics_has_no_motion() -> None:
     result = CliRunner().invoke(main, ["plot", "ladder-in-equilibrium"])
     assert result.exit_code == 2
-    assert "can't be drawn" in result.output
+    assert "can't be drawn: nothing moves" in result.output
 
 
 def test_what_rests_at_an_unstable_place_is_pushed() -> None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 TICKS = 4  # about as many steps on an axis
+NEAR = 5e-3  # of a step: so little beyond the end a tick still stands
 DEGREES = (5, 10, 15, 30, 45, 60, 90, 180, 360)
 
 
@@ -30,14 +31,22 @@ def axis(values: Sequence[float], *, sign: str = "", decimal: str = ".", tight: 
     low, high = min(known), max(known)
     if high - low < 1e-9 * max(abs(high), abs(low), 1e-9):
         low, high = low - max(abs(low), 1.0) * 0.5, high + max(abs(high), 1.0) * 0.5
-    step = round_step((high - low) / TICKS, degrees=sign == "°")
     if not tight:
         margin = 0.04 * (high - low)
         low, high = low - margin, high + margin
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    step = step_of(low, high, degrees=sign == "°")
+    first, last = math.ceil(low / step - NEAR), math.floor(high / step + NEAR)
     ticks = tuple(k * step for k in range(first, last + 1))
     places = max(0, -math.floor(math.log10(step) + 1e-9))
     return Axis(low, high, ticks, tuple(written(tick, places, decimal) + sign for tick in ticks))
+
+
+def step_of(low: float, high: float, *, degrees: bool) -> float:
+    """The round step with about TICKS ticks, with three of them if there can be."""
+    wanted = (high - low) / TICKS
+    steps = (round_step(wanted * share, degrees=degrees) for share in (1.0, 0.6, 0.4))
+    enough = (step for step in steps if math.floor(high / step + NEAR) - math.ceil(low / step - NEAR) >= 2)
+    return next(enough, round_step(wanted, degrees=degrees))
 
 
 def round_step(step: float, *, degrees: bool = False) -> float:

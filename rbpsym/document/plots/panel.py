@@ -1,23 +1,26 @@
-"""A plot as a scene: axes with ticks, curves, and a line of the legend for each curve."""
+"""A plot as a scene: axes with ticks, curves with their names beside them, and what happens on the way."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rbpsym.document.breaking import node_height, node_width
-from rbpsym.document.figures.placing import label_size
-from rbpsym.document.figures.scene import EM, Circle, Item, Label, Line, Point, Scene, Strokes
+from rbpsym.document.figures.placing import grown, label_size, overlap
+from rbpsym.document.figures.scene import EM, STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis
+from rbpsym.document.plots.naming import Named, around, places
 from rbpsym.document.plots.scales import Scale
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 
 WIDE, HIGH = 4.3, 3.4  # cm between the axes' ends
 TICK = 0.09
-STYLES = ("curve 1", "curve 2", "curve 3", "curve 4", "curve 5", "curve 6")
-SMALL = 0.5 * EM
+LOOKS = ("curve 1", "curve 2", "curve 3", "curve 4", "curve 5", "curve 6")
+SAME = 1e-6  # of the height: curves that are no farther apart are one
+JUMP = 0.015  # of the height: what is more is a jump
+RING = 0.06
 
 
 @dataclass(frozen=True)
@@ -30,10 +33,20 @@ class Curve:
 
 
 @dataclass(frozen=True)
+class Mark:
+    """A place at which something happens, and what; a dot is where it meets the height 0."""
+
+    place: float
+    name: t.Node | str = ""
+    has_dot: bool = False
+
+
+@dataclass(frozen=True)
 class Panel:
     """Curves over common places. Values are in units of the scales already.
 
-    `what` heads the vertical axis (None where the legend says it all); at `marks` something ends.
+    `what` heads the vertical axis (None where the names of the curves say it all). Where places and values
+    are not numbers there is a gap: what is on both its sides is a jump. `omitted` curves had no room.
     """
 
     across: t.Node
@@ -42,25 +55,61 @@ class Panel:
     across_scale: Scale
     up_scale: Scale
     what: t.Node | None = None
-    marks: tuple[float, ...] = ()
+    marks: tuple[Mark, ...] = ()
+    omitted: int = 0
 
 
 def scene(panel: Panel, notation: Notation) -> Scene:
     """The panel as a drawing."""
-    x = axis(panel.places, sign=panel.across_scale.sign, decimal=notation.decimal, tight=True)
+    x, y = axes_of(panel, notation.decimal)
+    styled = [replace(curve, style=curve.style or LOOKS[k % len(LOOKS)]) for k, curve in enumerate(panel.curves)]
+    styled = sorted(styled, key=lambda curve: curve.style != "curve sum")
+    axes = [*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y))]
+    rings = [item for curve in styled for item in jumps(curve, panel.places, x, y)]
+    outside = [*tick_labels(x, y), *axis_labels(panel, y, notation)]
+    outside += mark_labels(panel, x, outside, notation)
+    drawn = tuple(item for curve in styled for item in pieces(curve, panel.places, x, y))
+    names = named(together(styled, y), panel.places, x, y, Scene((*axes, *rings), tuple(outside)), notation)
+    return Scene((*axes, *drawn, *rings, *names.items), (*outside, *names.labels))
+
+
+def axes_of(panel: Panel, decimal: str = ".") -> tuple[Axis, Axis]:
+    """Both axes; the vertical one holds the height 0."""
     heights = [value for curve in panel.curves for value in curve.values] + [0.0]
-    y = axis(heights, sign=panel.up_scale.sign, decimal=notation.decimal)
-    items = [*frame(x, y), *(item for m in panel.marks for item in mark(m, x, y))]
-    for place, curve in enumerate(panel.curves):
-        items += drawn(curve, style_of(curve, place), panel.places, x, y)
-    legend = list(legend_of(panel, notation))
-    labels = [*tick_labels(x, y), *axis_labels(panel, y, notation), *(label for _, label in legend)]
-    return Scene(tuple(items + [line for line, _ in legend]), tuple(labels))
+    across = axis(panel.places, sign=panel.across_scale.sign, decimal=decimal, tight=True)
+    return across, axis(heights, sign=panel.up_scale.sign, decimal=decimal)
 
 
-def style_of(curve: Curve, place: int) -> str:
-    """The curve's own style, or the next one."""
-    return curve.style or STYLES[place % len(STYLES)]
+def together(curves: Sequence[Curve], y: Axis) -> list[Curve]:
+    """The curves, those that lie on each other as one with an equation for a name."""
+    found: list[Curve] = []
+    for curve in curves:
+        like = next((k for k, one in enumerate(found) if are_same(one, curve, y)), None)
+        if like is None:
+            found.append(curve)
+        else:
+            one = found[like]
+            items = (*(one.name.items if isinstance(one.name, t.Chain) else (one.name,)), curve.name)
+            style = one.style if one.style == "curve sum" else curve.style
+            found[like] = Curve(t.equation(*items), one.values, style)
+    return [with_zero(curve, y) for curve in found]
+
+
+def are_same(one: Curve, other: Curve, y: Axis) -> bool:
+    """Do two curves with formulas for names lie on each other?"""
+    if isinstance(one.name, str) or isinstance(other.name, str):
+        return False
+    pairs = zip(one.values, other.values, strict=True)
+    return all((math.isnan(a) and math.isnan(b)) or abs(a - b) < SAME * (y.high - y.low) for a, b in pairs)
+
+
+def with_zero(curve: Curve, y: Axis) -> Curve:
+    """A curve on the axis says so."""
+    known = [value for value in curve.values if math.isfinite(value)]
+    if isinstance(curve.name, str) or any(abs(value) > 1e-6 * (y.high - y.low) for value in known):
+        return curve
+    items = curve.name.items if isinstance(curve.name, t.Chain) else (curve.name,)
+    return replace(curve, name=t.equation(*items, t.ZERO))
 
 
 def frame(x: Axis, y: Axis) -> Iterator[Item]:
@@ -73,50 +122,125 @@ def frame(x: Axis, y: Axis) -> Iterator[Item]:
         yield Line(((0.0, HIGH * y.share(0)), (WIDE, HIGH * y.share(0))), "dimension")
 
 
-def mark(place: float, x: Axis, y: Axis) -> Iterator[Item]:
+def mark(one: Mark, x: Axis, y: Axis) -> Iterator[Item]:
     """A dashed line at a place, with a dot where it meets the height 0."""
-    across = WIDE * x.share(place)
+    across = WIDE * x.share(one.place)
     yield Line(((across, 0.0), (across, HIGH)), "guide")
-    yield Circle((across, HIGH * y.share(0)), 0.0, "dot")
+    if one.has_dot:
+        yield Circle((across, HIGH * y.share(0)), 0.0, "dot")
 
 
-def drawn(curve: Curve, style: str, places: Sequence[float], x: Axis, y: Axis) -> Iterator[Item]:
+def mark_labels(panel: Panel, x: Axis, taken: Sequence[Label], notation: Notation) -> list[Label]:
+    """What happens at the marks, above their lines; one above the other where they are close together."""
+    boxes, found = [sized(one, notation).box for one in taken], []
+    for one in (one for one in panel.marks if one.name):
+        wide, high = label_size(fixed(one.name, (0.0, 0.0), "soft"), notation)
+        across = min(max(WIDE * x.share(one.place), wide / 2 - 0.2), WIDE + 0.9 - wide / 2)
+        up = HIGH + 0.08 + high / 2
+        while any(overlap(grown(around((across, up), (wide, high)), 0.02), box) for box in boxes):
+            up += 0.1
+        boxes.append(around((across, up), (wide, high)))
+        found.append(fixed(one.name, (across, up), "soft"))
+    return found
+
+
+def sized(label: Label, notation: Notation) -> Label:
+    """The label with its size."""
+    return replace(label, size=label_size(label, notation))
+
+
+def jumps(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[Item]:
+    """An open circle where a curve ends and a full one where it goes on elsewhere at the same place."""
+    values = curve.values
+    for k in range(1, len(values) - 1):
+        if math.isnan(across[k]) and abs(values[k + 1] - values[k - 1]) > JUMP * (y.high - y.low):
+            yield Circle((WIDE * x.share(across[k - 1]), HIGH * y.share(values[k - 1])), RING, "joint")
+            yield Circle((WIDE * x.share(across[k + 1]), HIGH * y.share(values[k + 1])), 0.0, "dot")
+
+
+def has_jump(panel: Panel) -> bool:
+    """Does a value jump somewhere?"""
+    x, y = axes_of(panel)
+    return any(next(jumps(curve, panel.places, x, y), None) for curve in panel.curves)
+
+
+def pieces(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[Item]:
     """A curve in as many pieces as it has."""
+    for piece in runs(curve, across, x, y):
+        yield Line(tuple(thinned(piece)), curve.style)
+
+
+def runs(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[list[Point]]:
+    """The points of each piece of a curve, in cm."""
     piece: list[Point] = []
-    for place, value in zip(places, curve.values, strict=False):
-        if math.isfinite(value):
+    for place, value in zip([*across, math.nan], [*curve.values, math.nan], strict=True):
+        if math.isfinite(value) and math.isfinite(place):
             piece.append((WIDE * x.share(place), HIGH * y.share(value)))
-            continue
-        yield from lines(piece, style)
-        piece = []
-    yield from lines(piece, style)
-
-
-def lines(points: list[Point], style: str) -> Iterator[Item]:
-    """A broken line without the points that would not be seen."""
-    if len(points) > 1:
-        yield Line(tuple(thinned(points)), style)
+        else:
+            if len(piece) > 1:
+                yield piece
+            piece = []
 
 
 def thinned(points: list[Point]) -> Iterator[Point]:
-    """Points at least half a millimetre apart, and the ends."""
+    """Points at least a third of a millimetre apart, and the ends."""
     last = points[0]
     yield last
     for point in points[1:-1]:
-        if math.dist(point, last) > 0.055:
+        if math.dist(point, last) > 0.035:
             last = point
             yield point
     yield points[-1]
 
 
+def named(curves: Sequence[Curve], across: Sequence[float], x: Axis, y: Axis, rest: Scene, notation: Notation) -> Scene:
+    """A name beside each curve, in its colour; for those that have no room a line in a legend."""
+    labels = [fixed(curve.name, (0.0, 0.0), STYLES[curve.style].stroke) for curve in curves]
+    sizes = [label_size(label, notation) for label in labels]
+    shapes = [Named(tuple(tuple(p) for p in runs(c, across, x, y)), s) for c, s in zip(curves, sizes, strict=True)]
+    taken = [sized(one, notation).box for one in rest.labels]
+    lines = [
+        piece for item in rest.items for piece in (item.pieces if isinstance(item, Strokes) else [points_of(item)])
+    ]
+    spots = places(shapes, taken, lines, (0.04, 0.04, WIDE + 1.4, HIGH - 0.02))
+    beside = [replace(one, target=spot, place=spot) for one, spot in zip(labels, spots, strict=True) if spot]
+    left = [(curve, size) for curve, size, spot in zip(curves, sizes, spots, strict=True) if spot is None]
+    ends = [spot[0] + size[0] / 2 for spot, size in zip(spots, sizes, strict=True) if spot]
+    listed = list(legend(left, max([WIDE, *ends])))
+    return Scene(tuple(line for line, _ in listed), (*beside, *(label for _, label in listed)))
+
+
+def legend(left: Sequence[tuple[Curve, tuple[float, float]]], start: float) -> Iterator[tuple[Item, Label]]:
+    """A line and a name for each of some curves, from the highest end to the lowest."""
+    order = sorted(left, key=lambda pair: -final(pair[0].values))
+    step = max((size[1] for _, size in left), default=0.0) + 0.04
+    top = max(HIGH / 2 + step * (len(order) - 1) / 2 + 0.2, 0.9 + step * (len(order) - 1))
+    for row, (curve, size) in enumerate(order):
+        height = top - step * row
+        line = Line(((start + 0.2, height), (start + 0.75, height)), curve.style)
+        yield line, fixed(curve.name, (start + 0.9 + size[0] / 2, height), STYLES[curve.style].stroke)
+
+
+def final(values: Sequence[float]) -> float:
+    """The last value that is a number."""
+    return next((value for value in reversed(values) if math.isfinite(value)), 0.0)
+
+
 def tick_labels(x: Axis, y: Axis) -> Iterator[Label]:
-    """Numbers below and at the left."""
-    shown = x.ticks[:: 1 + (len(x.ticks) > 6)]
-    for tick, text in zip(x.ticks, x.texts, strict=True):
-        if tick in shown:
-            yield fixed(text, (WIDE * x.share(tick), -TICK - 0.26), "soft")
+    """Numbers below and at the left; below as many as have room."""
+    width = max((text_width(text) for text in x.texts), default=0.0) + 0.06
+    space = WIDE * (x.share(x.ticks[1]) - x.share(x.ticks[0])) if len(x.ticks) > 1 else WIDE
+    skip = max(1, math.ceil(width / space))
+    first = next((k for k, tick in enumerate(x.ticks) if tick == 0), 0) % skip
+    for tick, text in zip(x.ticks[first::skip], x.texts[first::skip], strict=True):
+        yield fixed(text, (WIDE * x.share(tick), -TICK - 0.32), "soft")
     for tick, text in zip(y.ticks, y.texts, strict=True):
-        yield fixed(text, (-TICK - 0.08 - SMALL * len(text) / 2, HIGH * y.share(tick)), "soft")
+        yield fixed(text, (-TICK - 0.04 - text_width(text) / 2, HIGH * y.share(tick)), "soft")
+
+
+def text_width(text: str) -> float:
+    """How wide a number is, with the air round it."""
+    return EM * (0.5 * len(text) + 0.25)
 
 
 def axis_labels(panel: Panel, y: Axis, notation: Notation) -> Iterator[Label]:
@@ -127,7 +251,7 @@ def axis_labels(panel: Panel, y: Axis, notation: Notation) -> Iterator[Label]:
     above = in_units(panel.what, panel.up_scale) if panel.what is not None else panel.up_scale.node
     if above is not None:
         size = EM * node_height(above, notation)
-        yield fixed(above, (max(0.0, EM * node_width(above, notation) / 2 - 0.5), HIGH + 0.18 + size / 2), "ink")
+        yield fixed(above, (max(0.0, EM * node_width(above, notation) / 2 - 0.5), HIGH + 0.25 + size / 2), "ink")
 
 
 def in_units(node: t.Node, scale: Scale) -> t.Node:
@@ -135,24 +259,6 @@ def in_units(node: t.Node, scale: Scale) -> t.Node:
     if scale.node is None:
         return node
     return t.Mul((node, t.Word(f"/ {scale.node.text}"))) if isinstance(scale.node, t.Word) else t.Div(node, scale.node)
-
-
-def legend_of(panel: Panel, notation: Notation) -> Iterator[tuple[Item, Label]]:
-    """A line and a name for each curve, from the highest end to the lowest."""
-    order = sorted(range(len(panel.curves)), key=lambda k: -final(panel.curves[k].values))
-    sizes = [label_size(fixed(curve.name, (0.0, 0.0), "ink"), notation)[1] for curve in panel.curves]
-    step = max(sizes, default=0.0) + 0.04
-    top = max(HIGH / 2 + step * (len(order) - 1) / 2 + 0.2, 0.9 + step * (len(order) - 1))
-    for row, place in enumerate(order):
-        curve, height = panel.curves[place], top - step * row
-        width = label_size(fixed(curve.name, (0.0, 0.0), "ink"), notation)[0]
-        line = Line(((WIDE + 0.2, height), (WIDE + 0.75, height)), style_of(curve, place))
-        yield line, fixed(curve.name, (WIDE + 0.9 + width / 2, height), "ink")
-
-
-def final(values: Sequence[float]) -> float:
-    """The last value that is a number."""
-    return next((value for value in reversed(values) if math.isfinite(value)), 0.0)
 
 
 def fixed(content: t.Node | str, place: Point, color: str) -> Label:

@@ -13,7 +13,15 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
 
-UNITS = {"energy": "J", "force": "N", "speed": "m/s", "angular speed": "rad/s", "time": "s", "length": "m"}
+UNITS = {
+    "energy": "J",
+    "force": "N",
+    "speed": "m/s",
+    "angular speed": "rad/s",
+    "time": "s",
+    "length": "m",
+    "torque": "N m",
+}
 CLOCKS = tuple(
     DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
 )
@@ -39,13 +47,13 @@ class Scales:
     numbers: Mapping[str, float]
     base: tuple[Quantity, ...] = ()
 
-    def of(self, dimension: Dimension) -> Scale:
-        """The unit of a dimension; angles are counted in degrees. Raises NotApplicable if there is none."""
+    def of(self, dimension: Dimension, name: str = "") -> Scale:
+        """The unit of a dimension (of torques and energies, the one named); angles are counted in degrees."""
         if dimension == NUMBER:
             return Scale(DEGREE, sign="°")
         if not self.base:
-            name = next(name for name in UNITS if DIMENSIONS[name] == dimension)
-            return Scale(1.0, t.Word(UNITS[name]))
+            known = name or next(name for name in UNITS if DIMENSIONS[name] == dimension)
+            return Scale(1.0, t.Word(UNITS[known]))
         exponents = self.exponents(dimension)
         size = math.prod(abs(self.numbers[name]) ** float(power) for name, power in exponents.items())
         return Scale(size, product(exponents))
