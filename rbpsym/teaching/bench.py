@@ -26,6 +26,7 @@ from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Asked, Item, Measure
 from rbpsym.teaching.ranges import Range, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
+from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measure_text, unit_of
 
@@ -116,6 +117,7 @@ class Prepared:
     make: Make
     is_timed: bool = False
     needs_place: bool = False
+    content: Content = field(default_factory=Content)
 
 
 def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], list[list[float]]]:
@@ -159,6 +161,12 @@ def _typical(problem: Problem, middle: Mapping[str, float], dimension: Dimension
     """The geometric mean of the constants of a dimension; 1 if there are none."""
     sizes = [abs(middle[q.name]) for q in problem.parameters if q.dimension == dimension and middle.get(q.name)]
     return math.exp(sum(map(math.log, sizes)) / len(sizes)) if sizes else 1.0
+
+
+def asks_for(bench: Bench, target: Target) -> Content:
+    """What a task asks that wants the value of a target: its formula, and the step that shows it."""
+    step = (bench.derivation.step(target.step).statement,) if target.step else ()
+    return Content(asks=claims((t.equation(target.left, formula_of(bench, target)), *step)))
 
 
 def formula_of(bench: Bench, target: Target) -> t.Node:

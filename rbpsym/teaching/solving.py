@@ -18,11 +18,14 @@ from rbpsym.teaching.bench import (
 )
 from rbpsym.teaching.distractors import shown, size
 from rbpsym.teaching.filling import Fill, filler
+from rbpsym.teaching.lines import WEIGHTS
 from rbpsym.teaching.model import Measure
+from rbpsym.teaching.rubrics import gist
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measured
 from rbpsym.teaching.wording import spoken
 
+MOST_RELATIONS = 2
 LONGEST = 120  # parts of a formula that is shown with numbers in the places of the names
 
 
@@ -36,6 +39,16 @@ def where_text(setting: Setting) -> Inlines:
 
 def _notation(setting: Setting):
     return setting.said.notation
+
+
+def hint(bench: Bench, setting: Setting, target: Target, level: int) -> Inlines:
+    """With much help (level 0): the relations from which it follows."""
+    if level or not target.step:
+        return ()
+    premises = [bench.derivation.step(id) for id in bench.derivation.step(target.step).premises]
+    kept = [s for s in premises if s.rule in WEIGHTS][-MOST_RELATIONS:]
+    relations = [row for step in kept for row in gist(step.statement)]
+    return spoken(setting.said, "hint.relations", relations=relations) if relations else ()
 
 
 def label_of(bench: Bench, step: str) -> str:
@@ -62,12 +75,12 @@ def numeric_line(bench: Bench, setting: Setting, target: Target, value: float) -
     """left = formula = formula with numbers = number with unit; a very long formula without the third of these."""
     formula = number_formula(bench, target)
     left = target.reading.left if target.reading else target.left
-    result = word(measure_of(bench, target, value), bench.notation)
+    result = word(measure_of(bench, target, value), setting.said.notation)
     put_in = bench.once(("fill", target.id), lambda: _filler(bench, target, setting))
     if put_in is None:
         return t.equation(left, formula, result)
     given = numbers_at(setting.situation, number_names(bench, target))
-    numbers = {name: t.Group(word(measure, bench.notation)) for name, measure in given.items()}
+    numbers = {name: t.Group(word(measure, setting.said.notation)) for name, measure in given.items()}
     return t.equation(left, formula, put_in(numbers), result)
 
 

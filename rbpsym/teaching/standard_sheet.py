@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+from itertools import islice
 
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
-from rbpsym.teaching.bench import Bench
+from rbpsym.teaching.bench import Bench, Prepared
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
+
+TRIES = 4  # quantities of one pattern that are tried
 
 # kind, what to ask about (the first that can be asked is), level: from much help to little, as a lesson goes
 LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
@@ -26,6 +32,8 @@ LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
     ("compare", ("frequency.*", "acceleration.*", "speed.*"), 2),
     ("explain", ("workless", "work_energy", "combination", ""), 3),
 )
+# which kinds of tasks pick their quantity first
+PICKS = ("signs", "fill-in", "order", "find-the-slip", "number", "choose", "formula", "compare", "explain")
 
 
 def standard_sheet(bench: Bench, scenery: Scenery) -> Sheet:
@@ -44,27 +52,28 @@ def bare_sheet(problem: Problem) -> Sheet:
     return Sheet(problem.name, dict(problem.title), (SheetPart(problem, {}, ()),), text=problem.text)
 
 
-def _wishes(bench: Bench, scenery: Scenery) -> Iterator[Wish]:
-    asked: set[str] = set()
-    for kind, patterns, level in LESSON:
-        for pattern in patterns:
-            options = (4, 3) if kind == "choose" else (4,)
-            found = next((w for n in options if (w := _possible(bench, scenery, kind, pattern, level, n, asked))), None)
-            if found is not None:
-                asked |= {f"{kind} {id}" for id in found.about}
-                yield found
+def _wishes(bench: Bench, scenery: Scenery) -> list[Wish]:
+    """For each row of the lesson the first wish that gives away no answer of another task; those that train most choose first."""
+    taken: dict[int, tuple[Wish, Content]] = {}
+    for row in sorted(range(len(LESSON)), key=lambda row: PICKS.index(LESSON[row][0])):
+        for wish, content in _possible(bench, scenery, *LESSON[row]):
+            if not any(content.spoils(other) for _, other in taken.values()):
+                taken[row] = (wish, content)
                 break
+    return [taken[row][0] for row in sorted(taken)]
 
 
-def _possible(bench, scenery, kind: str, pattern: str, level: int, options: int, asked: set[str]) -> Wish | None:
-    """The wish for the first quantity of a pattern that can be asked so and was not yet."""
-    wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
-    try:
-        for task in TASKS[kind](bench, scenery, wish):
-            if task.target is None:
-                return wish
-            if f"{kind} {task.target.id}" not in asked:
-                return Wish(kind, (task.target.id,), level=level, options=options)
-    except RbpsymError:
-        return None
-    return None
+def _possible(bench: Bench, scenery: Scenery, kind: str, patterns, level: int) -> Iterator[tuple[Wish, Content]]:
+    """Wishes for single quantities, in the order of the patterns; choices with four answers first."""
+    for pattern in patterns:
+        for options in (4, 3) if kind == "choose" else (4,):
+            wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
+            for task in _made(bench, scenery, wish):
+                about = wish.about if task.target is None else (task.target.id,)
+                yield replace(wish, about=about), task.content
+
+
+def _made(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """At most so many; none where the problem offers none."""
+    with suppress(RbpsymError):
+        yield from islice(TASKS[wish.kind](bench, scenery, wish), TRIES)

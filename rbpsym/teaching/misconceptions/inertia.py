@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
+from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING
@@ -87,6 +88,8 @@ def _another_shape(study: Study) -> Iterator[Site]:
         if shape.kind not in ROUND or "radius" not in shape.sizes:
             continue
         radius = scalar(shape.sizes["radius"])
+        if names_in(state.mass) & names_in(radius):
+            continue  # its moment of inertia is what is given: M R² stands for it
         for kind, share in ROUND.items():
             if kind != shape.kind:
                 wrong = partial(with_inertia, study, name, moment=state.mass * radius * radius * share)

@@ -18,6 +18,7 @@ from rbpsym.notation.latex import PREAMBLE, render
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.height import fits_a_page, height
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 36.0
@@ -54,7 +55,9 @@ def _sections(document: Document, page: Page) -> list[str]:
             continue
         before = replace(part, blocks=part.blocks[:first])
         found.append(section(before, page) if before.blocks or before.title else "")
-        found.append(f"\\begin{{tasks}}\n{blocks(part.blocks[first:], page)}\n\\end{{tasks}}")
+        own = part.blocks[first:]
+        room = f"\\needspace{{{height(own):.1f}cm}}\n" if fits_a_page(own) else ""
+        found.append(f"{room}\\begin{{tasks}}\n{blocks(own, page)}\n\\end{{tasks}}")
     return [text for text in found if text]
 
 

@@ -16,6 +16,7 @@ from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.height import fits_a_page
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 38.0
@@ -41,8 +42,12 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
 
 
 def section(part: Section, page: Page) -> str:
-    """A section; one without a title is its blocks."""
-    return titled_section(part, page) if part.title else blocks(part.blocks, page)
+    """A section; one without a title is its blocks, kept on one page if they fit one."""
+    if part.title:
+        return titled_section(part, page)
+    text = blocks(part.blocks, page)
+    is_kept = bool(part.blocks) and isinstance(part.blocks[0], Lead) and fits_a_page(part.blocks)
+    return f"#block(breakable: false, width: 100%, above: 1.5em)[\n{text}\n]" if is_kept else text
 
 
 def lead(block: Lead, page: Page) -> str:

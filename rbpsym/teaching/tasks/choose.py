@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, formula_of, is_number, word
+from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, asks_for, formula_of, is_number, word
 from rbpsym.teaching.distractors import Distractor, apart
 from rbpsym.teaching.model import ChoiceKey, Item, Measure, Option
 from rbpsym.teaching.situations import Scenery, names_in
@@ -48,7 +48,9 @@ def _prepared(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Ite
         kept = chosen(setting, target, wish, found)
         return None if kept is None else _item(bench, setting, target, wish, right, kept)
 
-    yield Prepared("choose", target, values, make, target.kind == "frequency", wish.answers == "number")
+    yield Prepared(
+        "choose", target, values, make, target.kind == "frequency", wish.answers == "number", asks_for(bench, target)
+    )
 
 
 def _has_number(distractor: Distractor, bench: Bench, scenery: Scenery) -> bool:
@@ -91,7 +93,7 @@ def in_print(value: float, target: Target, reads: bool) -> Measure | None:
 
 def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
     numbers = wish.answers == "number"
-    options = tuple(_option(bench, target, right, d, m, numbers) for _, d, m in kept)
+    options = tuple(_option(bench, setting, target, right, d, m, numbers) for _, d, m in kept)
     key = ChoiceKey(options, next(at for at, (place, _, _) in enumerate(kept) if place == 0))
     left = target.reading.left if numbers and target.reading else target.left
     place = where_text(setting) if numbers and setting.scenery.coordinate in number_names(bench, target) else ()
@@ -109,10 +111,12 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, right: t.N
     )
 
 
-def _option(bench: Bench, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool) -> Option:
+def _option(
+    bench: Bench, setting: Setting, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool
+) -> Option:
     slip = None if d is None else d.slip
     formula = right if d is None else d.formula
     if not numbers:
         return Option((Math(formula),), slip, formula)
     measure = Measure(m.value, asked_unit(bench, target), m.digits)
-    return Option((Math(word(measure, bench.notation)),), slip, None, measure)
+    return Option((Math(word(measure, setting.said.notation)),), slip, None, measure)

@@ -6,11 +6,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rbpsym.derivation.step import Step
-from rbpsym.document.model import Display, Math, Paragraph
+from rbpsym.document.model import Display, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
+from rbpsym.teaching.lines import WEIGHTS
 from rbpsym.teaching.model import Asked, Criterion, ExplanationKey, Item
+from rbpsym.teaching.rubrics import gist, shares
 from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import spoken
 
@@ -30,7 +33,10 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             f"steps that can be asked: {ids}." if ids else "choose another kind of task.",
         )
     for step in sorted(named, key=lambda s: -_interest(s)):
-        yield Prepared("explain", None, (), lambda setting, step=step: _item(bench, setting, wish, step))
+        content = Content(claims((step.statement,)))
+        yield Prepared(
+            "explain", None, (), lambda setting, step=step: _item(bench, setting, wish, step), content=content
+        )
 
 
 def _interest(step: Step) -> int:
@@ -71,8 +77,13 @@ def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) ->
 
 
 def _rubric(setting: Setting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
-    """One share for each thing that it stands on, one for putting them together."""
-    share = points / (1 + len(premises))
-    for premise in premises:
-        yield Criterion(share, (*spoken(setting.said, "rubric.uses"), Math(premise.statement)), premise.statement)
-    yield Criterion(share, spoken(setting.said, "rubric.concludes"))
+    """A line for each thing that it stands on and one for putting them together, by how much each step matters."""
+    earned = shares(points, [*(_weight(premise) for premise in premises), _weight(step)])
+    for share, premise in zip(earned, premises, strict=False):
+        uses = spoken(setting.said, "rubric.uses", statements=gist(premise.statement))
+        yield Criterion(share, uses, premise.statement)
+    yield Criterion(earned[-1], spoken(setting.said, "rubric.concludes"))
+
+
+def _weight(step: Step) -> int:
+    return max(1, WEIGHTS.get(step.rule, 0))

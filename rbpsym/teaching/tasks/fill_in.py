@@ -13,6 +13,7 @@ from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
 from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, is_negated, lines_to, put
 from rbpsym.teaching.model import Anticipated, Blank, BlanksKey, Item, blank
 from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -73,7 +74,9 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
             space=Fraction(0),
         )
 
-    return Prepared("fill-in", target, (), make)
+    asked = [step for step in steps if step.id in chosen]
+    content = Content(claims(s.statement for s in steps if s not in asked), claims(s.statement for s in asked))
+    return Prepared("fill-in", target, (), make, content=content)
 
 
 def chosen_steps(chosen: Mapping[str, list[Gap]], steps: tuple[Step, ...]) -> list[tuple[Step, list[Gap]]]:

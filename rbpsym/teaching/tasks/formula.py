@@ -7,10 +7,10 @@ from fractions import Fraction
 
 from rbpsym.document.model import Paragraph
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import Bench, Prepared, Setting, formula_of
+from rbpsym.teaching.bench import Bench, Prepared, Setting, asks_for, formula_of
 from rbpsym.teaching.model import Anticipated, FormulaKey, Item
 from rbpsym.teaching.situations import Scenery, names_in
-from rbpsym.teaching.solving import worked
+from rbpsym.teaching.solving import hint, worked
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -37,7 +37,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
         return Item(
             setting.id,
             "formula",
-            (Paragraph(prompt),),
+            (Paragraph((*prompt, *hint(bench, setting, target, wish.level))),),
             FormulaKey(right, target.left, names, anticipated),
             bench.asked(target),
             wish.points if wish.points is not None else Fraction(3),
@@ -46,7 +46,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
             space=Fraction(4),
         )
 
-    return Prepared("formula", target, (), make)
+    return Prepared("formula", target, (), make, content=asks_for(bench, target))
 
 
 def in_order(bench: Bench, names: set[str]) -> tuple[str, ...]:

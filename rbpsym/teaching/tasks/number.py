@@ -9,11 +9,12 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.model import Paragraph
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, is_number, numbers_at
+from rbpsym.teaching.bench import Bench, Prepared, Setting, asked_unit, asks_for, is_number, numbers_at
 from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, FollowOn, Item, Measure, NumberKey
 from rbpsym.teaching.situations import Scenery, names_in
-from rbpsym.teaching.solving import measure_of, number_formula, number_names, where_text, worked
+from rbpsym.teaching.solving import hint, measure_of, number_formula, number_names, where_text, worked
+from rbpsym.teaching.spoilers import Content
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -36,7 +37,15 @@ def _prepared(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Pre
 
     values = (right, *(d.along for d in found))
     is_placed = scenery.coordinate in names_in(right)
-    return Prepared("number", target, values, make, target.kind == "frequency", is_placed)
+    return Prepared(
+        "number",
+        target,
+        values,
+        make,
+        target.kind == "frequency",
+        is_placed,
+        Content(numbers=asks_for(bench, target).asks),
+    )
 
 
 def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:
@@ -64,7 +73,7 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
     return Item(
         setting.id,
         "number",
-        (Paragraph(prompt),),
+        (Paragraph((*prompt, *hint(bench, setting, target, wish.level))),),
         key,
         bench.asked(target),
         wish.points if wish.points is not None else Fraction(3),

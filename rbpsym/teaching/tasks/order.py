@@ -11,7 +11,9 @@ from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.lines import lines_to, piece, precedence
 from rbpsym.teaching.model import Item, OrderKey
+from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -37,10 +39,11 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
 
     def make(setting: Setting) -> Item | None:
         key = _shuffled(bench, steps, setting.draws)
+        first = spoken(setting.said, "hint.order", letter=LETTERS[key.sample[0]]) if key and not wish.level else ()
         return key and Item(
             setting.id,
             "order",
-            (Paragraph(spoken(setting.said, "ask.order", left=target.left)),),
+            (Paragraph((*spoken(setting.said, "ask.order", left=target.left), *first)),),
             key,
             bench.asked(target),
             wish.points if wish.points is not None else Fraction(2),
@@ -49,7 +52,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
             space=Fraction(0),
         )
 
-    return Prepared("order", target, (), make)
+    return Prepared("order", target, (), make, content=Content(claims(s.statement for s in steps)))
 
 
 def _shuffled(bench: Bench, steps: tuple[Step, ...], draws: Draws) -> OrderKey | None:

@@ -102,8 +102,8 @@ def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], sig
     )
     coordinate = next(c for c in bench.study.problem.coordinates if c.name == setting.scenery.coordinate)
     start = t.equation(t.Sym(coordinate.name), coordinate.start)
-    end = given_as(*setting.situation.place, bench.notation)
-    prompt = spoken(setting.said, "ask.signs", start=start, end=end)
+    end = given_as(*setting.situation.place, setting.said.notation)
+    prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
     points = wish.points if wish.points is not None else Fraction(len(rows))
     return Item(
         setting.id,

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import lines_to, piece
+from rbpsym.teaching.misconceptions.change import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
+from rbpsym.teaching.rubrics import gist
 from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -21,7 +26,23 @@ from rbpsym.teaching.wording import spoken
 MOST, FEWEST = 7, 3
 ENOUGH = 3  # slips to draw from for one quantity
 TRIES = 6  # wrong studies that are told for it at most
-Told = tuple[Slip, tuple[Step, ...], int, t.Node]
+SHORT = frozenset({"mass_integral"})  # rules of which only the result is told
+SPLITS = frozenset({"angular_momentum", "kinetic_energy"})  # rules that tell the spin part apart
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A slip, the lines that it leads to, the right ones, and the place of the first that is wrong."""
+
+    slip: Slip
+    lines: tuple[Step, ...]
+    right: tuple[Step, ...]
+    first: int
+
+    @property
+    def corrected(self) -> t.Node:
+        """What the wrong line should say."""
+        return self.right[self.first].statement
 
 
 def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
@@ -56,15 +77,32 @@ def _told(bench: Bench, target: Target, wish: Wish) -> Iterator[Told]:
 
 
 def _with_slip(bench: Bench, target: Target, place: int) -> Told | None:
-    hidden = MISCONCEPTIONS[bench.pool.wrongs[place].misconception.name].tells or frozenset()
+    wrong = bench.pool.wrongs[place]
+    hidden = MISCONCEPTIONS[wrong.misconception.name].tells or frozenset()
     right = [s for s in lines_to(bench, target.step, MOST) if s.chapter not in hidden]
     lines = bench.pool.retold(place).steps(s.id for s in right) if len(right) >= FEWEST else None
     if lines is None:
         return None
+    short = SHORT | (SPLITS if _has_negative_moment(wrong.study) else frozenset())
+    lines, right = (tuple(brief(step, short) for step in row) for row in (lines, right))
     first = next((k for k, (a, b) in enumerate(zip(lines, right, strict=True)) if a.statement != b.statement), None)
     if first is None or lines[-1].statement == right[-1].statement or not _reads_well(lines[first], right[first]):
         return None
-    return bench.pool.slip(place), lines, first, right[first].statement
+    return Told(bench.pool.slip(place), lines, right, first)
+
+
+def _has_negative_moment(study: Study) -> bool:
+    """Whether a shift of the axis was taken off a moment, so that its spin part alone is nothing a student writes."""
+    return any(sign_of(study, state.moment) < 0 for state in study.system.bodies.values() if state.moment)
+
+
+def brief(step: Step, rules: frozenset[str]) -> Step:
+    """A step of some rules without what stands between its first and its last side.
+
+    Who takes the formula of another shape does not carry out the integral.
+    """
+    rows = gist(step.statement)
+    return replace(step, statement=rows[0]) if step.rule in rules and len(rows) == 1 else step
 
 
 def _reads_well(wrong: Step, right: Step) -> bool:
@@ -80,21 +118,38 @@ def _rows(step: Step) -> tuple[t.Node, ...]:
 
 def _prepared(bench: Bench, wish: Wish, target: Target, found: tuple[Told, ...]) -> Prepared:
     def make(setting: Setting) -> Item:
-        slip, lines, first, corrected = setting.draws.one_of(found)
+        told = setting.draws.one_of(found)
+        slip = told.slip
         comment = feedback(setting, slip)
         return Item(
             setting.id,
             "find-the-slip",
-            (Paragraph(spoken(setting.said, "ask.find-the-slip", left=target.left)),),
-            SlipKey(tuple(map(piece, lines)), first, corrected, slip),
+            (Paragraph((*spoken(setting.said, "ask.find-the-slip", left=target.left), *_hint(setting, wish, slip))),),
+            SlipKey(tuple(map(piece, told.lines)), told.first, told.corrected, slip),
             bench.asked(target),
             wish.points if wish.points is not None else Fraction(3),
-            solution=(Paragraph(comment), Display(corrected, numbered=False)),
+            solution=(Paragraph(comment), Display(told.corrected, numbered=False)),
             level=wish.level,
             space=Fraction(2),
         )
 
-    return Prepared("find-the-slip", target, (), make)
+    return Prepared("find-the-slip", target, (), make, content=_content(found))
+
+
+def _hint(setting: Setting, wish: Wish, slip: Slip) -> Inlines:
+    """With much help: which slip to look for."""
+    if wish.level:
+        return ()
+    title = spoken(setting.said, f"misconception.{slip.name}.title")
+    return spoken(setting.said, "hint.slip", title=title)
+
+
+def _content(found: tuple[Told, ...]) -> Content:
+    """Right lines are printed, the right one for the wrong one is asked for; later lines show what was left as it is."""
+    lines = claims(step.statement for told in found for step in told.lines)
+    right = claims(step.statement for told in found for step in told.right)
+    asked = claims(told.corrected for told in found)
+    return Content((lines & right) - asked, asked)
 
 
 def feedback(setting: Setting, slip: Slip) -> Inlines:
