@@ -121,15 +121,22 @@ def plane_motion() -> Lesson:
 def _rigidity(w: Writer) -> None:
     arm, omega = t.Vec("r"), t.Vec("omega")
     turn = t.Cross(omega, arm)
-    w.add("rigid", t.equation(t.Deriv(t.Group(_square(arm))), t.mul(t.TWO, t.Dot(arm, t.Deriv(arm))), t.ZERO))
-    w.add("turning", t.equation(t.Deriv(arm), turn), premises=["rigid"], is_result=True)
     p, q, op, oq = t.Vec("r_p"), t.Vec("r_q"), t.Vec("omega_p"), t.Vec("omega_q")
+    together = replace(w.context, rates={**RATES, **turning("p_x", "p_y"), **turning("q_x", "q_y")})
+    distance = t.Abs(t.Add((p, t.Neg(q))))
+    w.add("distance", t.equation(distance, t.Sym("C_p_q")), "theory_rates", context=together)
+    w.add(
+        "rigid",
+        t.equation(t.Deriv(t.Group(_square(arm))), t.mul(t.TWO, t.Dot(arm, t.Deriv(arm))), t.ZERO),
+        premises=["distance"],
+    )
+    w.add("turning", t.equation(t.Deriv(arm), turn), premises=["rigid"], is_result=True)
     apart = t.Group(t.Add((p, t.Neg(q))))
     both = t.Group(t.Add((t.Cross(op, p), t.Neg(t.Cross(oq, q)))))
     w.add(
         "one_omega",
         t.equation(t.Dot(apart, both), t.Dot(t.Group(t.Add((oq, t.Neg(op)))), t.Cross(p, q))),
-        premises=["turning"],
+        premises=["distance", "turning"],
     )
     w.add(
         "velocity",
