@@ -36,6 +36,8 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "workless": (c.rates,),
     "power": (c.power_of_works,),
     "work_energy": (c.rates_on_motion,),
+    "work_together": (c.rates_on_motion,),
+    "work_opposite": (c.rates,),
     "work_sum": (c.combination, c.rates_on_motion),
     "work_done": (c.rates_on_motion,),
     "conservation": (c.identity, c.constant),

@@ -144,6 +144,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
         yield from _halves(halves, teller, said)
+    yield from teller.steps(step for step in steps if step.phrase.startswith("work.together."))
     yield from teller.steps((*whole, *kinds["work_sum"], *kinds["solution"]))
     if kinds["work_done"]:
         yield from _done(kinds["work_done"], derivation, said)

@@ -109,7 +109,7 @@ BRIEF: Mapping[str, frozenset[str]] = {
     "forces": frozenset({"torque"}),
     "motion": frozenset({"torque", "balance", "combination", "solution"}),
     "reactions": frozenset({"balance"}),
-    "work": frozenset({"work", "workless", "work_energy", "work_sum"}),
+    "work": frozenset({"work", "workless", "work_energy", "work_sum", "work_together", "work_opposite"}),
     "energy": frozenset({"kinetic_energy", "potential", "conservation", "first_integral"}),
     "oscillations": frozenset({"linearization"}),
 }

@@ -101,7 +101,7 @@ def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
 def _manner(element: Element, name: str) -> str:
     """Why the works of a force cancel."""
     if element.kind == "string":
-        return "tension"
+        return "link" if element.values.get("rigid") else "tension"
     if element.values.get("friction") == name:
         return "grip"
     return {"pivot": "joint", "pin": "joint", "weld": "joint"}.get(element.kind, "contact")

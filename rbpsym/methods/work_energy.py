@@ -12,12 +12,12 @@ from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters.forces import force_node, tag
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import FULL, BodyRef, StepRef
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods import axis_work, net_work, work_by_bodies
+from rbpsym.methods import axis_work, net_work, work_by_bodies, works_together
 from rbpsym.methods.net_work import HALVES
 from rbpsym.methods.paths import over_coordinates
 from rbpsym.methods.solving import isolated, solved_for
@@ -41,7 +41,10 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     for item in works:
         _integrals(draft, item)
     net_work.write(draft, works)
-    _theorem(draft, works)
+    together = works_together.found(draft)
+    _theorem(draft, works, STANDARD if together is None else FULL)
+    if together is not None:
+        works_together.write(draft, together)
     axis_work.write(draft)
     work_by_bodies.write(draft)
     for item in works:
@@ -103,7 +106,7 @@ def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
     return t.equation(letter, path, over_coordinates(draft, work.parts))
 
 
-def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
+def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
     """The halves for each body, and the whole."""
     for name, state in _bodies_with_known_motion(draft):
         own = [item for item in works if item.on == name]
@@ -122,8 +125,9 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...]) -> None:
                 body=BodyRef(name),
                 premises=[f"work.{i.force}.{i.on}" for i in own],
                 count=len(terms),
+                level=level,
             )
-    _whole(draft, works)
+    _whole(draft, works, level)
 
 
 def _bodies_with_known_motion(draft: Draft) -> list:
@@ -142,7 +146,7 @@ def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:
     )
 
 
-def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
+def _whole(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
     """What is left when the works that cancel are dropped equals the change of the kinetic energy."""
     left = [i for i in works if not draft.study.dynamics.workless.get(i.force, False)]
     terms = [t.Sym(name_of(draft, i, half)) for i in left for half, word in HALVES if getattr(i, word).parts]
@@ -154,6 +158,7 @@ def _whole(draft: Draft, works: tuple[ForceWork, ...]) -> None:
         statement,
         "work.theorem.whole",
         variant="cancelled" if len(left) < len(works) else "all",
+        level=level,
         premises=[s.id for s in draft.steps if s.id.startswith(("theorem.", "workless."))],
     )
 
