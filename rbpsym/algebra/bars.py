@@ -14,6 +14,8 @@ def fraction(
     """Factors and sums over factors and sums; functions and sums that move stand behind the bar."""
     inside = [node for node, moving in sums if not moving]
     outside = [node for node, moving in sums if moving]
+    above, tall = without_tall_roots(above)
+    functions = [*tall, *functions]
     if not inside and outside and all(isinstance(node, t.Num) for node in above) and all(map(is_short, outside)):
         inside, outside = outside, []
     if not above and not inside and not outside:
@@ -83,6 +85,14 @@ def sums_before_functions(factors: list[t.Node]) -> list[t.Node]:
     if not any(isinstance(powered(node)[0], t.Add) for node in factors):
         return factors
     return [*(node for node in factors if node not in functions), *functions]
+
+
+def without_tall_roots(factors: list[t.Node]) -> tuple[list[t.Node], list[t.Node]]:
+    """The factors that may stand above a bar, and roots, which stand behind it if one is of a fraction."""
+    roots = [node for node in factors if isinstance(node, t.Sqrt)]
+    if not any(isinstance(node.arg, t.Div) for node in roots):
+        return factors, []
+    return [node for node in factors if node not in roots], roots
 
 
 def roots_last(factors: list[t.Node]) -> list[t.Node]:

@@ -50,17 +50,19 @@ def _has_several_bars(coefficient: Coefficient, common: Monomial, rest: Poly, st
     """Whether a parameter divides some term within the brackets, and there are other fraction lines beside it."""
     power = perfect_power(rest)
     terms = (power[1] if power else rest).terms
-    divided = [bool(_divided_by(m, style)) for m in terms]
-    lines = sum(d or c.denominator != 1 for d, c in zip(divided, terms.values(), strict=True))
+    divided = [_divided_by(m, style) for m in terms]
+    lines = sum(bool(names) or c.denominator != 1 for names, c in zip(divided, terms.values(), strict=True))
     over = bool(_divided_by(common, style))
     if not any(divided):
         return over and lines > 0
-    return style.whole or over or lines > 1 or (coefficient.denominator != 1 and not is_quadratic(common))
+    if style.whole or over or (coefficient.denominator != 1 and not is_quadratic(common)):
+        return True
+    return lines > 1 and any(set(names) != {"pi"} for names in divided if names)
 
 
-def _divided_by(m: Monomial, style: Style) -> list[int]:
-    """The parameters below the bar of a term (π is a number)."""
-    return [i for i, e in m if e < 0 and not moves(i, style) and atoms.symbol_name(i) != "pi"]
+def _divided_by(m: Monomial, style: Style) -> list[str]:
+    """The parameters below the bar of a term."""
+    return [atoms.symbol_name(i) or "" for i, e in m if e < 0 and not moves(i, style)]
 
 
 def _over_one_bar(

@@ -62,6 +62,9 @@ def present_ratio(
         num, den = num.scaled(1, below), den.scaled(1, below)
     a, low, den = _whole_difference(*taken_out(den, style, fenced=True))
     b, high, num = taken_out(num, style, fenced=True)
+    if is_inertia(den, style) and not style.whole and (Fraction(b) / a).denominator != 1 and not low:
+        more, low, den = taken_out(den, replace(style, whole=True), fenced=True)  # no number before moments
+        a = a * more
     same = ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
     if same is not None:
         b, num, den = b * same, ONE, ONE

@@ -39,7 +39,7 @@ def tidied(value: Scalar, is_positive: Callable[[str], bool], surely: Callable[[
 
 
 def _tidied_root(radicand: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:
-    radicand = without_even_roots(radicand)
+    radicand = tidied(without_even_roots(radicand), is_positive, surely)
     below = perfect_power(radicand.den)
     if below is not None and below[2] == 2:
         side = next((side for side in (below[1], -below[1]) if surely(side)), None)

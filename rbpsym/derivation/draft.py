@@ -156,9 +156,7 @@ class Draft:
 
     def of_body(self, letter: str, body: str) -> str:
         """Name of a body's quantity: R_rod; for the only body R_cm."""
-        return self.free(
-            f"{letter}_cm" if self.is_single and letter in ("R", "V", "A", "I", "P") else f"{letter}_{body}"
-        )
+        return self.free(f"{letter}_cm" if self.is_single and letter in OF_CENTER else f"{letter}_{body}")
 
     def free(self, name: str, mark: str = "b") -> str:
         """A name that no quantity of the problem has: with a mark where it is taken."""
@@ -168,6 +166,7 @@ class Draft:
 
 
 MUCH_SHORTER = 0.75
+OF_CENTER = ("R", "V", "A", "I", "P", "x", "y")  # quantities of the only body that are those of its centre of mass
 
 
 def length(node: t.Node) -> int:

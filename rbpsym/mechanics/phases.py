@@ -15,6 +15,7 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.style import Style
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.clock import shifted
@@ -72,11 +73,11 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     before = ENDINGS[phase.event](study, phase)
     clock = None if None in (stage.clock, before.time) else stage.clock + before.time
     problem = shifted(phase, clock)
-    placed = Study(_started(problem, before.places, {}))
+    placed = Study(_started(problem, study.style, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
     speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
-    after = _started(problem, before.places, speeds)
+    after = _started(problem, study.style, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
     return Stage(phase.name, Study(after), HandOver(before, speeds, impulses, short(without_even_roots(lost))), clock)
 
@@ -95,12 +96,11 @@ def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
             check_collision(study, element, before)
 
 
-def _started(problem: Problem, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Problem:
+def _started(problem: Problem, style: Style, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Problem:
     """The problem with these starts."""
-    coordinates = tuple(
-        replace(c, start=present(places[c.name]), speed=present(speeds[c.name]) if c.name in speeds else None)
-        for c in problem.coordinates
-    )
+    starts = {name: present(value, style, factor=True) for name, value in places.items()}
+    rates = {name: present(value, style, factor=True) for name, value in speeds.items()}
+    coordinates = tuple(replace(c, start=starts[c.name], speed=rates.get(c.name)) for c in problem.coordinates)
     return replace(problem, coordinates=coordinates)
 
 

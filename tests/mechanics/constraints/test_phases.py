@@ -197,7 +197,7 @@ def test_phases_in_the_answer():
     """`rbpsym solve --json` tells how each phase begins."""
     [phase] = results(Study(slipping()))["phases"]
     assert phase["name"] == "rolling"
-    assert phase["time"] == "2*v_0/(7*g*mu)"
+    assert phase["time"] == "2*v_0/(7*mu*g)"
 
 
 def thrown(at, event="reaches", of="y"):
