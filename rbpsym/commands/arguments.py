@@ -12,15 +12,18 @@ DETAILS = ("brief", "standard", "full")
 
 
 class ShelfName(click.ParamType):
-    """The name of something that ships, or the path of a file."""
+    """The name of something that ships, or the path of a file; `kinds` are completed."""
 
     name = "name"
+
+    def __init__(self, *kinds: str) -> None:
+        self.kinds = kinds or ("course", "problem")
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         """The names that begin so; files if there are none."""
         from rbpsym.commands.shelf import shelf
 
-        near = [entry for entry in shelf() if entry.name.startswith(incomplete)]
+        near = [e for e in shelf() if e.kind in self.kinds and e.name.startswith(incomplete)]
         return [CompletionItem(entry.name, help=entry.title()) for entry in near] or [
             CompletionItem(incomplete, type="file")
         ]

@@ -18,7 +18,7 @@ LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the titles.")
 def command(words: tuple[str, ...], as_json: bool, lang: str) -> None:
-    """List the problems and courses that ship with rbpsym: all, or those that have every WORD.
+    """List the problems, courses and worksheets that ship with rbpsym: all, or those that have every WORD.
 
     \b
     Examples:
@@ -48,12 +48,13 @@ def plain(text: str) -> str:
 
 
 def lines(entries: Iterable[Entry], language: str) -> Iterator[str]:
-    """The list for people: courses, then problems by topic."""
+    """The list for people: courses and worksheets, then problems by topic."""
     entries = list(entries)
     width = max((len(entry.name) for entry in entries), default=0)
     for kind, group in groupby(entries, key=lambda entry: entry.kind):
         yield from section(f"{kind}s".capitalize(), list(group), width, language)
-    yield "rbpsym derive NAME shows a derivation; rbpsym notes NAME writes lecture notes."
+    yield "rbpsym derive NAME shows a derivation; rbpsym notes NAME writes lecture notes; rbpsym worksheet NAME makes a"
+    yield "worksheet, of any problem too."
 
 
 def section(title: str, entries: list[Entry], width: int, language: str) -> Iterator[str]:
@@ -79,7 +80,7 @@ def as_machine_text(entries: Iterable[Entry], language: str) -> str:
     """The list for programs."""
     import json
 
-    found: dict[str, list[dict[str, str]]] = {"courses": [], "problems": []}
+    found: dict[str, list[dict[str, str]]] = {"courses": [], "worksheets": [], "problems": []}
     for entry in entries:
         found[f"{entry.kind}s"].append(record(entry, language))
     return json.dumps(found, indent=2, ensure_ascii=False)

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rbpsym.errors import ReadError
-from rbpsym.statement.library import course_files, problem_files
-from rbpsym.statement.source import did_you_mean
+from rbpsym.statement.library import course_files, not_found, problem_files, worksheet_files
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A problem or a course: how it is called and where its file is."""
+    """A problem, a course or a worksheet: how it is called and where its file is."""
 
     kind: str
     name: str
@@ -43,8 +42,8 @@ def in_language(texts: Mapping[str, str], language: str) -> str:
 
 
 def shelf() -> Iterator[Entry]:
-    """All that ships: courses first, then problems, each by name."""
-    for kind, files in (("course", course_files()), ("problem", problem_files())):
+    """All that ships: courses first, then worksheets and problems, each by name."""
+    for kind, files in (("course", course_files()), ("worksheet", worksheet_files()), ("problem", problem_files())):
         for name, path in files.items():
             yield entry(kind, name, path)
 
@@ -70,7 +69,7 @@ def names() -> list[str]:
 
 def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> tuple[str, Path]:
     """The kind and the file of a name on the shelf, or of a path to a file of one's own."""
-    shelves = {"course": course_files(), "problem": problem_files()}
+    shelves = {"course": course_files(), "problem": problem_files(), "worksheet": worksheet_files()}
     for kind in kinds:
         if name_or_file in shelves[kind]:
             return kind, shelves[kind][name_or_file]
@@ -95,7 +94,14 @@ def missing(name: str, shelves: Mapping[str, Mapping[str, Path]], kinds: tuple[s
     known = [other for kind in kinds for other in shelves[kind]]
     other = next((kind for kind in shelves if kind not in kinds and name in shelves[kind]), None)
     if other:
-        what, hint = f"“{name}” is a {other}, not a {kinds[0]}", f"rbpsym notes {name} writes its notes."
-    else:
-        what, hint = f"there is no {' or '.join(kinds)} and no file “{name}”", did_you_mean(name, known, "on the shelf")
-    return ReadError(what, instead=hint)
+        what, hint = f"“{name}” is a {other}, not a {kinds[0]}", OTHERS[other].format(name=name)
+        return ReadError(what, instead=hint)
+    return not_found(name, known, " or ".join(kinds))
+
+
+# what to do with the name of another kind
+OTHERS: Mapping[str, str] = {
+    "course": "rbpsym notes {name} writes its notes.",
+    "worksheet": "rbpsym worksheet {name} prints it.",
+    "problem": "rbpsym derive {name} derives it.",
+}

@@ -17,7 +17,7 @@ MOST = 100_000
 
 
 @click.command("worksheet")
-@click.argument("name", metavar="[WORKSHEET|PROBLEM|FILE]", type=ShelfName(), required=False)
+@click.argument("name", metavar="[WORKSHEET|PROBLEM|FILE]", type=ShelfName("worksheet", "problem"), required=False)
 @click.option("-o", "--output", metavar="DIR", type=FOLDER, default=".", show_default=True, help="Folder of the files.")
 @click.option("--students", metavar="CSV", type=FILE, help="The class: a column id and, if you like, name.")
 @click.option("--variants", metavar="N", type=click.IntRange(1, MOST), help="N different forms, for nobody by name.")
@@ -80,7 +80,18 @@ def _check_choice(name: str | None, students: Path | None, variants: int | None,
     if sum(option is not None for option in (students, variants, code)) > 1:
         raise click.UsageError("give one of --students, --variants and --from-code.")
     if name is None and code is None:
-        raise click.UsageError("say which worksheet or problem: its name or its file (see “rbpsym list”).")
+        raise click.UsageError(_what_there_is())
+
+
+def _what_there_is() -> str:
+    """What a worksheet can be made of."""
+    from rbpsym.commands.shelf import shelf
+
+    ready = "\n".join(f"  {entry.name:<34}{entry.title()}" for entry in shelf() if entry.kind == "worksheet")
+    return (
+        f"say which worksheet or problem: its name or its file. Ready worksheets:\n{ready}\n"
+        "Of every problem a worksheet is made too; rbpsym list shows them all."
+    )
 
 
 def _people(students: Path | None, variants: int | None) -> tuple:

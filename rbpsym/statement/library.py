@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from difflib import get_close_matches
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError
-from rbpsym.statement.source import did_you_mean
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _OTHER_KINDS = {"claims", "courses", "worksheets"}
@@ -32,6 +33,20 @@ def course_files() -> dict[str, Path]:
     return {path.stem: path for path in sorted((library_folder() / "courses").glob("*.toml"))}
 
 
+def worksheet_files() -> dict[str, Path]:
+    """The worksheets of the library by name."""
+    return {path.stem: path for path in sorted((library_folder() / "worksheets").glob("*.toml"))}
+
+
+def not_found(name: str, known: Iterable[str], what: str) -> ReadError:
+    """The error for a name that nothing has; `what` tells what was looked for ("problem")."""
+    near = get_close_matches(name, list(known), n=1, cutoff=0.6)
+    if Path(name).is_dir():
+        return ReadError(f"“{name}” is a folder", instead="give a file in it.", place=Place(name))
+    hint = f"did you mean “{near[0]}”?" if near else "“rbpsym list” shows what ships; else give the path of a file."
+    return ReadError(f"there is no {what} and no file “{name}”", instead=hint, place=Place(name))
+
+
 def find_problem(name_or_file: str) -> Path:
     """The file of a problem, by its name in the library or by its path."""
     files = problem_files()
@@ -40,5 +55,4 @@ def find_problem(name_or_file: str) -> Path:
     path = Path(name_or_file)
     if path.is_file():
         return path
-    hint = did_you_mean(name_or_file, files, "problems in the library")
-    raise ReadError(f"there is no problem and no file “{name_or_file}”", instead=hint, place=Place(name_or_file))
+    raise not_found(name_or_file, files, "problem")

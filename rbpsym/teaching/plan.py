@@ -17,9 +17,9 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.language import common_notation
 from rbpsym.document.model import Block, Paragraph, words
 from rbpsym.document.words import Words
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.notation.glyphs import Notation
-from rbpsym.statement.library import find_problem, problem_files
+from rbpsym.statement.library import course_files, find_problem, not_found, problem_files, worksheet_files
 from rbpsym.statement.loader import load_problem, load_table
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import codes
@@ -29,7 +29,7 @@ from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
 from rbpsym.teaching.papers.statement import given_table, statement_blocks
 from rbpsym.teaching.ranges import Range
-from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of, worksheet_files
+from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of
 from rbpsym.teaching.situations import Scenery, Situation, scenery
 from rbpsym.teaching.standard_sheet import bare_sheet, standard_sheet
 from rbpsym.teaching.targets import targets
@@ -201,19 +201,14 @@ def _sheet(source: str | Path | Problem) -> Sheet:
 
 
 def _found(name: str) -> Path:
-    """A problem of the library; the hint of the error names worksheets too."""
-    from rbpsym.errors import Place, ReadError
-    from rbpsym.statement.source import did_you_mean
-
+    """A problem of the library or a file; the error names worksheets too."""
     try:
         return find_problem(name)
     except ReadError:
-        known = [*worksheet_files(), *problem_files()]
-        raise ReadError(
-            f"there is no worksheet, no problem and no file “{name}”",
-            instead=did_you_mean(name, known, "worksheets and problems that ship"),
-            place=Place(name),
-        ) from None
+        if name in course_files():
+            what = f"“{name}” is a course; a worksheet is made of a worksheet file or of one problem"
+            raise ReadError(what, instead="give one of its problems, or a file that lists several.") from None
+        raise not_found(name, [*worksheet_files(), *problem_files()], "worksheet, no problem") from None
 
 
 def bench_of(problem: Problem, numbers: Mapping[str, Range] | None = None) -> Bench:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError
-from rbpsym.statement.library import find_problem, library_folder
+from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_table, table_of
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
@@ -48,11 +48,6 @@ class Sheet:
     language: str = "en"
     introduction: Mapping[str, str] = field(default_factory=dict)
     text: str = ""
-
-
-def worksheet_files() -> dict[str, Path]:
-    """The worksheets that ship, by name."""
-    return {path.stem: path for path in sorted((library_folder() / "worksheets").glob("*.toml"))}
 
 
 def is_sheet(table: Table) -> bool:

@@ -160,7 +160,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
     (("derive", "sliding-ladder", "--method", "kane"), "kane"),
     (("derive", "sliding-ladder", "--detail", "high"), "high"),
     (("solve",), "NAME|FILE"),
-    (("solve", "."), "there is no problem"),
+    (("solve", "."), "is a folder"),
     (("new", "a b"), "can't be a name"),
     (("new", "../up"), "can't be a name"),
     (("new", "mine", "--template", "no-such"), "there is no problem"),

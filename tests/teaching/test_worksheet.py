@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
-from rbpsym.statement.library import library_folder
+from rbpsym.statement.library import library_folder, worksheet_files
 from rbpsym.teaching import codes
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.formats import Options, exporter
@@ -27,7 +27,7 @@ from rbpsym.teaching.papers.naming import file_stem, own, safe
 from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
 from rbpsym.teaching.plan import Plan, plan_of
 from rbpsym.teaching.roster import roster_of
-from rbpsym.teaching.sheet import sheet_of_text, worksheet_files
+from rbpsym.teaching.sheet import sheet_of_text
 
 ANA = Student("ana", "Ana López")
 ROOT = Path(__file__).resolve().parents[2]

@@ -20,6 +20,7 @@ from rbpsym.teaching.wording import spoken
 # rule -> how interesting a “why” it is; others are not asked
 QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1}
 MOST_PREMISES = 3
+CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
 
 
 def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
@@ -78,7 +79,7 @@ def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) ->
 
 def _rubric(setting: Setting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
     """A line for each thing that it stands on and one for putting them together, by how much each step matters."""
-    earned = shares(points, [*(_weight(premise) for premise in premises), _weight(step)])
+    earned = shares(points, [*map(_weight, premises), max(CONCLUSION, _weight(step))])
     for share, premise in zip(earned, premises, strict=False):
         uses = spoken(setting.said, "rubric.uses", statements=gist(premise.statement))
         yield Criterion(share, uses, premise.statement)
