@@ -88,7 +88,7 @@ def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Itera
     """Positions, velocities and speeds of all bodies together, then how they turn."""
     teller = Teller(said)
     yield from _intro("kinematics", derivation, said)
-    kinds = ("dependent", "tied_speed", "position", "velocity", "speed", "turning")
+    kinds = ("dependent", "tied_speed", "position", "velocity", "speed", "orbit", "turning")
     found = [step for step in steps if step.phrase == "kinematics.turning.found"]
     others, *groups = by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
     yield from teller.steps((*others, *found))

@@ -71,7 +71,7 @@ def _by_power(state: BodyState) -> Mapping[int, Scalar]:
 
 def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
     moments, elements = mass_moments(draft.study.system, name), draft.study.problem.body(name).shape.elements
-    centred = is_zero(moments.x) and is_zero(moments.y)
+    centred = is_centred(draft, name)
     shifted = _shifted_rod(elements, state)
     if not centred:
         _center(draft, name, state, moments, elements)
@@ -197,6 +197,12 @@ def _about(name: str, state: BodyState, value: Scalar) -> dict:
     return {"body": name, "point": (state.inertia.x, state.inertia.y), "value": value}
 
 
+def is_centred(draft: Draft, name: str) -> bool:
+    """Whether the frame in which the mass is described has its origin at the centre of mass."""
+    moments = mass_moments(draft.study.system, name)
+    return is_zero(moments.x) and is_zero(moments.y)
+
+
 def turns_about(draft: Draft, name: str, state: BodyState) -> dict[str, Scalar]:
     """Origins about which the body turns rigidly → square of the distance of its centre of mass."""
     found = {}
@@ -254,7 +260,7 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
             continue
         about = state.moment + state.mass * square
         letter = draft.define(draft.free(f"I_{name}_{label}" if not draft.is_single else f"I_{label}"), about)
-        sum_ = t.add(moment, t.mul(draft.show(state.mass), _as_power(draft, square)))
+        sum_ = t.add(moment, t.mul(draft.show(state.mass), as_power(draft, square)))
         spelled = t.add(draft.show(state.moment), draft.show(state.mass * square))
         draft.add(
             f"moment.{name}.{label}",
@@ -268,7 +274,7 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
         )
 
 
-def _as_power(draft: Draft, square: Scalar) -> t.Node:
+def as_power(draft: Draft, square: Scalar) -> t.Node:
     """d² as the square of the distance, where that is a plain length."""
     distance = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
     rooted = any(atoms.atom(index).kind == "root" for index in distance.atoms())

@@ -6,8 +6,9 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import conditions
+from rbpsym.derivation.chapters.inertia import as_power, is_centred, turns_about
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
@@ -19,6 +20,7 @@ def write(draft: Draft) -> None:
     conditions.write(draft)
     for name, state in draft.study.system.bodies.items():
         _position(draft, name, state)
+        _circle(draft, name, state)
         _turning(draft, name, state)
         _velocity(draft, name, state)
 
@@ -34,6 +36,27 @@ def _position(draft: Draft, name: str, state: BodyState) -> None:
         "kinematics.position",
         premises=[s.id for s in draft.steps if s.rule == "constraint"],
         body=BodyRef(name),
+    )
+
+
+def _circle(draft: Draft, name: str, state: BodyState) -> None:
+    """The centre of mass of a single body that keeps its distance from the origin without turning about it."""
+    square = tidy(state.center.dot(state.center))
+    moving = [*draft.study.system.coordinates, "t"]
+    if not draft.is_single or not square or not state.velocity or any(depends_on(square, q) for q in moving):
+        return
+    if "O" in turns_about(draft, name, state) or not is_centred(draft, name):
+        return
+    x, y = (draft.define(draft.of_body(axis, name), tidy(getattr(state.center, axis))) for axis in ("x", "y"))
+    draft.add(
+        f"circle.{name}",
+        "identity",
+        t.equation(t.add(t.Pow(x, t.TWO), t.Pow(y, t.TWO)), as_power(draft, square)),
+        "kinematics.orbit",
+        premises=[f"position.{name}"],
+        body=BodyRef(name),
+        point=t.Sym("O"),
+        level=STANDARD if len(draft.study.problem.constraints) > 1 else FULL,  # of two conditions it is a surprise
     )
 
 
