@@ -12,6 +12,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.mechanics.pushing import check_pushes
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
@@ -39,6 +40,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
 
 def _derived(study: Study, simulation: bool) -> Derivation:
     """The derivation of one phase."""
+    check_pushes(study)
     draft = Draft(study)
     for write in BEFORE:
         write(draft)

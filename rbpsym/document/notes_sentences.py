@@ -116,6 +116,8 @@ def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
     told = [
         said.the(turn.body) if turn.sense and turn.body else point_in_words(turn.center, pose, said) for turn in turns
     ]
+    if element.values.get("rigid"):
+        return {"path": told, "key": "statement.link"}
     if len(turns) == 2 and not turns[-1].sense:
         return {"path": told, "key": "statement.string_straight"}
     over = "over_" if len(turns) > 2 else ""
@@ -141,6 +143,7 @@ SENTENCES: Mapping[str, Writer] = {
     "gear": _touching,
     "sticking": _touching,
     "string": _string,
+    "link": _string,
     "prescribed": _driven,
     "prescribed-angle": _turned,
     "gravity": lambda e, p, w: {"g": e["g"]},

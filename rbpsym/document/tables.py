@@ -12,7 +12,7 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import PointRef
 
-PARTIES = ("earth", "ground", "agent", "string", "spring", "damper")
+PARTIES = ("earth", "ground", "agent", "string", "link", "spring", "damper")
 
 
 def relations(step: Step) -> tuple[t.Chain, ...]:

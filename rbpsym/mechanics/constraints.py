@@ -193,6 +193,7 @@ JOINTS: Mapping[str, Joint] = {
     "gear": Joint(meshing_force, gaps=_curve_gaps, rates=lambda e, geometry: ((e.name, UNITY),)),
     "sticking": Joint(holding_forces, touches=_touches, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
     "string": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, is_one_sided=True),
+    "link": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along),  # a string that may push
     "prescribed": Joint(_driving_force, gaps=_driven_gaps),
     "prescribed-angle": Joint(_driving_couple, angles=_driven_angles),
 }

@@ -82,13 +82,19 @@ def _height(element: Element, geometry: Geometry, here: Vector) -> tuple[Scalar,
 
 
 def _side_of_line(element: Element, geometry: Geometry, across: Vector) -> int:
-    """Stated; else where the body is; else so that the force on a body pushes upwards."""
+    """Stated; else where the body is; of a particle, where what it touches is not; else upwards on a body."""
     side = element.values.get("side", "positive")
     if side != "auto":
         return 1 if side == "positive" else -1
     on, way = (toucher(element), 1) if toucher(element) else (curve_body(element), -1)
-    height, _ = _height(element, geometry, geometry.center(on))
-    return way * geometry.sign(height) or way * geometry.sign(across.y) or 1
+    bearer = curve_body(element)
+    away = -_side(element, geometry, bearer) if bearer and way == 1 else 0
+    return way * _side(element, geometry, on) or away or way * geometry.sign(across.y) or 1
+
+
+def _side(element: Element, geometry: Geometry, body: str) -> int:
+    """On which side of the line a body's centre of mass is."""
+    return geometry.sign(_height(element, geometry, geometry.center(body))[0])
 
 
 # --- circles

@@ -208,6 +208,11 @@ def _along_forces(system: System) -> list[Scalar]:
     return rows
 
 
+def reactions_by_acceleration(system: System) -> dict[str, Scalar]:
+    """Unknown forces in coordinates, speeds and accelerations: what Newton's equations of the bodies say alone."""
+    return _reactions(system, None)
+
+
 def _reactions(system: System, accelerations: Mapping[str, Scalar] | None) -> dict[str, Scalar]:
     """Solved with the accelerations as symbols, which are put in at the end."""
     unknowns = system.unknowns

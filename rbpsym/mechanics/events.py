@@ -43,7 +43,7 @@ def losses(system: System, along: Mapping[str, Scalar], squares: Mapping[str, Sc
 
 def pushes(element: Element) -> tuple[str, ...]:
     """The unknown forces of an element that can push (or pull) only: normal forces, tensions."""
-    if not JOINTS[element.kind].is_one_sided:
+    if not JOINTS[element.kind].is_one_sided or element.values.get("rigid"):
         return ()
     return tensions(element) if element.kind == "string" else (element.name,)
 

@@ -171,6 +171,16 @@ CONSTRAINTS: dict[str, Kind] = registry(
         aliases=("rope",),
     ),
     Kind(
+        "link",
+        "a light rigid rod between two points: it keeps their distance, and pulls or pushes",
+        (
+            Field("points", "path", "the two points that it joins"),
+            Field("length", "expression", "its length; absent: as at the start", LENGTH, default=""),
+        ),
+        aliases=("light-rod",),
+        read_as="string",
+    ),
+    Kind(
         "prescribed",
         "a point is driven along a direction: its place is a given function of time; an unknown force drives it",
         (

@@ -152,6 +152,16 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     return element
 
 
+def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A link is a straight string that may push as well."""
+    ends = element["points"]
+    if len(ends) != 2 or any(turn.sense for turn in ends):
+        raise _error(element, "must join two points", 'write points = ["O", "bob.center"].')
+    values = {"path": ends, "length": element["length"], "rigid": True}
+    string_path(replace(element, values=values), scope, bodies)
+    return replace(element, kind="string", values=values)
+
+
 def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The driven point belongs to a body."""
     if element["point"].body is None:
@@ -178,6 +188,7 @@ CURVE_RULES = {
     "gear": (*_ON_CURVE, rim_size, apart, room),
     "sticking": _ON_CURVE,
     "string": (string_path,),
+    "link": (light_rod,),
     "prescribed": (unit_direction,),
     "prescribed-angle": (can_turn,),
 }

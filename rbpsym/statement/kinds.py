@@ -40,7 +40,8 @@ class Kind:
     """A kind of shape, interaction or constraint: name, meaning, keys, other names for it.
 
     `unknowns` are the forces and couples that a constraint brings in: templates over the
-    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions.
+    element's `name` and its fields ("{name}_x", "{couple}") with their dimensions. `read_as`: the kind
+    as a special case of which it is read.
     """
 
     name: str
@@ -48,6 +49,7 @@ class Kind:
     fields: tuple[Field, ...] = ()
     aliases: tuple[str, ...] = ()
     unknowns: tuple[tuple[str, Dimension], ...] = ()
+    read_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -146,6 +146,8 @@ def _side(element: Element, touching: Spot, bearer: int, height, rise: float, st
         return 1 if stated == "positive" else -1
     body, way = (touching.body, 1) if touching.body >= 0 else (bearer, -1)
     here = height((start[3 * body], start[3 * body + 1]))
+    if abs(here) <= 1e-9 and way == 1 and bearer >= 0:
+        here = -height((start[3 * bearer], start[3 * bearer + 1]))
     found = here if abs(here) > 1e-9 else rise
     return way * (-1 if found < -1e-9 else 1)
 

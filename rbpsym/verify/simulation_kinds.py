@@ -20,6 +20,7 @@ KINDS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
     "gear": meshing,
     "sticking": holding,
     "string": string,
+    "link": string,
     "prescribed": driven_point,
     "prescribed-angle": driven_angle,
 }

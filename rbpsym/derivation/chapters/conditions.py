@@ -63,6 +63,7 @@ def _nothing(draft: Draft, element: Element, given: Given) -> None:
 def _geometric(draft: Draft, element: Element, given: Given) -> None:
     rows = [*meeting_rows(draft, element), *line_rows(draft, element), *distance_rows(draft, element)]
     rows += _driven_rows(draft, element)
+    rows = rows or _moving_line_rows(draft, element)
     if not rows:
         return
     ties = any(not _is_identity(row) for row in rows)
@@ -79,6 +80,14 @@ def _geometric(draft: Draft, element: Element, given: Given) -> None:
         count=len(_labels(element)),
         body=BodyRef(body) if isinstance(body, str) else PhraseRef("kinematics.nothing"),
     )
+
+
+def _moving_line_rows(draft: Draft, element: Element) -> list[t.Node]:
+    """A point on a line of a body that moves: how far it is from it."""
+    if element.values.get("of") is None:
+        return []
+    gaps = (c.value for c in draft.study.system.conditions if c.constraint == element.name and c.what == "gap")
+    return [t.equation(draft.show(gap), t.ZERO) for gap in gaps if not is_zero(gap)]
 
 
 def _is_identity(row: t.Node) -> bool:
@@ -242,7 +251,7 @@ def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given
         f"taut.{name}",
         "taut",
         statement,
-        "kinematics.condition.string_speed",
+        f"kinematics.condition.{'link' if element.values.get('rigid') else 'string'}_speed",
         level=FULL if trivial else STANDARD,
         variant="identity" if trivial else "round" if len(run) > 2 else "straight",
         force=t.Sym(name),

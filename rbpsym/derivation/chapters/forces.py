@@ -86,7 +86,9 @@ BETWEEN = {"spring": "spring", "torsion-spring": "spring", "damper": "damper", "
 
 def _party(draft: Draft, force: Force) -> str:
     """What exerts the force: a string or a spring that is taut between two bodies, else the other body."""
-    return "string" if _is_tension(draft, force) else BETWEEN.get(force.law, force.by)
+    if not _is_tension(draft, force):
+        return BETWEEN.get(force.law, force.by)
+    return "link" if draft.study.system.element(force.name).values.get("rigid") else "string"
 
 
 def _is_tension(draft: Draft, force: Force) -> bool:
