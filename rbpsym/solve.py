@@ -133,6 +133,7 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
         {
             "at": _table(item.at, study),
             "stable": item.stable,
+            "stable_where_positive": text(item.where, study),
             "frequencies_squared": [text(value, study) for value in item.frequencies_squared],
         }
         for item in study.equilibria

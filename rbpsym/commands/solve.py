@@ -142,7 +142,7 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     for item in answer["equilibria"]:
         squares = ", ".join(drawn.formula(value) for value in item["frequencies_squared"])
         told = f"; squares of frequencies: {squares}" if squares and item["stable"] else ""
-        yield f"  {_places(item['at'], drawn)}: {STABLE[item['stable']]}{told}"
+        yield f"  {_places(item['at'], drawn)}: {_stability(item, drawn)}{told}"
 
 
 def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
@@ -153,6 +153,15 @@ def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
     told = f"; square of the frequency: {drawn.formula(square)}" if square else ""
     place, name, force = (drawn.formula(item[key]) for key in ("place", "coordinate", "vanishes"))
     yield f"  {name} = {place} where {force} = 0: {STABLE[item['stable']]}{told}"
+
+
+def _stability(item: Mapping[str, Any], drawn: Drawn) -> str:
+    where = item["stable_where_positive"]
+    return (
+        STABLE[item["stable"]]
+        if where is None
+        else f"stable where {drawn.formula(where)} > 0, unstable where it is < 0"
+    )
 
 
 def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:

@@ -18,12 +18,12 @@ from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.roots import common_zeros, numerator_factors
+from rbpsym.mechanics.stability import is_stable, stable_where
 from rbpsym.mechanics.system import System
 
 LAMBDA = "lambda_"
@@ -32,13 +32,15 @@ LAMBDA = "lambda_"
 @dataclass(frozen=True, slots=True)
 class Equilibrium:
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
-    normal modes that have a closed form, the slowest first; `stable` None if it can't be decided."""
+    normal modes that have a closed form, the slowest first; `stable` None if it can't be decided: then it is stable
+    `where` this is positive and unstable where it is negative (None: no such formula)."""
 
     at: Mapping[str, Scalar]
     stable: bool | None
     frequencies_squared: tuple[Scalar, ...]
     stiffness: Matrix = ()
     inertia: Matrix = ()
+    where: Scalar | None = None
 
 
 def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
@@ -133,28 +135,22 @@ def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assum
 
     stiffness = tuple(tuple(there(-derivative(force, n)) for n in names) for force in forces)
     inertia = tuple(tuple(there(entry) for entry in row) for row in dynamics.mass_matrix)
+    held = _held(stiffness, names, at)
+    stable = is_stable(held, assumptions)
     return Equilibrium(
         at,
-        _stability(stiffness, names, forces, at, assumptions),
+        stable,
         _slowest_first(_frequencies(stiffness, inertia, assumptions), system),
         stiffness,
         inertia,
+        stable_where(held, assumptions) if stable is None else None,
     )
 
 
-def _stability(stiffness: Matrix, names, forces, at, assumptions: Assumptions) -> bool | None:
-    """From the signs of the leading minors over the coordinates that are not arbitrary."""
+def _held(stiffness: Matrix, names, at) -> Matrix:
+    """Over the coordinates that are not arbitrary."""
     kept = [k for k, n in enumerate(names) if n in at]
-    matrix = tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
-    diagonal = [sign(matrix[k][k], assumptions).kind for k in range(len(kept))]
-    if "negative" in diagonal:
-        return False
-    minors = [
-        sign(determinant(tuple(row[:k] for row in matrix[:k])), assumptions).kind for k in range(1, len(kept) + 1)
-    ]
-    if all(s == "positive" for s in minors):
-        return True
-    return False if minors[-1] == "negative" else None
+    return tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
 
 
 def _slowest_first(squares: tuple[Scalar, ...], system: System) -> tuple[Scalar, ...]:

@@ -1,0 +1,50 @@
+"""Whether a position of rest is stable: signs of the leading minors of the stiffness (Lagrange-Dirichlet)."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.roots import numerator_factors
+
+
+def is_stable(matrix: Matrix, assumptions: Assumptions) -> bool | None:
+    """True if the matrix is positive definite, False where a direction has negative stiffness, None: not decided."""
+    diagonal = [sign(row[k], assumptions).kind for k, row in enumerate(matrix)]
+    if "negative" in diagonal:
+        return False
+    minors = [sign(minor, assumptions).kind for minor in _minors(matrix)]
+    if all(kind == "positive" for kind in minors):
+        return True
+    return False if minors and minors[-1] == "negative" else None
+
+
+def stable_where(matrix: Matrix, assumptions: Assumptions) -> Scalar | None:
+    """What is positive where the place is stable and negative where it is not, as short as it gets; None if more than
+    one condition would be needed."""
+    open_ones = [minor for minor in _minors(matrix) if sign(minor, assumptions).kind != "positive"]
+    if len(open_ones) != 1:
+        return None
+    try:
+        return _essential(open_ones[0], assumptions)
+    except RbpsymError:
+        return None
+
+
+def _minors(matrix: Matrix) -> list[Scalar]:
+    return [determinant(tuple(row[:k] for row in matrix[:k])) for k in range(1, len(matrix) + 1)]
+
+
+def _essential(value: Scalar, assumptions: Assumptions) -> Scalar:
+    """The value without factors whose signs are known."""
+    factors = [Scalar(factor) for factor in numerator_factors(value)]
+    product = UNITY
+    for factor in factors:
+        if sign(factor, assumptions).kind not in ("positive", "negative"):
+            product = product * factor
+    for found in (product, -product):
+        if sign(short(value / found), assumptions).kind == "positive":
+            return short(found)
+    return value
