@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import groupby
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.breaking import table_width
@@ -79,9 +80,36 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
 
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    key = {"motion": "torque"}.get(steps[0].chapter, steps[0].chapter)
-    yield from _intro(key, derivation, said)
+    yield from _intro(steps[0].chapter, derivation, said)
     yield from Teller(said).steps(steps)
+
+
+def _inertia(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
+    """The integrals over the mass; of a moment that is given there is nothing to say before."""
+    if any(step.rule == "mass_integral" for step in derivation.chapter("inertia")):
+        yield from _intro("inertia", derivation, said)
+    yield from Teller(said).steps(steps)
+
+
+def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
+    """The balances, then the accelerations: those that come from the same equations, or that are zero, together."""
+    teller = Teller(said)
+    if derivation.study.system.unknowns:
+        yield from _intro("torque", derivation, said)
+    for (phrase, _), group in groupby(steps, key=_manner_of_solution):
+        found = list(group)
+        slots = {name: [step.slots.get(name[:-1]) for step in found] for name in ("accelerations", "coordinates")}
+        sources = list(dict.fromkeys(source for step in found for source in step.slots.get("sources", ())))
+        together = teller.together(found, f"{phrase}_all", sources=sources, **slots)
+        yield from together if phrase in SOLUTIONS else teller.steps(found)
+
+
+SOLUTIONS = ("torque.solved", "torque.solved_zero")
+
+
+def _manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
+    """What accelerations that are found together have in common."""
+    return step.phrase, step.premises if step.phrase == "torque.solved" else ()
 
 
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -144,7 +172,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
         yield from _halves(halves, teller, said)
-    yield from teller.steps(step for step in steps if step.phrase.startswith("work.together."))
+    yield from teller.steps(step for step in steps if step.phrase.startswith(("work.spring.", "work.together.")))
     yield from teller.steps((*whole, *kinds["work_sum"], *kinds["solution"]))
     if kinds["work_done"]:
         yield from _done(kinds["work_done"], derivation, said)
@@ -202,8 +230,13 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     teller = Teller(said)
     others, along = by_kind(steps, ("contact.along",))
     sources = [source for step in along for source in step.slots.get("sources", ())]
+    still = [step for step in along if _is_constant(step, derivation)]
+    if still:
+        forces = [step.slots["force"] for step in still]
+        yield Paragraph(said.say("contact.constant", forces=forces, count=len(still)))
+        yield joined(still, said)
     for boxed in (True, False):
-        group = [step for step in along if step.is_result is boxed]
+        group = [step for step in along if step.is_result is boxed and step not in still]
         forces = [step.slots["force"] for step in group]
         key = "contact.along_all" if sources else "contact.along_plain"
         yield from teller.together(group, key, sources=sources, forces=forces)
@@ -212,6 +245,14 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     yield from teller.steps(same[:first])
     yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
     yield from teller.steps(same[first:])
+
+
+def _is_constant(step: Step, derivation: Derivation) -> bool:
+    """Is a force the same all along the motion?"""
+    used = t.names(step.statement)
+    return not derivation.study.system.has_clock and used.isdisjoint(
+        c.name for c in derivation.study.problem.coordinates
+    )
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -235,6 +276,8 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {
     "kinematics": _kinematics,
+    "inertia": _inertia,
+    "motion": _motion,
     "forces": _forces,
     "reactions": _reactions,
     "work": _work,

@@ -9,6 +9,7 @@ from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
+from rbpsym.document.needless import needless
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
@@ -94,7 +95,7 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     """Ids of the steps that are shown at a level of detail."""
     level = DETAILS[detail]
     kept = (s for s in derivation.steps if s.level <= level or s.is_result or (level == 1 and _is_brief(s)))
-    return frozenset(step.id for step in kept)
+    return frozenset(step.id for step in kept) - needless(derivation)
 
 
 def _is_brief(step: Step) -> bool:
@@ -109,7 +110,7 @@ BRIEF: Mapping[str, frozenset[str]] = {
     "forces": frozenset({"torque"}),
     "motion": frozenset({"torque", "balance", "combination", "solution"}),
     "reactions": frozenset({"balance"}),
-    "work": frozenset({"work", "workless", "work_energy", "work_sum", "work_together", "work_opposite"}),
+    "work": frozenset({"work", "workless", "work_energy", "work_sum", "work_together", "work_integral"}),
     "energy": frozenset({"kinetic_energy", "potential", "conservation", "first_integral"}),
     "oscillations": frozenset({"linearization"}),
 }

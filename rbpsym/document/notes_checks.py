@@ -9,7 +9,7 @@ from math import floor, log10
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, sentences
 from rbpsym.notation.tree import Node, Num, Pow
 
 Told = tuple[Words, tuple[Step, ...]]
@@ -55,13 +55,14 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     items = [
         *_methods(summary, said),
         *_oracles(summary, said),
-        *(left_out(skipped, said) for skipped in derivation.skipped),
     ]
+    skipped = [left_out(found, said) for found in derivation.skipped]
     blocks: tuple[Block, ...] = (
         Paragraph(intro),
         *((own,) if table == "" or (not whole and not table) else ()),
         Paragraph(said.say("checks.roads")),
         ItemList(tuple(items)),
+        *((Paragraph(sentences(skipped)),) if skipped else ()),
     )
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
 

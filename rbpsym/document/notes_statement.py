@@ -11,7 +11,7 @@ from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.notes_symbols import symbols_table
 from rbpsym.document.places import growth
 from rbpsym.document.pose import DrawnPose
-from rbpsym.document.words import Words, capital
+from rbpsym.document.words import Words, capital, sentences
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, Coordinate, PlacedShape, Problem
 
@@ -29,15 +29,6 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
         Paragraph(sentences(list(_conventions(pose, said)))),
     ]
     return Section(said.say("section.statement"), tuple(blocks), said.prefix + "section.statement", level)
-
-
-def sentences(parts: list[Inlines]) -> Inlines:
-    """Sentences with a space between them."""
-    found: list = []
-    for part in parts:
-        found += [Text(" ")] if found else []
-        found += part
-    return tuple(found)
 
 
 def _bodies(problem: Problem, said: Words) -> Inlines:

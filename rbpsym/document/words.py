@@ -137,3 +137,12 @@ def capital(inlines: Any) -> Any:
         first = inlines[0].text
         return (Text(first[0].upper() + first[1:]), *inlines[1:])
     return inlines
+
+
+def sentences(parts: list[Inlines]) -> Inlines:
+    """Sentences with a space between them."""
+    found: list = []
+    for part in parts:
+        found += [Text(" ")] if found else []
+        found += part
+    return tuple(found)

@@ -1,0 +1,25 @@
+"""Steps that are proved like all others, but that a page does better without."""
+
+from __future__ import annotations
+
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.notation import tree as t
+
+
+def needless(derivation: Derivation) -> frozenset[str]:
+    """Ids of steps that tell a reader nothing.
+
+    Newton's and Euler's equations of each body where no force is unknown and the accelerations are known already;
+    the square of a speed that is zero all the time.
+    """
+    return frozenset(step.id for step in derivation.steps if _repeats_motion(step, derivation) or _is_rest(step))
+
+
+def _repeats_motion(step: Step, derivation: Derivation) -> bool:
+    known = any(found.rule == "solution" for found in derivation.chapter("motion"))
+    return step.chapter == "reactions" and known and not derivation.study.system.unknowns
+
+
+def _is_rest(step: Step) -> bool:
+    found = step.statement
+    return step.rule == "first_integral" and isinstance(found, t.Chain) and found.items[-1] == t.ZERO
