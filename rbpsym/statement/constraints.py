@@ -23,10 +23,11 @@ _CURVE = (
     Field(
         "radius",
         "expression",
-        "radius of that circle; absent: that of the round body whose centre it is",
+        "radius of that circle; absent: that of the round body whose centre it is; 0 for a corner that a round body "
+        "touches",
         LENGTH,
         default="",
-        sign="positive",
+        sign="nonnegative",
     ),
 )
 _FRICTION = Field("friction", "name", "name of the force of friction", default="f_{name}")
