@@ -19,7 +19,6 @@ from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name
 from rbpsym.teaching.grading.marking import grade
 from rbpsym.teaching.grading.marks_csv import RISKY, marks_csv, safe
-from rbpsym.teaching.grading.remarks import SENTENCES
 from rbpsym.teaching.model import (
     BlanksKey,
     ChoiceKey,
@@ -285,8 +284,3 @@ def test_a_class(tmp_path: Path) -> None:
         "no item 99" in sentence for sentence in graded.told
     )
     assert len(graded.pages) == 2
-
-
-def test_sentences_are_in_each_language() -> None:
-    assert SENTENCES["en"].keys() == SENTENCES["es"].keys()
-    assert all(text for sentences in SENTENCES.values() for text in sentences.values())

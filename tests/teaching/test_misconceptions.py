@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 
 import pytest
@@ -146,8 +147,13 @@ def test_first_wrong_steps_are_those_that_a_teacher_would_mark() -> None:
         assert shown == here.derivation.step(step).statement
 
 
+def shared(table: Mapping[str, str]) -> dict[str, str]:
+    """The phrases without those that translate what the readers say in English."""
+    return {key: text for key, text in table.items() if not key.startswith("reader.")}
+
+
 def test_languages_have_the_same_keys_and_places() -> None:
-    tables = [teaching_phrases(language) for language in languages()]
+    tables = [shared(teaching_phrases(language)) for language in languages()]
     assert len(tables) >= 2
     for table in tables[1:]:
         assert table.keys() == tables[0].keys()

@@ -2,35 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Item, Slip, Worksheet
-from rbpsym.teaching.wording import say
-
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "en": {
-        "right": "Right.", "wrong": "Not right.", "line": "Line", "step": "Step", "before": "before",
-        "after": "after", "either": "in either order", "other": "another result", "unit": "unit", "type": "Names to type:",
-        "pair": "Which comes first?", "row": "Force", "translational": "W_T", "rotational": "W_θ", "rubric": "Rubric",
-        "sample": "A full answer", "blank": "Blank", "explain": "Explain", "wrong line": "Which line holds the slip?",
-    },
-    "es": {
-        "right": "Correcto.", "wrong": "No es correcto.", "line": "Línea", "step": "Paso", "before": "antes",
-        "after": "después", "either": "en cualquier orden", "other": "otro resultado", "unit": "unidad",
-        "type": "Nombres que se escriben:", "pair": "¿Qué va primero?", "row": "Fuerza", "translational": "W_T",
-        "rotational": "W_θ", "rubric": "Criterios", "sample": "Una respuesta completa", "blank": "Hueco",
-        "explain": "Explica", "wrong line": "¿En qué línea está el error?",
-    },
-}  # fmt: skip
+from rbpsym.teaching.wording import say, teaching_phrases
 
 
 def word(key: str, language: str) -> str:
     """A word in the language of a worksheet."""
-    return WORDS.get(language, WORDS["en"])[key]
+    return teaching_phrases(language)[f"exports.{key}"]
 
 
 def say_slip(slip: Slip, language: str) -> Inlines:

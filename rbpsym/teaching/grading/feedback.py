@@ -17,19 +17,20 @@ from rbpsym.teaching.grading.desk import Mark, points_text
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.remarks import comment
 from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.wording import teaching_phrases
 
 LONGEST_ANSWER = 400
-WORDS = {
-    "en": {"item": "Item", "answer": "Your answer", "points": "Points", "remarks": "Remarks", "of": "of", "total": "Total",
-           "right": "Right.", "carried forward": "Right.", "teacher": "Your teacher looks at this."},
-    "es": {"item": "Ejercicio", "answer": "Tu respuesta", "points": "Puntos", "remarks": "Comentarios", "of": "de",
-           "total": "Total", "right": "Correcto.", "carried forward": "Correcto.", "teacher": "Tu docente lo revisará."},
-}  # fmt: skip
+
+
+def feedback_words(language: str) -> dict[str, str]:
+    """The words of the page: [feedback] of the phrases."""
+    table = teaching_phrases(language)
+    return {key.removeprefix("feedback."): text for key, text in table.items() if key.startswith("feedback.")}
 
 
 def remarks_of(mark: Mark, worksheet: Worksheet) -> Inlines:
     """The remarks of a mark in the language of the worksheet; a word of praise where all is right."""
-    words = WORDS.get(worksheet.language, WORDS["en"])
+    words = feedback_words(worksheet.language)
     found = comment(mark.judgement, worksheet.language, say_slip)
     if mark.judgement.status is Status.RIGHT and not found:
         found = (Text(words["right"]),)
@@ -43,7 +44,7 @@ def remarks_text(mark: Mark, worksheet: Worksheet) -> str:
 
 def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -> str:
     """The page of one student as HTML."""
-    words = WORDS.get(worksheet.language, WORDS["en"])
+    words = feedback_words(worksheet.language)
     return shell(
         "feedback.html",
         autoescape=True,

@@ -34,7 +34,7 @@ FOR_THE_TEACHER = frozenset({Status.INVALID, Status.UNDECIDED, Status.OPEN})
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """A sentence of `remarks.SENTENCES`, its places filled with `slots` (texts, or trees of formulas)."""
+    """A sentence of the phrases, under [remark], its places filled with `slots` (texts, or trees of formulas)."""
 
     key: str
     slots: Mapping[str, Any] = field(default_factory=dict)
@@ -84,7 +84,8 @@ def invalid(error: Exception) -> Judgement:
     """An answer that can't be read, with the sentence that says why, and the place under a caret."""
     slots = {"why": str(error), "shown": ""}
     if isinstance(error, RbpsymError):
-        slots = {"why": " ".join(filter(None, (_sentence(error.what), error.instead))), "shown": _shown(error)}
+        why = " ".join(filter(None, (_sentence(error.what), error.instead)))
+        slots = {"why": why, "shown": _shown(error), "error": error}
     return Judgement(Status.INVALID, remarks=(Remark("invalid", slots),))
 
 

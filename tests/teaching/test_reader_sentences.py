@@ -1,0 +1,91 @@
+"""Every sentence that a reader can say of an answer has a translation in each language, and graded feedback uses it."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import rbpsym
+from rbpsym.document.language import usual_notation
+from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.equality.dimensions import a
+from rbpsym.quantities import DIMENSIONS
+from rbpsym.teaching.exports.telling import say_slip
+from rbpsym.teaching.grading.answer import grade_answer
+from rbpsym.teaching.grading.remarks import comment
+from rbpsym.teaching.grading.translated import translated
+from rbpsym.teaching.wording import languages
+
+HOUSE = Path(rbpsym.__file__).parent
+READERS = (
+    *sorted((HOUSE / "notation").glob("infix*.py")),
+    *(HOUSE / "notation" / f"{name}.py" for name in ("cursor", "limits", "source")),
+    *(
+        HOUSE / "notation" / f"latex_{name}.py"
+        for name in ("calculus", "functions", "grammar", "names", "reader", "table", "tokens")
+    ),
+    *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "standard", "typed", "units")),
+)
+FOREIGN = tuple(language for language in languages() if language != "en")
+SENTENCE = re.compile(r"[A-Za-z]{2,}'? [A-Za-z“{*\\0-9<(\]]|[”}] [a-z]|^[A-Z][a-z]+ ")
+PATTERN = re.compile(r"\(\?|\\s|\\w|%|\[\^")
+NO_SENTENCES = frozenset({"so that", "that is", "de modo que", "por tanto", "por lo tanto", "es decir", "o sea", "i.e",
+                          "control character", "The symbols are: ", "read as"})  # fmt: skip
+
+
+def sentences(file: Path) -> Iterator[str]:
+    """The texts of a module that read as sentences, {} for each place."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in ast.walk(node)} - {
+        id(node) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)
+    }
+    docs = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    for node in ast.walk(tree):
+        text = template(node) if id(node) not in inner | docs else None
+        if text and SENTENCE.search(text) and not PATTERN.search(text) and text not in NO_SENTENCES:
+            yield text
+
+
+def template(node: ast.AST) -> str | None:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return node.value
+    if isinstance(node, ast.JoinedStr):
+        return "".join(part.value if isinstance(part, ast.Constant) else "{}" for part in node.values)
+    return None
+
+
+@pytest.mark.parametrize("language", FOREIGN)
+@pytest.mark.parametrize("file", READERS, ids=lambda file: file.stem)
+def test_each_sentence_of_a_reader_is_translated(file: Path, language: str) -> None:
+    told = [text.replace("{}", "x") for text in sentences(file)]
+    assert not [text for text in told if translated(text, language) == text]
+
+
+@pytest.mark.parametrize("language", FOREIGN)
+def test_dimensions_are_translated(language: str) -> None:
+    for dimension in DIMENSIONS.values():
+        assert translated(a(dimension), language) != a(dimension)
+
+
+def remarks(answer: str, language: str) -> str:
+    found = grade_answer(answer, "m*g", {"m": "positive", "g": "positive"}, language=language)
+    return plain_text(comment(found, language, say_slip), usual_notation(language), language)
+
+
+@pytest.mark.parametrize(
+    "answer", ["m*(g", "m*", "foo", "m*/g", "\\frac{m}{", "m]", "m g\u200b", "m ≤ g", "m" * 4000, ""]
+)
+def test_feedback_is_in_the_language_of_the_worksheet(answer: str) -> None:
+    text = remarks(answer, "es")
+    assert not re.search(r"\b(the|is|this|at most|write|are|here)\b", text, re.IGNORECASE), text
+    assert text.endswith((".", "?"))
+    assert remarks(answer, "en") != text
+
+
+def test_what_fills_a_place_is_kept() -> None:
+    assert "«foo»" in remarks("foo*m", "es")
+    assert translated("a force is added to a length", "es") == "se suma una fuerza con una longitud"
