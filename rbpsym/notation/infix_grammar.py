@@ -96,7 +96,7 @@ def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     below = inside = False
     if isinstance(before, t.Div) and number_of(before) is None and not _is_closed(before, reader):
         what = "this can be read in two ways: is this factor above or below the fraction bar?"
-        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=not _is_call(reader))
+        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=not _stands_apart(reader))
     if _is_bare_call(before, reader) and not _is_call(reader):
         what = "this can be read in two ways: does it belong to the function's argument?"
         inside = reader.decide(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
@@ -108,6 +108,11 @@ def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     if below:
         return (replace(before, den=t.Mul((before.den, factor)), span=(before.span[0], reader.previous_end)),)
     return before, factor
+
+
+def _stands_apart(reader: Reader) -> bool:
+    """Does a function follow, or a parenthesis behind a blank, which one hardly takes for a part of a denominator?"""
+    return _is_call(reader) or (reader.sees("(") and reader.token.spaced)
 
 
 def _is_closed(node: t.Node, reader: Reader) -> bool:

@@ -122,12 +122,14 @@ class FollowOn:
 
     `formula` gives the answer (in SI units, angles in radians) where the symbol `name` stands for
     the student's own answer to the item `item` (the blank `blank` of it, from 1; 0 for the item's only answer).
+    `beside`: further (item, name) whose own answers stand in it too.
     """
 
     item: str
     name: str
     formula: Node
     blank: int = 0
+    beside: tuple[tuple[str, str], ...] = ()
 
 
 # --- keys

@@ -7,29 +7,23 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.book import book
 from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
-from rbpsym.teaching.grading.formula import Sought, judge_formula, replaced
+from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import Ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.number import judge_number, wanted
-from rbpsym.teaching.grading.quantity import read_quantity
-from rbpsym.teaching.grading.reading import read_formula
-from rbpsym.teaching.grading.units import dimension_powers, read_unit
+from rbpsym.teaching.grading.own_answers import own_formula, own_number
 from rbpsym.teaching.model import (
     Blank,
     BlanksKey,
     ChoiceKey,
     ComparisonKey,
     ExplanationKey,
-    FollowOn,
     FormulaKey,
     Item,
     NumberKey,
@@ -114,13 +108,13 @@ def _marked(item: Item, case: Case) -> Mark:
 def _formula(text: str, item: Item, case: Case) -> Judgement:
     key: FormulaKey = item.key
     ground = case.ground(item, key.value, key.left)
-    carried = tuple(own for follow in key.follows if (own := _own_formula(follow, case)) is not None)
+    carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
     return judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
 
 
 def _number(text: str, item: Item, case: Case) -> Judgement:
     key: NumberKey = item.key
-    carried = [own for follow in key.follows if (own := _own_number(follow, key, case)) is not None]
+    carried = [own for follow in key.follows if (own := own_number(follow, key, case)) is not None]
     return judge_number(text, wanted(key, carried, case.desk.language))
 
 
@@ -225,69 +219,6 @@ JUDGES: Mapping[type, Callable[[str, Item, Case], Judgement]] = {
     SlipKey: _slip,
     ExplanationKey: _explanation,
 }
-
-
-# --- the student's own earlier answers
-
-NOT_OWN = frozenset({Status.EMPTY, Status.INVALID, Status.RIGHT})
-
-
-def _own_text(follow: FollowOn, case: Case) -> tuple[Item, str] | None:
-    """The earlier item and what was answered there; None if it was right, empty or not valid."""
-    earlier = next((item for item in case.worksheet.items if item.id == follow.item), None)
-    judged = case.judged.get(follow.item)
-    if earlier is None or judged is None or judged.status in NOT_OWN:
-        return None
-    text = case.answers.get(follow.item, "")
-    if isinstance(earlier.key, BlanksKey):
-        text = blank_texts(text, earlier, case.answers).get(follow.blank or 1, "")
-    return (earlier, text) if text.strip() else None
-
-
-def _own_tree(follow: FollowOn, case: Case) -> t.Node | None:
-    """The student's own earlier formula."""
-    own = _own_text(follow, case)
-    if own is None or isinstance(own[0].key, NumberKey):
-        return None
-    item, text = own
-    try:
-        read = read_formula(
-            text, case.ground(item, getattr(item.key, "left", None), getattr(item.key, "value", None)).book
-        )
-    except RbpsymError:
-        return None
-    return read.items[-1] if isinstance(read, t.Chain) else read
-
-
-def _own_formula(follow: FollowOn, case: Case) -> t.Node | None:
-    own = _own_tree(follow, case)
-    return None if own is None or follow.name in t.names(own) else replaced(follow.formula, follow.name, own)
-
-
-def _own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
-    """What follows in SI units from the student's own earlier number or formula."""
-    given = {name: float(m.value) * read_unit(m.unit).factor for name, m in key.given.items()}
-    try:
-        own = _earlier_value(follow, given, case)
-        if not own:
-            return None
-        problem = case.worksheet.problems[next(i for i in case.worksheet.items if i.id == follow.item).asked.problem]
-        return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, follow.name: own})
-    except (RbpsymError, ArithmeticError, ValueError, KeyError):
-        return None
-
-
-def _earlier_value(follow: FollowOn, given: Mapping[str, float], case: Case) -> float | None:
-    own = _own_text(follow, case)
-    if own is None:
-        return None
-    item, text = own
-    if isinstance(item.key, NumberKey):
-        typed = read_quantity(text, case.desk.language)
-        fits = typed.unit is None or typed.unit.dimension == dimension_powers(item.asked.dimension)
-        return (typed.si if typed.unit else typed.value * read_unit(item.key.measure.unit).factor) if fits else None
-    tree = _own_tree(follow, case)
-    return None if tree is None else number(scalar(tree, case.ground(item).scope), given)
 
 
 def points_text(value: Fraction) -> str:

@@ -19,6 +19,7 @@ from rbpsym.teaching.grading.size import is_small
 from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero
 from rbpsym.teaching.model import Anticipated
 
+EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
@@ -73,9 +74,10 @@ def _in_all_ways(text: str, sought: Sought) -> Judgement | None:
     statuses = {judgement.status for judgement in found}
     if len(found) == 1 or statuses == {Status.WRONG}:
         return found[0].with_remark("read as", formula=sound[0]) if len(found) == 1 else found[0]
-    if Status.RIGHT not in statuses or ways.parted:
+    best = next((status for status in EARNING if status in statuses), None)
+    if best is None or ways.parted:
         return None
-    place = next(k for k, judgement in enumerate(found) if judgement.status is Status.RIGHT)
+    place = next(k for k, judgement in enumerate(found) if judgement.status is best)
     return found[place].with_remark("read as", formula=sound[place]) if place else found[0]
 
 
@@ -287,12 +289,3 @@ def _is_linear(gap: t.Node, sought: Sought) -> bool:
         return False
     index = atoms.intern("symbol", sought.target)
     return set(value.num.by_power(index)) <= {0, 1} and index not in value.den.atoms()
-
-
-def replaced(node: t.Node, name: str, by: t.Node) -> t.Node:
-    """The tree with a symbol replaced."""
-    from rbpsym.teaching.grading.standard import mapped
-
-    if isinstance(node, t.Sym):
-        return t.Group(by) if node.name == name else node
-    return mapped(node, lambda part: replaced(part, name, by))

@@ -8,6 +8,7 @@ from fractions import Fraction
 from rbpsym.document.model import Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting, asks_for, formula_of
+from rbpsym.teaching.following import follow_ons
 from rbpsym.teaching.model import Anticipated, FormulaKey, Item
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.solving import hint, worked
@@ -29,6 +30,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
     names = in_order(bench, names_in(target.value(bench.study)))
 
     def make(setting: Setting) -> Item:
+        follows = tuple(follow_ons(bench, target, setting.before, "formula"))
         prompt = spoken(
             setting.said,
             f"ask.formula.{target.kind}",
@@ -38,7 +40,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
             setting.id,
             "formula",
             (Paragraph((*prompt, *hint(bench, setting, target, wish.level))),),
-            FormulaKey(right, target.left, names, anticipated),
+            FormulaKey(right, target.left, names, anticipated, follows),
             bench.asked(target),
             wish.points if wish.points is not None else Fraction(3),
             solution=worked(bench, setting, target, None),

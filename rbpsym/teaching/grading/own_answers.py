@@ -1,0 +1,144 @@
+"""Errors carried forward: what follows from the student's own earlier answers.
+
+Guarded against trivial answers: an own answer counts only if it is wrong and valid, is not zero, no mere number where a
+formula is asked for, and has the dimension of what was asked for. What follows from it is guarded in `formula` and
+`number`: it must not vanish, and must have the dimension of the key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.equality.dimensions import dimension_of
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.numbers import number
+from rbpsym.notation import tree as t
+from rbpsym.notation.limits import number_of
+from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.judgement import Status
+from rbpsym.teaching.grading.quantity import read_quantity
+from rbpsym.teaching.grading.reading import read_all, read_formula
+from rbpsym.teaching.grading.standard import mapped
+from rbpsym.teaching.grading.units import read_unit
+from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
+
+if TYPE_CHECKING:
+    from rbpsym.teaching.grading.desk import Case
+
+NOT_VALID = frozenset({Status.EMPTY, Status.INVALID})
+
+
+def own_formula(follow: FollowOn, case: Case) -> t.Node | None:
+    """What follows from the student's own earlier formulas; None if none is wrong, or one is trivial."""
+    sources = _sources(follow)
+    if not _is_any_wrong(sources, case):
+        return None
+    own = {name: _own_tree(item, blank, name, case) for item, name, blank in sources}
+    if any(tree is None or set(own) & t.names(tree) for tree in own.values()):
+        return None
+    return replaced(follow.formula, own)
+
+
+def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
+    """What follows in SI units from the student's own earlier numbers or formulas."""
+    given = {name: float(m.value) * read_unit(m.unit).factor for name, m in key.given.items()}
+    sources = _sources(follow)
+    try:
+        if not _is_any_wrong(sources, case):
+            return None
+        own = {name: _own_value(item, blank, name, given, case) for item, name, blank in sources}
+        if not all(own.values()):
+            return None
+        problem = case.problem(_item(follow.item, case))
+        return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, **own})
+    except (RbpsymError, ArithmeticError, ValueError, KeyError):
+        return None
+
+
+Source = tuple[str, str, int]  # (id of the item, name in the formula, blank)
+
+
+def _sources(follow: FollowOn) -> tuple[Source, ...]:
+    return ((follow.item, follow.name, follow.blank), *((item, name, 0) for item, name in follow.beside))
+
+
+def _is_any_wrong(sources: tuple[Source, ...], case: Case) -> bool:
+    """Is each of the earlier answers valid, and one of them wrong?"""
+    found = [case.judged.get(item) for item, _, _ in sources]
+    if any(judged is None or judged.status in NOT_VALID for judged in found):
+        return False
+    return any(judged.status is not Status.RIGHT for judged in found)
+
+
+def _item(id: str, case: Case) -> Item:
+    return next(item for item in case.worksheet.items if item.id == id)
+
+
+def _own_text(item: Item, blank: int, case: Case) -> str:
+    from rbpsym.teaching.grading.desk import blank_texts
+
+    text = case.answers.get(item.id, "")
+    return blank_texts(text, item, case.answers).get(blank or 1, "") if isinstance(item.key, BlanksKey) else text
+
+
+def _own_tree(id: str, blank: int, name: str, case: Case) -> t.Node | None:
+    """The student's own earlier formula for the symbol `name`, if it is none that makes all that follows trivial."""
+    item = _item(id, case)
+    if isinstance(item.key, NumberKey):
+        return None
+    left = getattr(item.key, "left", None)
+    ground = case.ground(item, left, getattr(item.key, "value", None))
+    found = [tree for tree in _read(_own_text(item, blank, case), ground) if _counts(tree, item, ground)]
+    if not found:
+        return None
+    tree = found[0]
+    is_square = isinstance(left, t.Pow) and left.base == t.Sym(name) and left.exponent == t.TWO
+    return t.Sqrt(tree) if is_square else tree
+
+
+def replaced(node: t.Node, by: Mapping[str, t.Node]) -> t.Node:
+    """The tree with symbols replaced, all at once; of the root of a square (θ̇ from θ̇²) an even power has no root."""
+    if isinstance(node, t.Sym):
+        return t.Group(by[node.name]) if node.name in by else node
+    if isinstance(node, t.Pow) and isinstance(node.base, t.Sym) and isinstance(by.get(node.base.name), t.Sqrt):
+        power = number_of(node.exponent)
+        if power is not None and power % 2 == 0:
+            return t.Pow(t.Group(by[node.base.name].arg), t.Num(int(power) // 2))
+    return mapped(node, lambda part: replaced(part, by))
+
+
+def _read(text: str, ground: Ground) -> list[t.Node]:
+    """The last sides of an answer, in each of the ways in which it can be read."""
+    try:
+        read = [read_formula(text, ground.book)]
+    except RbpsymError:
+        try:
+            read = list(read_all(text, ground.book).trees)
+        except RbpsymError:
+            return []
+    return [tree.items[-1] if isinstance(tree, t.Chain) else tree for tree in read]
+
+
+def _counts(tree: t.Node, item: Item, ground: Ground) -> bool:
+    """Is it no zero and no mere number, and of the dimension that is asked for?"""
+    try:
+        value = scalar(tree, ground.scope)
+        fits = dimension_of(tree, ground.dimensions) == item.asked.dimension
+    except (RbpsymError, ArithmeticError, KeyError):
+        return False
+    return fits and bool(value) and value.number() is None
+
+
+def _own_value(id: str, blank: int, name: str, given: Mapping[str, float], case: Case) -> float | None:
+    """The student's own earlier number in SI units, or what the own earlier formula gives; None if it does not fit."""
+    item = _item(id, case)
+    if not isinstance(item.key, NumberKey):
+        tree = _own_tree(id, blank, name, case)
+        return None if tree is None else number(scalar(tree, case.ground(item).scope), given)
+    typed = read_quantity(_own_text(item, blank, case), case.desk.language)
+    unit = read_unit(item.key.measure.unit)
+    if typed.unit is None:
+        return typed.value * unit.factor
+    return typed.si if typed.unit.dimension == unit.dimension else None
