@@ -107,7 +107,8 @@ def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"body": BodyRef(element["body"]), "angle": element["angle"]}
+    slots = {"body": BodyRef(element["body"]), "angle": element["angle"]}
+    return {**slots, "other": BodyRef(element["of"]), "key": "statement.turned_against"} if element["of"] else slots
 
 
 def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:

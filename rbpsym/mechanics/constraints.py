@@ -162,22 +162,18 @@ def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
 
 
 def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:
-    return (AngleJoin(None, element["body"], scalar(element["angle"])),)
+    return (AngleJoin(element["of"], element["body"], scalar(element["angle"])),)
 
 
 def _driving_couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    name = element["body"]
-    return (
-        Force(
-            element.name,
-            name,
-            "agent",
-            geometry.center(name),
-            ORIGIN,
-            symbol(element.name),
-            (element.name,),
-            where=f"{name}.cm",
-        ),
+    """On the body that is turned; the opposite one on the body that turns it, if one does."""
+    turned, by = element["body"], element["of"]
+    ends = ((turned, by or "agent", 1), (by, turned, -1))
+    name, couple = element.name, symbol(element.name)
+    return tuple(
+        Force(name, on, other, geometry.center(on), ORIGIN, couple * way, (name,), where=f"{on}.cm")
+        for on, other, way in ends
+        if on
     )
 
 

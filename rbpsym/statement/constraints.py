@@ -197,6 +197,13 @@ CONSTRAINTS: dict[str, Kind] = registry(
         (
             Field("body", "body", "the body that is turned"),
             Field("angle", "expression", f"its angle, {_TIME_PLACE}", NUMBER, may_use="time"),
+            Field(
+                "of",
+                "body",
+                "the body against which it is turned, which feels the opposite couple (a motor on it); absent: the "
+                "angle is from +x, and an outside agent turns it",
+                default="",
+            ),
         ),
         unknowns=(("{name}", _TORQUE),),
     ),

@@ -173,7 +173,9 @@ def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -
 
 
 def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    """The driven body has an angle."""
+    """The driven body has an angle, and is not driven against itself."""
+    if element["of"] == element["body"]:
+        raise _error(element, f"turns “{element['body']}” against itself", "name another body under “of”, or none.")
     if bodies[element["body"]].shape.kind == "particle":
         raise _error(
             element, f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn."

@@ -45,9 +45,12 @@ def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[K
 def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     """A body that is turned; the couple is the multiplier."""
     column = 3 * mechanism.body_number(element["body"]) + 2
+    base = 3 * mechanism.body_number(element["of"]) + 2 if element["of"] else None
 
     def turn(where: State, speed: State) -> Row:
-        return Row(where[column], [(column, 1.0)], 0.0)
+        if base is None:
+            return Row(where[column], [(column, 1.0)], 0.0)
+        return Row(where[column] - where[base], [(column, 1.0), (base, -1.0)], 0.0)
 
     return [_driven(element.name, element.name, turn, element["angle"], mechanism)]
 

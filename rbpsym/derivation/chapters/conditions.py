@@ -115,7 +115,8 @@ def _driven_rows(draft: Draft, element: Element) -> list[t.Node]:
     """A given function of time: the place of a point along a direction, or the angle of a body."""
     if element.kind == "prescribed-angle":
         angle = draft.study.problem.body(element["body"]).angle
-        return [] if angle is None else [t.equation(angle, element["angle"])]
+        base = draft.study.problem.body(element["of"]).angle if element["of"] else t.ZERO
+        return [] if None in (angle, base) else [t.equation(t.add(angle, t.neg(base)), element["angle"])]
     if element.kind != "prescribed":
         return []
     at = coordinates_of(draft, element["point"])
