@@ -16,6 +16,8 @@ from rbpsym.equality.dimensions import a
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.answer import grade_answer
+from rbpsym.teaching.grading.book import book
+from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.remarks import comment
 from rbpsym.teaching.grading.translated import translated
 from rbpsym.teaching.wording import languages
@@ -89,3 +91,16 @@ def test_feedback_is_in_the_language_of_the_worksheet(answer: str) -> None:
 def test_what_fills_a_place_is_kept() -> None:
     assert "«foo»" in remarks("foo*m", "es")
     assert translated("a force is added to a length", "es") == "se suma una fuerza con una longitud"
+
+
+@pytest.mark.parametrize(
+    "answer",
+    ["W_varilla sen(theta)", "W_rod*sin(theta)", r"W_{\mathrm{varilla}}\operatorname{sen}\theta", "W_varilla*senθ"],
+)
+def test_names_of_bodies_and_functions_are_read_as_the_sheet_prints_them(answer: str) -> None:
+    names = book(["W_rod", "theta"], None, "es", {"rod": "varilla"})
+    assert read_formula(answer, names) == read_formula("W_rod*sin(theta)", book(["W_rod", "theta"]))
+
+
+def test_names_are_read_without_their_accents() -> None:
+    assert book(["W_bob"], None, "es", {"bob": "péndulo"}).named("W_pendulo") == "W_bob"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from rbpsym.notation.glyphs import Notation, glyph
+from rbpsym.notation.glyphs import Notation, glyph, renamed
 from rbpsym.notation.symbol_table import SymbolTable, drawn_glyph, symbol_table
 
 TWINS = (("phi", "varphi"), ("theta", "vartheta"), ("epsilon", "varepsilon"), ("rho", "varrho"),
@@ -32,23 +33,38 @@ class Book:
         return word if word in self.names else self.typed.get(word)
 
 
-def book(names: Iterable[str], notation: Mapping[str, str] | None = None, language: str = "en") -> Book:
-    """The book of some names; `notation` draws one name as another (`theta_dot` as `omega`)."""
-    known, drawn = frozenset(names), dict(notation or {})
+def book(
+    names: Iterable[str],
+    notation: Mapping[str, str] | None = None,
+    language: str = "en",
+    called: Mapping[str, str] | None = None,
+) -> Book:
+    """The book of some names; `notation` draws one name as another (`theta_dot` as `omega`).
+
+    `called` is what bodies are called in the language: where rod is varilla, W_varilla is W_rod.
+    """
+    known, drawn, called = frozenset(names), dict(notation or {}), dict(called or {})
     found: dict[str, set[str]] = {}
     for name in known:
-        for way in _ways(name, drawn.get(name)):
+        for way in _ways(name, drawn.get(name), called):
             found.setdefault(way, set()).add(name)
     typed = {way: min(meant) for way, meant in found.items() if len(meant) == 1 and way not in known}
-    return Book(known, MappingProxyType(typed), _table(known, drawn, typed), language)
+    return Book(known, MappingProxyType(typed), _table(known, drawn, typed, called), language)
 
 
-def _ways(name: str, alias: str | None) -> Iterator[str]:
+def _ways(name: str, alias: str | None, called: Mapping[str, str]) -> Iterator[str]:
     """Other ways to type one name."""
-    for shown in (name, *([alias] if alias else ())):
+    own = (name, *([alias] if alias else ()))
+    spoken = [word for shown in own if (word := renamed(shown, called)) != shown] if called else []
+    for shown in (*own, *spoken, *map(without_accents, spoken)):
         for twin in (shown, *_twins(shown)):
             yield twin
             yield twin.replace("_", "")
+
+
+def without_accents(word: str) -> str:
+    """The word in plain letters: péndulo is pendulo."""
+    return "".join(char for char in unicodedata.normalize("NFD", word) if not unicodedata.combining(char))
 
 
 def _twins(name: str) -> Iterator[str]:
@@ -63,9 +79,11 @@ def _twins(name: str) -> Iterator[str]:
         yield head
 
 
-def _table(names: frozenset[str], notation: Mapping[str, str], typed: Mapping[str, str]) -> SymbolTable:
+def _table(
+    names: frozenset[str], notation: Mapping[str, str], typed: Mapping[str, str], called: Mapping[str, str]
+) -> SymbolTable:
     """The table of the LaTeX reader, with the other ways to type where these are free."""
-    own = symbol_table(sorted(names), Notation(MappingProxyType(dict(notation))))
+    own = symbol_table(sorted(names), Notation(MappingProxyType(dict(notation)), names=MappingProxyType(dict(called))))
     others = {drawn_glyph(glyph(way)): (name,) for way, name in sorted(typed.items())}
     for name in sorted(names):
         for primes, rate in ((1, f"{name}_dot"), (2, f"{name}_ddot")):

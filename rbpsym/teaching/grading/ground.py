@@ -65,7 +65,7 @@ def ground_of(study: Study, language: str = "en") -> Ground:
     names = {*dimensions, *named, *system.unknowns}
     scalars = {**named, **dependents(study)}
     return Ground(
-        book(names, problem.notation, language),
+        book(names, problem.notation, language, problem.names_in(language)),
         study.assumptions,
         system.scope.with_scalars({**system.scope.scalars, **scalars}),
         dimensions,
