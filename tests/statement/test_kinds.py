@@ -32,6 +32,7 @@ OWN = {
     "touch": {"body": "disk", "of": "rod"},
     "rolling": {"body": "disk", "of": "rod"},
     "gear": {"body": "disk", "of": "rod"},
+    "prescribed-angle": {"of": "disk"},
     **{name: {"of": "disk"} for name in ("contact", "guide", "slider", "sticking")},
 }
 LEFT_OUT = ("circle", "radius")
@@ -114,7 +115,7 @@ def test_defaults(section: str, kind: Kind) -> None:
     assert set(element.values) == {field.name for field in kind.fields}
 
 
-AT = {"pivot": {"at": ["0", "0"]}} | {name: {"line": "x = ell", **OWN[name]} for name in OWN}
+AT = {"pivot": {"at": ["0", "0"]}} | {name: {"line": "x = ell", **OWN[name]} for name in OWN if name != "prescribed-angle"}
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))
