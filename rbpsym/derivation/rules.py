@@ -37,7 +37,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "power": (c.power_of_works,),
     "work_energy": (c.rates_on_motion,),
     "work_together": (c.rates_on_motion,),
-    "work_opposite": (c.rates,),
+    "work_integral": (c.rates,),
     "work_sum": (c.combination, c.rates_on_motion),
     "work_done": (c.rates_on_motion,),
     "conservation": (c.identity, c.constant),

@@ -17,7 +17,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods import axis_work, net_work, work_by_bodies, works_together
+from rbpsym.methods import axis_work, net_work, spring_works, work_by_bodies, works_together
 from rbpsym.methods.net_work import HALVES
 from rbpsym.methods.paths import over_coordinates
 from rbpsym.methods.solving import isolated, solved_for
@@ -41,6 +41,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     for item in works:
         _integrals(draft, item)
     net_work.write(draft, works)
+    spring_works.write(draft)
     together = works_together.found(draft)
     _theorem(draft, works, STANDARD if together is None else FULL)
     if together is not None:

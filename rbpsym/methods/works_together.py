@@ -189,7 +189,7 @@ def _rotation(draft: Draft, these: Together, work: t.Sym) -> list[str]:
     slots = _slots(draft, these, work)
     other = t.add(t.neg(work), *changes)
     statement = t.equation(letter, t.add(parts, *changes), other)
-    first = draft.add("together.theta", "work_opposite", statement, "work.together.rotational", **slots)
+    first = draft.add("together.theta", "work_integral", statement, "work.together.rotational", **slots)
     second = draft.add(
         "together.turned",
         "work_together",
