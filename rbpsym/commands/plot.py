@@ -41,8 +41,8 @@ def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int
     from rbpsym.document.notes import notation_of
     from rbpsym.document.notes_plots import plot_figures
     from rbpsym.document.pictures import RESOLUTION, drawings
+    from rbpsym.document.plots.following import REASONS
     from rbpsym.document.plots.motion import motion
-    from rbpsym.document.plots.running import REASONS
     from rbpsym.document.words import Words
     from rbpsym.errors import NotApplicable, StatementError
     from rbpsym.statement.loader import load_problem

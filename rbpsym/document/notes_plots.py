@@ -8,9 +8,9 @@ from collections.abc import Iterator, Sequence
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
 from rbpsym.document.phrases import plain
+from rbpsym.document.plots.following import REASONS
 from rbpsym.document.plots.motion import Motion, motion
 from rbpsym.document.plots.panel import Curve, Mark, Panel, has_jump, scene
-from rbpsym.document.plots.running import REASONS
 from rbpsym.document.plots.scales import Scale, told_numbers
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words
@@ -128,14 +128,14 @@ def described(panel: Panel, notation: Notation, said: Words) -> str:
 
 def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
     """Where something happens, and what."""
-    name = mark.name if isinstance(mark.name, str) else to_speech(mark.name, notation)
+    name = said.named(mark.name) if isinstance(mark.name, str) else to_speech(mark.name, notation)
     return plain("plots.alt_mark", said.language, place=amount(mark.place, scale, notation), name=name)
 
 
 def amount(value: float, scale: Scale, notation: Notation) -> str:
     """A number with its unit, as it is read out."""
     unit = scale.sign or (f" {to_speech(scale.node, notation)}" if scale.node is not None else "")
-    return f"{value:.3g}{unit}".replace("-", "−")
+    return f"{value:.3g}".replace("-", "−").replace(".", notation.decimal) + unit
 
 
 def told_curve(curve: Curve, scale: Scale, notation: Notation, said: Words) -> str:

@@ -18,9 +18,9 @@ from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.numbering import parts
 from rbpsym.document.plots.axes import axis, round_step, written
+from rbpsym.document.plots.following import REASONS
 from rbpsym.document.plots.motion import motion
 from rbpsym.document.plots.panel import scene
-from rbpsym.document.plots.running import REASONS
 from rbpsym.document.plots.scales import scales
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words

@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.plots.evaluation import Evaluator
-from rbpsym.document.plots.running import Run, Stop, require_motion, trajectory
+from rbpsym.document.plots.following import require_motion, trajectory
+from rbpsym.document.plots.running import Run, Stop
 from rbpsym.document.plots.sampling import Curves, refined
 from rbpsym.document.plots.scales import Scales, scales
 from rbpsym.document.plots.trajectory import Numbers, Trajectory, at, crossings
@@ -20,6 +21,7 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.study import Study
 
+MANY, FEW = 10, 5  # of many turns forces, works and energies are shown over a few
 AFTERWARDS = 1.5  # how much longer than all phases before it the last one is followed
 
 
@@ -97,7 +99,7 @@ class Motion:
     """A derivation with the numbers of its motion.
 
     `whole` are all moments; `way` those until it turns back for the first time, if curves are drawn over the
-    coordinate; `real` is the way as far as no contact is lost.
+    coordinate (and a few turns of a motion that is shaken); `real` is the way as far as no contact is lost.
     """
 
     derivation: Derivation
@@ -122,7 +124,7 @@ class Motion:
     @cached_property
     def way(self) -> Journey:
         """The moments over which forces, works and energies are shown."""
-        return self.whole.changed(Trajectory.until_turn) if self.is_over_place else self.whole
+        return self.whole.changed(lambda moments: moments.part(seen(moments, self)))
 
     @cached_property
     def loss(self) -> tuple[str, int] | None:
@@ -197,18 +199,24 @@ def arrival(study: Study, found: Scales, ending: State) -> Stop:
     return lambda numbers: numbers[name] - goal
 
 
+def seen(moments: Trajectory, moving: Motion) -> int:
+    """How many moments of the last leg forces, works and energies are shown over."""
+    turn = 0 if moving.is_over_place else FEW if len(moments.turns) > MANY else len(moments.turns)
+    return moments.turns[turn] + 1 if turn < len(moments.turns) else len(moments.times)
+
+
 def drawn(leg: Leg, moving: Motion) -> Callable[[Trajectory], Curves]:
     """The curves that must look smooth: places, speeds and forces in time, and over the coordinate."""
-    forces = Evaluator(leg.reactions)
+    others = Evaluator({**leg.reactions, "K": sum(leg.study.kinetic, NOTHING)})
 
     def curves(moments: Trajectory) -> Curves:
-        names = [*moments.coordinates, *(f"{name}_dot" for name in moments.coordinates)]
-        values = [[state[name] for state in moments.states] for name in names]
-        values += zip(*(found.values() for found in map(forces, moments.states)), strict=True)
-        found = [(moments.times, value) for value in values]
-        if not moving.is_over_place:
-            return found
-        count = moments.turns[0] + 1 if moments.turns else len(moments.times)
-        return found + [(values[0][:count], value[:count]) for value in values[1:]]
+        places, speeds = (
+            [[state[f"{name}{dot}"] for state in moments.states] for name in moments.coordinates]
+            for dot in ("", "_dot")
+        )
+        values = [*speeds, *zip(*(found.values() for found in map(others, moments.states)), strict=True)]
+        across = places[0] if moving.is_over_place else moments.times
+        count = seen(moments, moving)
+        return [(moments.times, place) for place in places] + [(across[:count], value[:count]) for value in values]
 
     return curves

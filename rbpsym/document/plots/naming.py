@@ -20,7 +20,7 @@ STRIDE = 0.16  # cm along a curve between the places that are tried
 LIKED = ((0.07, 0.30), (0.07, 0.18), (0.18, 0.30), (0.07, 0.11), (0.32, 0.42), (0.18, 0.25))
 
 
-@dataclass
+@dataclass(frozen=True)
 class Sheet:
     """Rows of squares with ink."""
 

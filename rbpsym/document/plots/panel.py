@@ -134,13 +134,14 @@ def mark_labels(panel: Panel, x: Axis, taken: Sequence[Label], notation: Notatio
     """What happens at the marks, above their lines; one above the other where they are close together."""
     boxes, found = [sized(one, notation).box for one in taken], []
     for one in (one for one in panel.marks if one.name):
-        wide, high = label_size(fixed(one.name, (0.0, 0.0), "soft"), notation)
+        name = notation.names.get(one.name, one.name) if isinstance(one.name, str) else one.name
+        wide, high = label_size(fixed(name, (0.0, 0.0), "soft"), notation)
         across = min(max(WIDE * x.share(one.place), wide / 2 - 0.2), WIDE + 0.9 - wide / 2)
         up = HIGH + 0.08 + high / 2
         while any(overlap(grown(around((across, up), (wide, high)), 0.02), box) for box in boxes):
             up += 0.1
         boxes.append(around((across, up), (wide, high)))
-        found.append(fixed(one.name, (across, up), "soft"))
+        found.append(fixed(name, (across, up), "soft"))
     return found
 
 

@@ -32,40 +32,10 @@ SEVERAL = 8  # the same where several coordinates oscillate
 FAR = 2 * math.pi  # how many sizes of its own a coordinate may move; twice as many where it is driven
 STILL = 1e-9
 LEAST = 80  # steps in a time that is known
+REST = "nothing moves"
 ROOT = 14  # tries to find the moment of an event
 
-REASONS = {  # why there is no motion that can be followed
-    "statics": "nothing moves: it is a problem of statics",
-    "tied": "the speeds are tied by a condition that is no condition on the places",
-    "no_start": "the statement does not say where the motion starts",
-    "rest": "nothing moves",
-}
-
 Stop = Callable[[Numbers], float]  # its sign changes where the motion is to end
-
-
-def trajectory(
-    study: Study, numbers: Numbers, end: float = math.inf, stop: Stop | None = None, *, displaced: bool = True
-) -> Trajectory:
-    """The motion from the start up to the time `end`, or to where `stop` changes its sign.
-
-    What rests where it could move is `displaced` a little. Raises NotApplicable where the start or the
-    accelerations are not known, or nothing moves.
-    """
-    require_motion(study)
-    run = Run(study, dict(numbers), end, stop)
-    return run.all(run.pushed(run.start()) if displaced else run.start())
-
-
-def require_motion(study: Study) -> None:
-    """Raises NotApplicable if there is no motion that could be followed."""
-    system = study.system
-    if not study.problem.coordinates:
-        raise NotApplicable(REASONS["statics"])
-    if system.speed_ties:
-        raise NotApplicable(REASONS["tied"])
-    if any(name not in system.scope.start for name in system.independent):
-        raise NotApplicable(REASONS["no_start"])
 
 
 @dataclass(frozen=True)
@@ -197,7 +167,7 @@ class Run:
                 after[self.names.index(name)] += sign * PUSH * self.sizes[name]
             if math.isfinite(self.pace(0.0, tuple(after))) and self.share_inside(0.0, tuple(after), state) == 1:
                 return tuple(after)
-        raise NotApplicable(REASONS["rest"])
+        raise NotApplicable(REST)
 
     def all(self, state: State) -> Trajectory:
         """The moments up to the end: the time, the stop, the end of a range, far away, or two periods."""

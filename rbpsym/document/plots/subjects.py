@@ -66,7 +66,8 @@ def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[Curve]:
     tables = {id(leg): dict(filter(None, map(stated, chosen(leg)))) for leg in way.legs}
     for name in dict.fromkeys(name for table in tables.values() for name in table):
         values = way.joined(lambda leg, name=name: numbers_of(leg, tables[id(leg)].get(name), scale))
-        if sum(map(math.isfinite, values)) > len(values) / 2:
+        count = sum(len(leg.moments.times) for leg in way.legs if name in tables[id(leg)])
+        if sum(map(math.isfinite, values)) > count / 2:
             yield Curve(name, values)
 
 

@@ -32,10 +32,6 @@ class Trajectory:
     raw: tuple[State, ...] = ()
     run: Run | None = field(default=None, repr=False, compare=False)
 
-    def until_turn(self) -> Trajectory:
-        """The motion up to where it turns back for the first time."""
-        return self.part(self.turns[0] + 1) if self.turns else self
-
     def part(self, count: int) -> Trajectory:
         """The first moments."""
         return replace(self, times=self.times[:count], states=self.states[:count], raw=self.raw[:count])
