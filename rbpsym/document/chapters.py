@@ -96,7 +96,7 @@ def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     teller = Teller(said)
     if derivation.study.system.unknowns:
         yield from _intro("torque", derivation, said)
-    for (phrase, _), group in groupby(steps, key=_manner_of_solution):
+    for (phrase, _), group in groupby(steps, key=manner_of_solution):
         found = list(group)
         slots = {name: [step.slots.get(name[:-1]) for step in found] for name in ("accelerations", "coordinates")}
         sources = list(dict.fromkeys(source for step in found for source in step.slots.get("sources", ())))
@@ -107,7 +107,7 @@ def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
 SOLUTIONS = ("torque.solved", "torque.solved_zero")
 
 
-def _manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
+def manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
     """What accelerations that are found together have in common."""
     return step.phrase, step.premises if step.phrase == "torque.solved" else ()
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation, DerivedPhase, Step
-from rbpsym.document.chapters import chapter_sections
-from rbpsym.document.model import Block, Paragraph, Section
+from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
+from rbpsym.document.chapters import chapter_sections, manner_of_solution
+from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.telling import Teller, by_kind
 from rbpsym.document.words import Words
+from rbpsym.notation import tree as t
+from rbpsym.statement.model import Phase
 
 CHAPTERS = ("kinematics", "motion", "energy", "contact", "oscillations")  # of a later phase: what is new in it
 NEW: dict[str, Callable[[Step], bool]] = {
@@ -24,13 +26,54 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
 
     `speaker` gives the words for the derivation of a phase whose labels have a prefix.
     """
+    told = zip(derivation.phases, derivation.study.problem.phases, phase_words(derivation, said, speaker), strict=False)
+    for number, (phase, stated, (first, own)) in enumerate(told, 2):
+        begins = (*_event(stated, first), *_begins(phase, first), *_motion_again(phase.derivation, own))
+        title = said.say("phases.title", number=number, name=said.named(phase.name))
+        yield Section(title, begins, first.prefix + "section", level)
+        yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
+
+
+def phase_words(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, Words]]:
+    """How each later phase is spoken of: its beginning, and what is new in it after the phases before."""
+    before = [(derivation, said)]
     for number, phase in enumerate(derivation.phases, 2):
         prefix = f"{said.prefix}phase{number}."
-        own = speaker(phase.derivation, prefix)
-        begins = _begins(phase, begin_words(phase, said, prefix))
-        title = said.say("phases.title", number=number, name=said.named(phase.name))
-        yield Section(title, tuple(begins), prefix + "section", level)
-        yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
+        own = without_repetition(phase.derivation, speaker(phase.derivation, prefix), before)
+        before.append((phase.derivation, own))
+        yield begin_words(phase, said, prefix), own
+
+
+def without_repetition(derivation: Derivation, own: Words, before: list[tuple[Derivation, Words]]) -> Words:
+    """The words that refer to an earlier phase where a chapter would only repeat it, formula for formula."""
+    earlier = {
+        (step.chapter, step.statement): mark
+        for found, said in before
+        for step in found.steps
+        for mark in said.step(step.id)[:1]
+        if isinstance(mark, Ref)
+    }
+    marks = {s.id: earlier[s.chapter, s.statement] for s in derivation.steps if (s.chapter, s.statement) in earlier}
+    shown = [step for step in derivation.steps if step.id in own.shown]
+    new = {step.chapter for step in shown if step.id not in marks}
+    again = {step.id for step in shown if step.id in marks and (step.chapter not in new or step.rule == "conservation")}
+    return replace(own, shown=own.shown - again, elsewhere={id: marks[id] for id in again})
+
+
+def _event(stated: Phase, own: Words) -> Iterator[Block]:
+    """What ends the phase before."""
+    key = f"phases.event.{stated.event.replace(' ', '_')}"
+    if own.has(key):
+        letters = {name: t.Sym(stated.subject) for name in ("force", "coordinate") if stated.subject}
+        yield Paragraph(own.say(key, value=stated.value, **letters))
+
+
+def _motion_again(derivation: Derivation, own: Words) -> Iterator[Block]:
+    """That the equations of motion of an earlier phase hold again."""
+    found = [step for step in derivation.chapter("motion") if step.rule == "solution" and step.id in own.elsewhere]
+    if found:
+        count = len(set(map(manner_of_solution, found)))
+        yield Paragraph(own.say("phases.same_motion", equations=[StepRef(step.id) for step in found], count=count))
 
 
 def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
@@ -40,17 +83,14 @@ def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
 
 def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, tuple[Step, ...]]]:
     """The steps of the later phases, with the words that know their labels."""
-    for number, phase in enumerate(derivation.phases, 2):
-        prefix = f"{said.prefix}phase{number}."
-        yield begin_words(phase, said, prefix), phase.begins
-        yield speaker(phase.derivation, prefix), phase.derivation.steps
+    for phase, (first, own) in zip(derivation.phases, phase_words(derivation, said, speaker), strict=True):
+        yield first, phase.begins
+        yield own, phase.derivation.steps
 
 
 def _begins(phase: DerivedPhase, own: Words) -> Iterator[Block]:
     """From the end of the phase before to the state in which this one begins."""
     teller = Teller(own)
-    if own.has(f"phases.event.{phase.event.replace(' ', '_')}"):
-        yield Paragraph(own.say(f"phases.event.{phase.event.replace(' ', '_')}"))
     others, impulses = by_kind(phase.begins, ("phases.impulse",))
     before = [step for step in others if phase.begins.index(step) < _first(phase, impulses)]
     yield from teller.steps(before)

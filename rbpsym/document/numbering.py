@@ -15,6 +15,7 @@ from rbpsym.document.model import (
     Ref,
     Section,
     Table,
+    Text,
 )
 from rbpsym.notation.tree import Node
 
@@ -120,11 +121,29 @@ def resolve(part: object, counters: Counters) -> object:
     if isinstance(part, Ref):
         return resolve_ref(part, counters)
     if isinstance(part, tuple):
-        return tuple(resolve(item, counters) for item in part)
+        return once_each(tuple(resolve(item, counters) for item in part))
     if is_dataclass(part) and type(part).__module__.endswith("document.model"):
         values = {item.name: getattr(part, item.name) for item in fields(part)}
         return type(part)(**{name: resolve(value, counters) for name, value in values.items()})
     return part
+
+
+def once_each(parts: tuple) -> tuple:
+    """A list of references without those that print the same number again: (7), (7) and (8) is (7) and (8)."""
+    found: list = []
+    for part in parts:
+        if isinstance(part, Ref) and len(found) > 1 and part == found[-2] and is_joint(found[-1]):
+            joint = found.pop()
+            if len(found) > 2 and is_joint(found[-2]) and isinstance(found[-3], Ref):
+                found[-2] = joint
+            continue
+        found.append(part)
+    return tuple(found)
+
+
+def is_joint(part: object) -> bool:
+    """Is it what stands between two parts of a list?"""
+    return isinstance(part, Text) and len(part.text) <= len(" and ")
 
 
 def resolve_ref(ref: Ref, counters: Counters) -> Ref:

@@ -20,7 +20,8 @@ class Words:
 
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
     steps that are displayed, so that only these are referred to by number; `same` maps a step
-    that repeats an earlier one to it; `is_later` of a later phase of a motion, where introductions
+    that repeats an earlier one to it; `elsewhere` has the references of steps that an earlier
+    phase showed; `is_later` of a later phase of a motion, where introductions
     have been given already; `locate` says a point of a body as it is seen in the figure.
     """
 
@@ -30,6 +31,7 @@ class Words:
     shown: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
+    elsewhere: Mapping[str, Ref] = field(default_factory=dict)
     locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)
 
     @property
@@ -67,7 +69,7 @@ class Words:
     def several(self, values: list) -> list:
         """A list of slots; steps that are not shown are left out of a list of steps."""
         if values and all(isinstance(value, StepRef) for value in values):
-            marks = [self.step(value.id) for value in values if self.same.get(value.id, value.id) in self.shown]
+            marks = [self.step(value.id) for value in values if self.is_seen(value.id)]
             return list(dict.fromkeys(marks)) or [phrase("ref.above", self.language)]
         return [self.label(value) if isinstance(value, str) else self.word(value) for value in values]
 
@@ -75,7 +77,11 @@ class Words:
         """Is it a list of steps of which none is displayed?"""
         if not isinstance(values, list) or not values or not all(isinstance(value, StepRef) for value in values):
             return False
-        return not any(self.same.get(value.id, value.id) in self.shown for value in values)
+        return not any(self.is_seen(value.id) for value in values)
+
+    def is_seen(self, id: str) -> bool:
+        """Is the formula of a step displayed somewhere?"""
+        return id in self.elsewhere or self.same.get(id, id) in self.shown
 
     def label(self, text: str) -> Inlines:
         """A point as the file names it: "rod.end" is the end of the rod."""
@@ -88,6 +94,8 @@ class Words:
 
     def step(self, id: str) -> Inlines:
         """The number of a step, or a word for one that is not shown."""
+        if id in self.elsewhere:
+            return (self.elsewhere[id],)
         first = self.same.get(id, id)
         return (Ref(self.prefix + first),) if first in self.shown else phrase("ref.above", self.language)
 

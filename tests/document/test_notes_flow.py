@@ -7,8 +7,8 @@ from functools import cache
 import pytest
 
 import rbpsym
-from rbpsym.document.model import Display, Document, Math, Paragraph, Section, Text
-from rbpsym.document.numbering import numbered, parts
+from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Text
+from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.notation import tree as t
 
 NAMES = ("rod-struck-off-center", "ball-slipping-to-rolling", "yo-yo", "spool-pulled-at-angle")
@@ -28,9 +28,12 @@ def section(document: Document, chapter: str) -> Section | None:
     return next((found for found in document.sections if found.label == f"section.{chapter}"), None)
 
 
+def text_of(part: Paragraph) -> str:
+    return "".join(inline.text for inline in part.inlines if isinstance(inline, Text))
+
+
 def text(document: Document) -> str:
-    found = (part for part in parts(document.sections) if isinstance(part, Paragraph))
-    return "\n".join("".join(i.text for i in part.inlines if isinstance(i, Text)) for part in found)
+    return "\n".join(text_of(part) for part in parts(document.sections) if isinstance(part, Paragraph))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -75,3 +78,30 @@ def test_methods_that_were_left_out_are_told_after_those_that_agree() -> None:
     assert isinstance(checks.blocks[-1], Paragraph)
     items = [inline.text for item in checks.blocks[-2].items for inline in item if isinstance(inline, Text)]
     assert not any("cannot" in item or "does not apply" in item for item in items)
+
+
+def test_a_phase_refers_to_the_equations_of_motion_that_hold_on() -> None:
+    struck = page("rod-struck-off-center")
+    assert not any(found.label.startswith("phase2.section.motion") for found in struck.sections)
+    sentence = next(p for p in parts(struck.sections) if isinstance(p, Paragraph) and "again" in text_of(p))
+    motion = next(block for block in section(struck, "motion").blocks if isinstance(block, Display) and block.boxed)
+    assert [inline.mark for inline in sentence.inlines if isinstance(inline, Ref)] == [motion.mark]
+    rolling = page("ball-slipping-to-rolling")
+    assert any(found.label == "phase2.section.motion" for found in rolling.sections)
+
+
+def test_the_end_of_a_phase_is_told_with_its_coordinate_and_value() -> None:
+    said = text(page("rod-hits-ball-at-bottom"))
+    assert "a coordinate" not in said
+    ends = [p for p in parts(page("rod-hits-ball-at-bottom").sections) if isinstance(p, Paragraph)]
+    end = next(p for p in ends if "The phase before ends when" in text_of(p))
+    assert [inline.node for inline in end.inlines if isinstance(inline, Math)] == [t.Sym("theta"), t.ZERO]
+
+
+def test_a_number_is_cited_once_in_a_list() -> None:
+    seven, eight = Ref("a", "(7)"), Ref("b", "(8)")
+    assert once_each((seven, Text(", "), seven, Text(" and "), eight)) == (seven, Text(" and "), eight)
+    assert once_each((seven, Text(", "), eight, Text(" and "), eight)) == (seven, Text(" and "), eight)
+    assert once_each((seven, Text(", "), seven, Text(" and "), seven)) == (seven,)
+    apart = (seven, Text(" gives what also "), seven)
+    assert once_each(apart) == apart
