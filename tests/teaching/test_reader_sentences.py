@@ -10,16 +10,20 @@ from pathlib import Path
 import pytest
 
 import rbpsym
+from rbpsym.derivation.step import BodyRef
 from rbpsym.document.language import usual_notation
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.dimensions import a
 from rbpsym.quantities import DIMENSIONS
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.answer import grade_answer
 from rbpsym.teaching.grading.book import book
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.remarks import comment
 from rbpsym.teaching.grading.translated import translated
+from rbpsym.teaching.model import Slip
 from rbpsym.teaching.wording import languages
 
 HOUSE = Path(rbpsym.__file__).parent
@@ -104,3 +108,10 @@ def test_names_of_bodies_and_functions_are_read_as_the_sheet_prints_them(answer:
 
 def test_names_are_read_without_their_accents() -> None:
     assert book(["W_bob"], None, "es", {"bob": "péndulo"}).named("W_pendulo") == "W_bob"
+
+
+def test_a_slip_is_told_with_the_names_of_the_language() -> None:
+    ladder = load_problem(problem_files()["sliding-ladder"])
+    slip = Slip("spin-dropped", {"body": BodyRef("ladder")})
+    text = plain_text(say_slip(slip, "es", [ladder]), usual_notation("es"), "es")
+    assert text.startswith("Trataste la escalera como una masa puntual")

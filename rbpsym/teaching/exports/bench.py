@@ -63,7 +63,7 @@ class Desk:
 
     def feedback(self, slip: Slip | None) -> str:
         """The feedback of a wrong answer as HTML."""
-        return f"<p>{self.inlines(feedback(slip, self.worksheet.language))}</p>"
+        return f"<p>{self.inlines(feedback(slip, self.worksheet))}</p>"
 
 
 def nearest_pairs(key: OrderKey) -> list[tuple[int, int]]:

@@ -114,7 +114,7 @@ def _options(item: Item, desk: Desk, options: tuple[Option, ...], right: int) ->
     lines = []
     for place, option in enumerate(options):
         told = (
-            "" if place == right else f' feedback="{_attribute(feedback(option.slip, desk.worksheet.language), desk)}"'
+            "" if place == right else f' feedback="{_attribute(feedback(option.slip, desk.worksheet), desk)}"'
         )
         truth = "true" if place == right else "false"
         lines.append(f'  <pl-answer correct="{truth}"{told}>{desk.inlines(option.content)}</pl-answer>')

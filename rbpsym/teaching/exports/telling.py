@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Item, Slip, Worksheet
 from rbpsym.teaching.wording import say, teaching_phrases
 
@@ -17,20 +19,25 @@ def word(key: str, language: str) -> str:
     return teaching_phrases(language)[f"exports.{key}"]
 
 
-def say_slip(slip: Slip, language: str) -> Inlines:
-    """The feedback of a misconception; its name where there is no phrase for it."""
+def say_slip(slip: Slip, language: str, problems: Iterable[Problem] = ()) -> Inlines:
+    """The feedback of a misconception; its name where there is no phrase for it.
+
+    `problems` are those of the worksheet: the one with the bodies of the slip tells what they are called.
+    """
+    bodies = {value.name for value in slip.slots.values() if isinstance(value, BodyRef)}
+    problem = next((found for found in problems if bodies <= set(found.body_names)), None)
     try:
-        return say(slip.phrase, language, **slip.slots)
+        return say(slip.phrase, language, problem, **slip.slots)
     except (RbpsymError, KeyError):
         return (Text(slip.name.replace("-", " ").capitalize() + "."),)
 
 
-def feedback(slip: Slip | None, language: str) -> Inlines:
+def feedback(slip: Slip | None, worksheet: Worksheet) -> Inlines:
     """The feedback of a wrong answer, with the first wrong step as it should be."""
     if slip is None:
-        return (Text(word("wrong", language)),)
+        return (Text(word("wrong", worksheet.language)),)
     first: Inlines = (Text(" "), Math(slip.shown)) if isinstance(slip.shown, Node) else ()
-    return (*say_slip(slip, language), *first)
+    return (*say_slip(slip, worksheet.language, worksheet.problems.values()), *first)
 
 
 def name_of(item: Item, worksheet: Worksheet) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from functools import partial
 from hashlib import sha256
 from unicodedata import category
 
@@ -31,7 +33,10 @@ def feedback_words(language: str) -> dict[str, str]:
 def remarks_of(mark: Mark, worksheet: Worksheet) -> Inlines:
     """The remarks of a mark in the language of the worksheet; a word of praise where all is right."""
     words = feedback_words(worksheet.language)
-    found = comment(mark.judgement, worksheet.language, say_slip)
+    problem = worksheet.problems.get(worksheet.part_of(mark.item).problem) if mark.item else None
+    speaker = partial(say_slip, problems=() if problem is None else (problem,))
+    called = problem.names_in(worksheet.language) if problem else {}
+    found = comment(mark.judgement, worksheet.language, speaker, called)
     if mark.judgement.status is Status.RIGHT and not found:
         found = (Text(words["right"]),)
     return (*found, Text(f" {words['teacher']}")) if mark.judgement.is_for_teacher else found
@@ -53,10 +58,15 @@ def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -
         student=student,
         code=worksheet.code,
         words=words,
-        total=points_text(sum(mark.points for mark in marks)),
-        most=points_text(worksheet.points),
+        total=_points(sum(mark.points for mark in marks), worksheet),
+        most=_points(worksheet.points, worksheet),
         rows=[_row(mark, worksheet) for mark in marks],
     )
+
+
+def _points(value: Fraction, worksheet: Worksheet) -> str:
+    """Points with the decimal mark of the worksheet."""
+    return points_text(value).replace(".", worksheet.notation.decimal)
 
 
 def _row(mark: Mark, worksheet: Worksheet) -> dict[str, object]:
@@ -64,8 +74,8 @@ def _row(mark: Mark, worksheet: Worksheet) -> dict[str, object]:
     return {
         "item": mark.item,
         "answer": visible(shown),
-        "points": points_text(mark.points),
-        "most": points_text(mark.most),
+        "points": _points(mark.points, worksheet),
+        "most": _points(mark.most, worksheet),
         "kind": "right" if mark.judgement.credit == 1 else "part" if mark.judgement.credit else "none",
         "remarks": _html(remarks_of(mark, worksheet), worksheet),
         "shown": [visible(text, "\n ") for r in mark.judgement.remarks if (text := r.slots.get("shown"))],

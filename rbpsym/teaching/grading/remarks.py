@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.errors import RbpsymError
+from rbpsym.notation.glyphs import renamed
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.grading.judgement import Judgement, Remark
 from rbpsym.teaching.grading.translated import reason, translated
@@ -15,20 +17,23 @@ from rbpsym.teaching.model import Slip
 from rbpsym.teaching.wording import teaching_phrases
 
 _PLACE = re.compile(r"\{([a-z]+)\}")
+_NAME = re.compile(r"[A-Za-z]\w*_\w+")
+_NOTHING: Mapping[str, str] = MappingProxyType({})
 SaySlip = Callable[[Slip, str], Inlines]
 
 
-def said(remark: Remark, language: str, say_slip: SaySlip) -> Inlines:
-    """A remark as a sentence."""
+def said(remark: Remark, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
+    """A remark as a sentence; `called` is what bodies are called in the language."""
     text = teaching_phrases(language)[f"remark.{remark.key}"]
-    return tuple(_pieces(text, _in_language(remark.slots, language), language, say_slip))
+    return tuple(_pieces(text, _in_language(remark.slots, language, called), language, say_slip))
 
 
-def _in_language(slots: Mapping[str, Any], language: str) -> dict[str, Any]:
+def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, str]) -> dict[str, Any]:
     """The slots with what the readers say of the answer in the language."""
     error = slots.get("error")
     spoken = {name: translated(value, language) if isinstance(value, str) else value for name, value in slots.items()}
-    return spoken | ({"why": reason(error, language)} if isinstance(error, RbpsymError) else {})
+    why = reason(error, language) if isinstance(error, RbpsymError) else ""
+    return spoken | ({"why": _NAME.sub(lambda name: renamed(name[0], called), why)} if why else {})
 
 
 def _pieces(text: str, slots: Mapping[str, Any], language: str, say_slip: SaySlip) -> Iterator[Text | Math]:
@@ -52,10 +57,10 @@ def _inlines(value: Any, language: str, say_slip: SaySlip) -> Iterator[Any]:
         yield Text(str(value))
 
 
-def comment(judgement: Judgement, language: str, say_slip: SaySlip) -> Inlines:
+def comment(judgement: Judgement, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
     """All remarks of a judgement, one after the other."""
     found: list[Any] = []
     for remark in judgement.remarks:
         found += [Text(" ")] if found else []
-        found += said(remark, language, say_slip)
+        found += said(remark, language, say_slip, called)
     return tuple(found)
