@@ -6,6 +6,7 @@ What such a force does on one body it does with the opposite sign on the other, 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -22,17 +23,30 @@ from rbpsym.notation import tree as t
 MOST_AT_THE_BOARD = 2  # bodies; with more of them it is a matter for full detail
 
 
-def write(draft: Draft) -> None:
-    """A step for each body and their sum, where all other works are known as functions of position."""
+@dataclass(frozen=True)
+class Parts:
+    """The ideal forces between two bodies by name, and the known works on each body."""
+
+    inner: Mapping[str, Force]
+    known: Mapping[str, list[Scalar]]
+
+    @property
+    def level(self) -> int:
+        """From which detail on they are shown."""
+        return STANDARD if len(self.known) <= MOST_AT_THE_BOARD else FULL
+
+
+def found(draft: Draft) -> Parts | None:
+    """What each body alone is told with; None where another work is not a known function of position."""
     system = draft.study.system
     if len(system.bodies) < 2 or system.has_clock or not started(draft) or draft.study.dynamics.accelerations is None:
-        return
+        return None
     if any(turning_together(draft, label) for label in draft.study.origins):
-        return
+        return None
     inner = _inner(draft)
     known = {name: _known(draft, name, inner) for name in system.bodies}
-    if inner and None not in known.values():
-        _write(draft, inner, known)
+    whole = {name: works for name, works in known.items() if works is not None}
+    return Parts(inner, whole) if inner and len(whole) == len(known) else None
 
 
 def _inner(draft: Draft) -> dict[str, Force]:
@@ -66,26 +80,19 @@ def _known(draft: Draft, body: str, inner: Mapping[str, Force]) -> list[Scalar] 
     return found
 
 
-def _write(draft: Draft, inner: Mapping[str, Force], known: Mapping[str, list[Scalar] | None]) -> None:
-    letters = {name: t.Sym(draft.free(f"cal_w_{name}")) for name in inner}
-    for name, force in inner.items():
+def write(draft: Draft, parts: Parts) -> None:
+    """A step for each body and their sum."""
+    letters = {name: t.Sym(draft.free(f"cal_w_{name}")) for name in parts.inner}
+    for name, force in parts.inner.items():
         draft.context.works[letters[name].name] = _power(draft, name, force.on)
-    level = STANDARD if len(known) <= MOST_AT_THE_BOARD else FULL
-    acted_on = {force.on for force in inner.values()}
-    order = sorted(known, key=lambda body: body not in acted_on)
-    steps = [_of_body(draft, body, known[body] or [], inner, letters, level) for body in order]
-    _sum(draft, steps, known, letters, level)
+    acted_on = {force.on for force in parts.inner.values()}
+    order = sorted(parts.known, key=lambda body: body not in acted_on)
+    _sum(draft, parts, [_of_body(draft, body, parts, letters) for body in order], letters)
 
 
-def _of_body(
-    draft: Draft,
-    body: str,
-    known: list[Scalar],
-    inner: Mapping[str, Force],
-    letters: Mapping[str, t.Sym],
-    level: int,
-) -> Step:
+def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]) -> Step:
     """± the works of the inner forces, and those that are known: the change of the kinetic energy of the body."""
+    inner, known = parts.inner, parts.known[body]
     parties = {name: {f.on for f in draft.study.system.forces if f.name == name} for name in inner}
     unknown = [n if inner[k].on == body else t.neg(n) for k, n in letters.items() if body in parties[k]]
     state = draft.study.system.bodies[body]
@@ -101,7 +108,7 @@ def _of_body(
         works=[letters[k] for k in acting],
         forces=[t.Vec(k) for k in acting or letters],
         variant={0: "other", 1: "one"}.get(len(acting), "many"),
-        level=level,
+        level=parts.level,
         data={"known": sum(known, NOTHING), "growth": growth},
     )
 
@@ -110,15 +117,9 @@ def _theorems(draft: Draft, body: str) -> list[str]:
     return [f"theorem.{half}.{body}" for half in ("T", "theta")]
 
 
-def _sum(
-    draft: Draft,
-    steps: list[Step],
-    known: Mapping[str, list[Scalar] | None],
-    letters: Mapping[str, t.Sym],
-    level: int,
-) -> None:
+def _sum(draft: Draft, parts: Parts, steps: list[Step], letters: Mapping[str, t.Sym]) -> None:
     """Added over all bodies."""
-    total = short(sum((work for works in known.values() for work in works or []), NOTHING))
+    total = short(sum((work for works in parts.known.values() for work in works), NOTHING))
     growth = short(sum((step.data["growth"] for step in steps), NOTHING))
     draft.add(
         "alone.added",
@@ -129,6 +130,6 @@ def _sum(
         equations=[StepRef(step.id) for step in steps],
         works=list(letters.values()),
         count=len(letters),
-        level=level,
+        level=parts.level,
         data={"terms": [(1, step) for step in steps]},
     )

@@ -43,11 +43,14 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     net_work.write(draft, works)
     spring_works.write(draft)
     together = works_together.found(draft)
+    parts = work_by_bodies.found(draft)
     _theorem(draft, works, STANDARD if together is None else FULL)
+    _whole(draft, works, STANDARD if together is None and (parts is None or parts.level == FULL) else FULL)
     if together is not None:
         works_together.write(draft, together)
     axis_work.write(draft)
-    work_by_bodies.write(draft)
+    if parts is not None:
+        work_by_bodies.write(draft, parts)
     for item in works:
         _done(draft, item)
     return _acceleration(draft)
@@ -108,7 +111,7 @@ def _row(draft: Draft, item: ForceWork, half: str, work: Work) -> t.Node | None:
 
 
 def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
-    """The halves for each body, and the whole."""
+    """The halves for each body."""
     for name, state in _bodies_with_known_motion(draft):
         own = [item for item in works if item.on == name]
         for (half, word), kinetic in zip(HALVES, _kinetic_nodes(draft, name), strict=True):
@@ -128,7 +131,6 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
                 count=len(terms),
                 level=level,
             )
-    _whole(draft, works, level)
 
 
 def _bodies_with_known_motion(draft: Draft) -> list:
