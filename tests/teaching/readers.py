@@ -1,4 +1,5 @@
-"""Readers that others wrote, each in a process of its own: pyslet (QTI 2.1), qti2latex (Canvas), gift-pegjs, Maxima.
+"""Readers that others wrote, each in a process of its own: pyslet and citolab-qti-convert (QTI 2.1), qti2latex (Canvas),
+moodle-xml-parser, gift-pegjs, Maxima.
 
 Called as `python -m tests.teaching.readers NAME FILE`, it prints what the reader found as JSON.
 """
@@ -115,6 +116,48 @@ def _qti2latex(path: str) -> object:
     return found
 
 
+def _citolab(path: str) -> object:
+    """The parts of each item as citolab's converter makes QTI 3.0 of them: interactions, right responses, pictures."""
+    import tempfile
+    import xml.etree.ElementTree as Tree
+    import zipfile
+
+    folder = Path(tempfile.mkdtemp())
+    command = [str(Path(sys.executable).parent / "qti-convert"), "upgrade", path, str(folder / "new.zip")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(folder / "new.zip") as package:
+        roots = {n: Tree.fromstring(package.read(n)) for n in package.namelist() if n.startswith("q-item")}
+    shutil.rmtree(folder)
+    found = {}
+    for name, root in roots.items():
+        tags = [part.tag.partition("}")[2] for part in root.iter()]
+        right = [value.text for part in root.iter() if part.tag.endswith("}qti-correct-response") for value in part]
+        pictures = [part.get("alt") for part in root.iter() if part.tag.endswith("}img")]
+        found[name] = {
+            "interactions": sorted({t for t in tags if t.endswith("-interaction")}),
+            "right": right,
+            "alt": pictures,
+        }
+    return found
+
+
+def _moodle_xml_parser(path: str) -> object:
+    """Of multiple choices: the fractions; of clozes: the options of each field with their fractions."""
+    from moodle_xml_parser.parser import parse_file
+
+    found = parse_file(path)
+    return {
+        "multichoice": [[option.score_fraction for option in q.options] for q in found["multichoice"]],
+        "cloze": [
+            [[[o.answer, o.score] for o in gap.options] for gap in q.gaps if gap.sub_type == "MULTICHOICE"]
+            for q in found["cloze"]
+        ],
+    }
+
+
 if __name__ == "__main__":
-    known = {"pyslet": _pyslet, "qti2latex": _qti2latex}
+    known = {
+        "pyslet": _pyslet, "qti2latex": _qti2latex, "qti_convert": _citolab, "moodle_xml_parser": _moodle_xml_parser,
+    }  # fmt: skip
     print(json.dumps(known[sys.argv[1]](*sys.argv[2:])))

@@ -84,6 +84,17 @@ def test_moodle_choices_have_one_right_answer(exported: dict[str, Exported]) -> 
         assert fractions.count("100") == 1 and set(fractions) == {"0", "100"}
 
 
+def test_moodle_is_read_by_moodle_xml_parser(exported: dict[str, Exported], tmp_path: Path) -> None:
+    file = tmp_path / "moodle.xml"
+    file.write_bytes(exported["moodle"].files["moodle.xml"])
+    found = by_python("moodle_xml_parser", file)
+    assert found["multichoice"] and found["cloze"]
+    assert all(sorted(set(fractions)) == [0, 100] and fractions.count(100) == 1 for fractions in found["multichoice"])
+    for fields in found["cloze"]:
+        assert len(fields) >= 2
+        assert all(len(options) == 3 and sum(score == 100 for _, score in options) == 1 for options in fields)
+
+
 def test_moodle_numbers(exported: dict[str, Exported]) -> None:
     first = of_type(quiz(exported), "numerical")[0]
     right, wrong = first.findall("answer")
@@ -172,6 +183,19 @@ def test_qti_items_are_read_and_scored_by_pyslet(exported: dict[str, Exported], 
     }
     for (file, given, score, feedback), (points, shown) in zip(RESPONSES, found["scores"], strict=True):
         assert (points, shown) == (pytest.approx(score), feedback), (file, given)
+
+
+def test_qti_is_read_by_citolab(exported: dict[str, Exported], tmp_path: Path) -> None:
+    """A second reader makes QTI 3.0 of it: every interaction, the right responses, pictures with their descriptions."""
+    file = tmp_path / "quiz.zip"
+    file.write_bytes(next(iter(exported["qti"].files.values())))
+    found = by_python("qti_convert", file)
+    assert set(found) == {f"q-item-{n}.xml" for n in range(1, 11)}
+    assert all(len(item["interactions"]) == 1 for item in found.values())
+    assert found["q-item-2.xml"]["right"] == ["-5.12"] and found["q-item-4.xml"]["right"] == ["option2"]
+    assert set(found["q-item-5.xml"]["right"]) == {"step1", "step2", "step3"}
+    assert all(alt and len(alt) > 20 for item in found.values() for alt in item["alt"])
+    assert any(item["alt"] for item in found.values())
 
 
 def test_qti_manifest_names_every_file(exported: dict[str, Exported], tmp_path: Path) -> None:
