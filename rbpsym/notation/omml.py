@@ -61,6 +61,13 @@ def run(text: str, style: str = "p") -> str:
     return f'<m:r><m:rPr><m:sty m:val="{style}"/></m:rPr><m:t{space}>{escape(text, quote=False)}</m:t></m:r>'
 
 
+def _upright(text: str) -> str:
+    """A word is ordinary text: LibreOffice knows no other upright letters."""
+    if len(text) < 2:
+        return run(text)
+    return f"<m:r><m:rPr><m:nor/></m:rPr><m:t>{escape(text, quote=False)}</m:t></m:r>"
+
+
 def _letter(box: b.Letter) -> str:
     return _STYLES[box.style](box.text)
 
@@ -75,7 +82,7 @@ def _script_letter(text: str) -> str:
 
 
 _STYLES: dict[str, Callable[[str], str]] = {
-    "italic": _italic, "upright": run, "script": _script_letter, "number": run,
+    "italic": _italic, "upright": _upright, "script": _script_letter, "number": run,
 }  # fmt: skip
 
 

@@ -28,7 +28,7 @@ from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_math import TEXT_WIDTH, display_table, is_aside, math
-from rbpsym.document.writers.word_xml import Cell, Look, link, paragraph, safe, table_of, text_run
+from rbpsym.document.writers.word_xml import STAYS, Cell, Look, link, paragraph, safe, table_of, text_run
 from rbpsym.notation.layout import layout
 from rbpsym.notation.omml import render, to_omml
 
@@ -68,7 +68,18 @@ def section(part: Section, page: Page) -> str:
     """A heading and what stands under it."""
     number = text_run(f"{part.number}\u2002") if part.number else ""
     heading = paragraph(number + page.inlines(part.title), f"Heading{min(max(part.level, 1), 3)}", part.label)
-    return heading + page.blocks(part.blocks, "")
+    return heading + blocks(part.blocks, page)
+
+
+def blocks(parts: tuple, page: Page) -> str:
+    """Blocks below each other; a paragraph stays with the formula that it leads to."""
+    pairs = zip(parts, (*parts[1:], None), strict=False)
+    return "".join(
+        paragraph(page.inlines(block.inlines), "BodyText", more=STAYS if page.is_lead(block, after) else "")
+        if isinstance(block, Paragraph)
+        else page.show(block)
+        for block, after in pairs
+    )
 
 
 def marked(inlines: Inlines, page: Page, look: str) -> str:
@@ -88,9 +99,15 @@ def table(block: Table, page: Page) -> str:
     """A native table with three rules; its header is repeated on each page."""
     columns = widths(block, page)
     header = [
-        Cell(cell(c, letter, page, "<w:b/>"), UNDER) for c, letter in zip(block.header, block.columns, strict=True)
+        Cell(cell(c, letter, page, "<w:b/>", STAYS), UNDER)
+        for c, letter in zip(block.header, block.columns, strict=True)
     ]
-    rows = [[Cell(cell(c, x, page)) for c, x in zip(row, block.columns, strict=True)] for row in block.rows]
+    last = len(block.rows) - 1
+    stays = [STAYS if last < LONG and place < last else "" for place in range(last + 1)]
+    rows = [
+        [Cell(cell(c, x, page, stays=stay)) for c, x in zip(row, block.columns, strict=True)]
+        for row, stay in zip(block.rows, stays, strict=True)
+    ]
     shown = table_of(columns, [header, *rows], Look("center", RULES, 90), header=True)
     return captioned(block, "table", page) + shown if block.caption else shown
 
@@ -109,13 +126,14 @@ def widths(block: Table, page: Page) -> list[int]:
     wordy = [k for k in places if block.columns[k] in "lp" and wraps(block, k)]
     spare, share = TEXT_WIDTH - sum(wanted), sum(wanted[k] for k in wordy)
     if spare < 0 < share:
-        kept = max(1 + spare / share, 0.45)
+        kept = max(1 + spare / share, 0.62)
         wanted = [round(w * kept) if k in wordy else w for k, w in enumerate(wanted)]
     factor = min(1.0, TEXT_WIDTH / sum(wanted))
     return [int(w * factor) for w in wanted]
 
 
 SMALL = 235  # twips an em in a table
+LONG = 14  # rows of a table that may be cut at the end of a page
 
 
 def wraps(block: Table, place: int) -> bool:
@@ -123,9 +141,9 @@ def wraps(block: Table, place: int) -> bool:
     return any(isinstance(inline, Text) and " " in inline.text for row in block.rows for inline in row[place])
 
 
-def cell(inlines: Inlines, letter: str, page: Page, look: str = "") -> str:
+def cell(inlines: Inlines, letter: str, page: Page, look: str = "", stays: str = "") -> str:
     """The paragraph of a cell; a formula alone in it stands in display style."""
-    side = f'<w:jc w:val="{SIDES[letter]}"/>'
+    side = f'{stays}<w:jc w:val="{SIDES[letter]}"/>'
     if len(inlines) == 1 and isinstance(inlines[0], Math):
         return paragraph(math(render(layout(inlines[0].node, page.notation)), SIDES[letter]), "Cell", more=side)
     return paragraph(marked(inlines, page, look) if look else page.inlines(inlines), "Cell", more=side)
@@ -134,7 +152,7 @@ def cell(inlines: Inlines, letter: str, page: Page, look: str = "") -> str:
 def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
     """ "Figure 2. What is seen"; a table's stays with the table."""
     name = text_run(page.word(f"block.{kind}", number=block.number) + ". ", "<w:b/>")
-    stay = "<w:keepNext/>" if kind == "table" else ""
+    stay = STAYS if kind == "table" else ""
     return paragraph(name + page.inlines(block.caption), "Caption", block.label, more=stay)
 
 
@@ -156,7 +174,7 @@ def item_list(block: ItemList, page: Page) -> str:
 def callout(block: Callout, page: Page) -> str:
     """A remark in a cell with a rule at its left."""
     title = page.inlines(block.title) if block.title else text_run(page.word(f"callout.{block.kind}"))
-    inner = paragraph(title, "CalloutTitle") + page.blocks(block.blocks, "")
+    inner = paragraph(title, "CalloutTitle") + blocks(block.blocks, page)
     inner += "" if inner.endswith("</w:p>") else paragraph("", "Gap")
     rule = f'<w:left w:val="single" w:sz="18" w:space="0" w:color="{TONES[block.kind]}"/>'
     look = Look(borders=f"<w:tblBorders>{rule}</w:tblBorders>", beside=180, indent=60)

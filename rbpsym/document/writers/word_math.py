@@ -5,7 +5,7 @@ from __future__ import annotations
 from rbpsym.document import breaking
 from rbpsym.document.model import Display
 from rbpsym.document.writers.page import Page
-from rbpsym.document.writers.word_xml import Cell, paragraph, table_of, text_run
+from rbpsym.document.writers.word_xml import STAYS, Cell, paragraph, table_of, text_run
 from rbpsym.notation.omml import NOTHING, formula, render
 
 EM = 250  # twips an em of a formula, with room for Word's own spacing
@@ -69,7 +69,8 @@ def row(line: breaking.Line, place: int, lines: tuple[breaking.Line, ...], block
     merged = "" if single else '<w:vMerge w:val="restart"/>' if place == 0 else "<w:vMerge/>"
     edges = frame(place, len(lines)) if block.boxed else {}
     cells = sides(line, edges, name if place == 0 else "", single or not halves(lines)[0])
-    return [Cell(paragraph("", "Formula")), *cells, Cell(paragraph("", "Number"), merged)]
+    stays = STAYS if place < len(lines) - 1 else ""
+    return [Cell(paragraph("", "Formula", more=stays)), *cells, Cell(paragraph("", "Number"), merged)]
 
 
 def sides(line: breaking.Line, edges: dict[str, str], name: str, whole: bool) -> list[Cell]:

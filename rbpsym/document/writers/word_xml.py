@@ -31,6 +31,9 @@ def paragraph(content: str, style: str = "", label: str = "", *, more: str = "",
     return f"<w:p>{properties}{bookmarked(content, label)}</w:p>"
 
 
+STAYS = "<w:keepNext/>"  # on the page of what follows
+
+
 def bookmarked(content: str, label: str) -> str:
     """The content as the target of links."""
     if not label:
