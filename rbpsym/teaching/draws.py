@@ -36,9 +36,9 @@ class Draws:
         return int.from_bytes(found, "big")
 
     def below(self, bound: int) -> int:
-        """An integer from 0 to bound - 1, each as likely (ValueError for bound < 1)."""
-        if bound < 1:
-            raise ValueError("nothing to draw from")
+        """An integer from 0 to bound - 1, each as likely (ValueError for bound < 1 or above 2**64)."""
+        if not 1 <= bound <= WORD:
+            raise ValueError("nothing to draw from, or too much")
         limit = WORD - WORD % bound
         while True:
             found = self.word()

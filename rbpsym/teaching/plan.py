@@ -177,6 +177,7 @@ def plan_of(source: str | Path | Problem | Sheet, progress: Callable[[], None] |
     for part in sheet.parts:
         bench = bench_of(part.problem, part.numbers)
         sight = _scenery(bench, part.wishes)
+        _check_numbers(sight, part)
         if not part.wishes:
             sheet = standard_sheet(bench, sight)
             part = sheet.parts[0]
@@ -184,6 +185,14 @@ def plan_of(source: str | Path | Problem | Sheet, progress: Callable[[], None] |
         if progress is not None:
             progress()
     return Plan(sheet, tuple(parts))
+
+
+def _check_numbers(sight: Scenery, part: SheetPart) -> None:
+    """Raises an error, told at its place, if the worksheet's own numbers leave no motion to look at."""
+    try:
+        next(sight.situations(Draws(b"check", part.problem.name)))
+    except RbpsymError as error:
+        raise part.error(error) from None
 
 
 def _sheet(source: str | Path | Problem) -> Sheet:

@@ -35,8 +35,36 @@ class Range:
     digits: int = DIGITS
 
     def draw(self, draws: Draws) -> Measure:
-        """One of the numbers."""
-        return Measure(draws.step(self.low, self.high, self.step), self.unit, self.digits)
+        """One of the numbers, exactly as it is printed."""
+        return Measure(in_figures(draws.step(self.low, self.high, self.step), self.digits), self.unit, self.digits)
+
+
+def in_figures(value: Fraction, digits: int) -> Fraction:
+    """The value rounded to significant figures, half away from zero.
+
+    >>> str(in_figures(Fraction("13.25"), 3)), str(in_figures(Fraction("0.5"), 3))
+    ('133/10', '1/2')
+    """
+    if not value:
+        return value
+    unit = Fraction(10) ** (_power(value) - digits + 1)
+    rounded = math.floor(abs(value) / unit + Fraction(1, 2)) * unit
+    return rounded if value > 0 else -rounded
+
+
+def _power(value: Fraction) -> int:
+    """The power of ten of the first figure, exactly."""
+    found = math.floor(math.log10(abs(value)))
+    return found + (abs(value) >= Fraction(10) ** (found + 1)) - (abs(value) < Fraction(10) ** found)
+
+
+def figures(value: Fraction) -> int:
+    """How many significant figures a decimal number needs (20 for one that has no end).
+
+    >>> figures(Fraction("1.325")), figures(Fraction(1200)), figures(Fraction(0))
+    (4, 2, 1)
+    """
+    return next((digits for digits in range(1, 20) if in_figures(value, digits) == value), 20)
 
 
 def middles(ranges: Mapping[str, Range]) -> dict[str, float]:

@@ -5,7 +5,7 @@ Errors tell the place with a caret, as those of problem files do.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -16,7 +16,8 @@ from rbpsym.statement.loader import load_problem, load_table, table_of
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.ranges import Range, named_quantities, read_measure
+from rbpsym.teaching.ranges import Range
+from rbpsym.teaching.sheet_numbers import numbers_in
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import languages
@@ -24,8 +25,8 @@ from rbpsym.teaching.wording import languages
 SHEET_KEYS = ("title", "language", "introduction", "problem")
 PROBLEM_KEYS = ("name", "file", "numbers", "task")
 TASK_KEYS = ("kind", "about", "number", "level", "points", "options", "answers", "misconceptions")
-RANGE_KEYS = ("from", "to", "step", "digits")
 ANSWERS = ("formula", "number")
+LEVELS = (0, 1, 2, 3)
 MOST_ITEMS, MOST_POINTS = 40, 1000
 
 
@@ -36,6 +37,11 @@ class SheetPart:
     problem: Problem
     numbers: Mapping[str, Range]
     wishes: tuple[Wish, ...]
+    at: Item | None = field(default=None, compare=False, repr=False)
+
+    def error(self, error: RbpsymError) -> RbpsymError:
+        """An error about its numbers, told where the problem stands in the file."""
+        return error if self.at is None else self.at.error(error.what, error.instead)
 
 
 @dataclass(frozen=True)
@@ -69,7 +75,7 @@ def sheet_of(table: Table, name: str, folder: Path) -> Sheet:
     """The worksheet in a table."""
     table.check_keys(SHEET_KEYS, "a worksheet")
     table.require("problem", "the worksheet", 'add [[problem]] with name = "..." and [[problem.task]] below it')
-    parts = tuple(_part(row, folder) for row in table.rows("problem", "problem"))
+    parts = tuple(_part(row, folder) for row in _rows(table, "problem", "[[problem]]"))
     text = "\x00".join([table.source.index.text, *(part.problem.text for part in parts)])
     title = _texts(table, "title") or dict(parts[0].problem.title)
     return Sheet(name, title, parts, _language(table), _texts(table, "introduction"), text)
@@ -88,17 +94,37 @@ def _texts(table: Table, key: str) -> dict[str, str]:
         return {}
     value = table.data[key]
     if isinstance(value, str):
-        return {"en": value}
+        return dict.fromkeys(languages(), value)
+    if not isinstance(value, Mapping):
+        raise table.value_error(
+            key,
+            f"“{key}” must be a text, not {kind_of(value)}",
+            f'write {key} = "..." or {key} = {{ en = "...", es = "..." }}',
+        )
     inner = table.table(key, key)
+    inner.check_keys(languages(), f"the languages of “{key}”")
     return {language: inner.string(language) for language in inner.names()}
+
+
+def _rows(table: Table, key: str, written: str) -> list[Table]:
+    """The tables of a list, at least one."""
+    value = table.data[key]
+    if not isinstance(value, (list, tuple)) or not value or not all(isinstance(row, Mapping) for row in value):
+        raise table.error(
+            f"“{key}” must be one or more tables", f"write {written} with two brackets, once for each", key
+        )
+    return table.rows(key, key)
 
 
 def _part(row: Table, folder: Path) -> SheetPart:
     row.check_keys(PROBLEM_KEYS, "a problem of a worksheet")
     problem = _problem(row, folder)
     row.require("task", f"“{problem.name}”", 'add [[problem.task]] with kind = "choose"')
-    wishes = tuple(_wish(task) for task in row.rows("task", "task"))
-    return SheetPart(problem, dict(_numbers(row.table("numbers", "numbers"), problem)), wishes)
+    wishes = tuple(wish for task in _rows(row, "task", "[[problem.task]]") for wish in _wishes(task))
+    if not isinstance(row.data.get("numbers", {}), Mapping):
+        raise row.error("the numbers of a problem are one table", "write [problem.numbers] below it", "numbers")
+    numbers = dict(numbers_in(row.table("numbers", "[problem.numbers]"), problem))
+    return SheetPart(problem, numbers, wishes, row.item("numbers" if numbers else "name" if "name" in row else "file"))
 
 
 def _problem(row: Table, folder: Path) -> Problem:
@@ -120,12 +146,29 @@ def _problem(row: Table, folder: Path) -> Problem:
 # --- tasks
 
 
-def _wish(row: Table) -> Wish:
+ONLY_FOR: Mapping[str, tuple[str, ...]] = {
+    "options": ("choose",),
+    "answers": ("choose",),
+    "misconceptions": ("find-the-slip",),
+    "about": tuple(kind for kind in TASKS if kind != "signs"),
+}
+
+
+def _wishes(row: Table) -> Iterator[Wish]:
+    """A task; a list of levels makes a task of each, from one quantity to the next."""
     row.check_keys(TASK_KEYS, "a task")
     row.require("kind", "the task", f'write kind = "{next(iter(TASKS))}" or another of {", ".join(TASKS)}')
     kind = row.string("kind")
     if kind not in TASKS:
         raise row.value_error("kind", f"there is no kind of task “{kind}”", did_you_mean(kind, TASKS, "kinds"))
+    for key, kinds in ONLY_FOR.items():
+        if key in row and kind not in kinds:
+            raise row.error(f"“{key}” has no meaning for {kind}", f"leave it out; it is for {', '.join(kinds)}", key)
+    for level in _levels(row):
+        yield _wish(row, kind, level)
+
+
+def _wish(row: Table, kind: str, level: int) -> Wish:
     answers = row.string("answers", "formula")
     if answers not in ANSWERS:
         raise row.value_error("answers", f"answers are “formula” or “number”, not “{answers}”", "write one of the two")
@@ -133,7 +176,7 @@ def _wish(row: Table) -> Wish:
         kind,
         _strings(row, "about"),
         _whole(row, "number", 1, 1, MOST_ITEMS),
-        _whole(row, "level", 1, 0, 3),
+        level,
         _points(row),
         _whole(row, "options", 4, 2, 6),
         answers,
@@ -142,12 +185,29 @@ def _wish(row: Table) -> Wish:
     )
 
 
+def _levels(row: Table) -> list[int]:
+    """One level, or several in a list."""
+    value = row.data.get("level", 1)
+    found = list(value) if isinstance(value, (list, tuple)) else [value]
+    if not found or any(isinstance(one, bool) or one not in LEVELS for one in found):
+        raise row.value_error(
+            "level",
+            "“level” must be a whole number from 0 (much help) to 3 (none), or a list of these",
+            "write level = 1",
+        )
+    return found
+
+
 def _strings(row: Table, key: str) -> tuple[str, ...]:
     """A text or a list of texts."""
     value = row.data.get(key, ())
     if isinstance(value, str):
         return (value,)
-    if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
+    if (
+        not isinstance(value, (list, tuple))
+        or (key in row and not value)
+        or not all(isinstance(item, str) for item in value)
+    ):
         raise row.value_error(key, f"“{key}” must be a text or a list of texts", f'write {key} = ["..."]')
     return tuple(value)
 
@@ -178,57 +238,3 @@ def _misconceptions(row: Table) -> tuple[str, ...]:
             at = item.items()[place] if isinstance(item.value, list) else item
             raise at.error(f"there is no misconception “{name}”", did_you_mean(name, MISCONCEPTIONS, "known"))
     return names
-
-
-# --- numbers
-
-
-def _numbers(table: Table, problem: Problem) -> Iterator[tuple[str, Range]]:
-    known = {**named_quantities(problem), **{c.name: c.quantity.dimension for c in problem.coordinates}}
-    table.check_keys(known, f"the numbers of “{problem.name}”")
-    for name in table.names():
-        yield name, _range(table, name, lambda text, what, name=name: read_measure(text, known[name], what))
-
-
-Read = Callable[[str, str], object]
-
-
-def _range(table: Table, name: str, read: Read) -> Range:
-    """A fixed number "60 deg", or { from, to, step, digits }."""
-    value = table.data[name]
-    if isinstance(value, str):
-        measure = _told(table.item(name), lambda: read(value, f"“{name}”"))
-        return Range(measure.value, measure.value, Fraction(0), measure.unit)
-    if not isinstance(value, Mapping):
-        raise table.value_error(
-            name, f"“{name}” must be a number with its unit or a range, not {kind_of(value)}",
-            f'write {name} = "0.5 kg" or {name} = {{ from = "0.4 kg", to = "0.6 kg", step = "0.05 kg" }}',
-        )  # fmt: skip
-    row = table.table(name, name)
-    row.check_keys(RANGE_KEYS, "a range")
-    for key in RANGE_KEYS[:3]:
-        row.require(key, f"the range of “{name}”")
-    low, high, step = (
-        _told(row.item(key), lambda key=key: read(row.string(key), f"“{key}”")) for key in RANGE_KEYS[:3]
-    )
-    _check_range(row, low, high, step)
-    return Range(low.value, high.value, step.value, low.unit, _whole(row, "digits", 3, 1, 6))
-
-
-def _check_range(row: Table, low, high, step) -> None:
-    if len({low.unit, high.unit, step.unit}) > 1:
-        raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {low.unit}")
-    if step.value <= 0:
-        raise row.value_error(
-            "step", "the step must be greater than 0", f'write a fixed number: "{row.data["from"]}", or a step'
-        )
-    if low.value > high.value:
-        raise row.value_error("to", "the range ends before it begins", "exchange “from” and “to”")
-
-
-def _told(item: Item, call: Callable[[], object]):
-    """The result of a reader, its error told at the place of what it read."""
-    try:
-        return call()
-    except RbpsymError as error:
-        raise item.error(error.what, error.instead) from None

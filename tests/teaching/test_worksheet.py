@@ -321,7 +321,7 @@ BAD = [
     (GOOD.replace("points = 2.5", "points = -1"), "points", 12),
     (GOOD.replace("points = 2.5", "level = 7"), "level", 12),
     (GOOD.replace("points = 2.5", 'answers = "words"'), "answers", 12),
-    (GOOD.replace("points = 2.5", 'misconceptions = ["spin"]'), "no misconception", 12),
+    (GOOD.replace('kind = "number"', 'kind = "find-the-slip"\nmisconceptions = ["spin"]'), "no misconception", 11),
     (GOOD.replace("points = 2.5", "number = 4"), "only 1", 10),
     (GOOD.replace('"5 kg"', '"5 m"'), "no unit", 6),
     (GOOD.replace('"5 kg"', '"five kg"'), "no number", 6),
@@ -420,7 +420,8 @@ def test_the_documentation_names_everything() -> None:
     from rbpsym.teaching.formats import EXPORTERS
     from rbpsym.teaching.misconceptions.literature import SOURCES
     from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-    from rbpsym.teaching.sheet import PROBLEM_KEYS, RANGE_KEYS, SHEET_KEYS, TASK_KEYS
+    from rbpsym.teaching.sheet import PROBLEM_KEYS, SHEET_KEYS, TASK_KEYS
+    from rbpsym.teaching.sheet_numbers import RANGE_KEYS
     from rbpsym.teaching.tasks.registry import TASKS
 
     text = (ROOT / "docs" / "worksheets.md").read_text(encoding="utf-8")
