@@ -10,6 +10,7 @@ import pytest
 from rbpsym.document.language import part_of
 from rbpsym.document.phrases import grammar, phrases, plain
 from rbpsym.notation.speech import WORDS
+from rbpsym.teaching.wording import teaching_phrases
 
 ENGLISH, SPANISH = phrases("en"), phrases("es")
 
@@ -65,3 +66,19 @@ def test_articles_and_contractions() -> None:
 def test_and_before_the_sound_i() -> None:
     assert plain("part.annulus", "es", inner="x", outer=["aro", "hilo"]).endswith("aro e hilo")
     assert plain("part.annulus", "es", inner="x", outer=["aro", "hielo"]).endswith("aro y hielo")
+
+
+@pytest.mark.parametrize(
+    "other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", "de el ", " a el ", "  "]
+)
+def test_one_word_for_each_thing(other: str) -> None:
+    tables = {**SPANISH, **{key: text for key, text in teaching_phrases("es").items() if not key.startswith("reader.")}}
+    assert not [key for key, text in tables.items() if other in text.strip()]
+
+
+def test_accents_that_are_often_forgotten_are_there() -> None:
+    words = re.findall(r"[a-záéíóúñü]+", " ".join([*SPANISH.values(), *teaching_phrases("es").values()]).lower())
+    plain = {"angulo", "angulos", "friccion", "segun", "tambien", "despues", "ademas", "energia", "energias", "ecuacion",
+             "posicion", "razon", "unico", "numero", "vertice", "circulo", "asi", "solucion", "articulacion"}  # fmt: skip
+    assert not plain & set(words)
+    assert not [word for word in words if re.fullmatch(r"\w+[cs]ion", word)]
