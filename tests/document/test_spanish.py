@@ -69,7 +69,7 @@ def test_and_before_the_sound_i() -> None:
 
 
 @pytest.mark.parametrize(
-    "other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", "de el ", " a el ", "  "]
+    "other", ["centro de masas", "centros de masas", "barra delgada", "“", "”", " de el ", " a el ", "  "]
 )
 def test_one_word_for_each_thing(other: str) -> None:
     tables = {**SPANISH, **{key: text for key, text in teaching_phrases("es").items() if not key.startswith("reader.")}}
