@@ -23,8 +23,10 @@ from rbpsym.document.model import (
     Text,
 )
 from rbpsym.document.numbering import numbered
+from rbpsym.document.phrases import plain
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.document.writers.rare_letters import with_rare_letters
 from rbpsym.notation.latex import PREAMBLE, render, to_latex
 
 COLUMN = 37.0
@@ -34,20 +36,25 @@ def write_latex(document: Document) -> str:
     """The document as a LaTeX source file."""
     document = numbered(document)
     page = page_for(document, LATEX, COLUMN)
-    return shell(
+    source = shell(
         "article.tex",
         title=page.inlines(document.title),
         plain_title=latex_text(plain_text(document.title, document.notation)),
         subtitle=page.inlines(document.subtitle),
         source=page.inlines(document.source),
         is_book=document.is_book,
-        language=BABEL.get(document.language, document.language),
+        language=babel(document.language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
         body=body(document, page),
     )
+    return with_rare_letters(source)
 
 
-BABEL = {"en": "english", "es": "spanish"}
+def babel(language: str) -> str:
+    """The options of the package babel for a language."""
+    return plain("latex.babel", language)
+
+
 HEADINGS = {0: r"\part*", 1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
 
 

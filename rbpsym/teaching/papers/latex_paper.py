@@ -10,7 +10,7 @@ from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.tikz import tikz_styles
 from rbpsym.document.model import Document, FigureBlock, Section, Table
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.latex import BABEL, LATEX, blocks, cell
+from rbpsym.document.writers.latex import LATEX, babel, blocks, cell
 from rbpsym.document.writers.latex import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text as bare
@@ -34,7 +34,7 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
         "worksheet.tex",
         title=page.inlines(document.title),
         plain_title=latex_text(bare(document.title, document.notation)),
-        language=BABEL.get(language, language),
+        language=babel(language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
         is_key=is_key,
         code=latex_text(plain_text("paper.form", language, code=worksheet.code)),
