@@ -36,6 +36,9 @@ MOST = 100_000
 )  # fmt: skip
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
+@click.option(
+    "--executor", metavar="WHERE", default="", help="Who makes pdf, tex and html: local, or dask://HOST:PORT."
+)
 def command(
     name: str | None,
     output: Path,
@@ -49,6 +52,7 @@ def command(
     formats: tuple[str, ...],
     engine: str,
     jobs: int,
+    executor: str,
 ) -> int:
     """Make a worksheet from a worksheet file or straight from any problem, with keys that are proved.
 
@@ -64,13 +68,16 @@ def command(
     command is given again.
     """
     from rbpsym.teaching.batch import Order
+    from rbpsym.teaching.executor import crew
 
+    who = crew(executor, jobs)
     _check_choice(name, students, variants, code)
     order = Order(name or "", secret, lang, formats, str(output), key or solution, solution, engine)
     if code is not None:
         return _from_code(order, code)
     people = _people(students, variants)
-    lines = _papers(order, people, jobs) + _platforms(order, people)
+    _tell_names(order, people)
+    lines = _papers(order, people, who) + _platforms(order, people)
     for line in lines:
         click.echo(line)
     return 0
@@ -107,19 +114,30 @@ def _people(students: Path | None, variants: int | None) -> tuple:
     return tuple(Student(f"{k:0{width}d}") for k in range(1, variants + 1))
 
 
-def _papers(order, people: tuple, jobs: int) -> list[str]:
+def _tell_names(order, people: tuple) -> None:
+    """Say whose names the fonts of the papers have no letters for."""
+    from rbpsym.teaching.papers.letters import without_letters
+
+    engines = {"pdf": order.engine, "tex": "pdflatex"}
+    named = [person for person in people if person is not None]
+    for engine in sorted({engines[name] for name in order.formats if name in engines}):
+        for student in without_letters(named, engine):
+            text = f"the fonts of {engine} have not all letters of “{student.name}”: the key {student.id} stands on the paper"
+            click.echo(text, err=True)
+
+
+def _papers(order, people: tuple, who) -> list[str]:
     """The formats with a file a student; a line for each file, or one for all if there are many."""
     from dataclasses import replace
 
     from rbpsym.commands.progress import Progress
     from rbpsym.teaching.batch import papers
-    from rbpsym.teaching.executor import Crew
 
     own = replace(order, formats=tuple(f for f in order.formats if f in PAPERS))
     if not own.formats:
         return []
     with Progress("worksheets") as bar:
-        found = papers(own, people, Crew("", jobs), lambda n, of: bar.reached(n, of, f"{n} of {of} worksheets"))
+        found = papers(own, people, who, lambda n, of: bar.reached(n, of, f"{n} of {of} worksheets"))
     paths = [path for row in found for path in row]
     return paths if len(paths) <= 12 else [f"{len(paths)} files for {len(people)} students in {order.folder}"]
 

@@ -6,13 +6,14 @@ from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.latex_paper import write_paper
 from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
+from rbpsym.teaching.papers.letters import printable
 from rbpsym.teaching.papers.naming import file_stem
 
 
 def export_latex(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     """One source a student; with keys also a key and, if asked for, a solution each."""
     files: dict[str, str] = {}
-    for worksheet in worksheets:
+    for worksheet in (printable(worksheet, "pdflatex") for worksheet in worksheets):
         stem = file_stem(worksheet)
         files[f"{stem}.tex"] = write_paper(paper_document(worksheet), worksheet)
         if options.key:

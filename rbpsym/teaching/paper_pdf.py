@@ -10,6 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
+from rbpsym.teaching.papers.letters import printable
 from rbpsym.teaching.papers.naming import file_stem
 
 
@@ -19,7 +20,7 @@ def export_pdf(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
     if engine is None:
         raise RbpsymError(f"unknown PDF engine “{options.engine}”", instead=f"known: {', '.join(ENGINES)}.")
     files: dict[str, bytes] = {}
-    for worksheet in worksheets:
+    for worksheet in (printable(worksheet, options.engine) for worksheet in worksheets):
         stem = file_stem(worksheet)
         files[f"{stem}.pdf"] = engine(paper_document(worksheet), worksheet, False)
         if options.key:
