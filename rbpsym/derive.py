@@ -18,7 +18,7 @@ from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
 from rbpsym.verify.agreement import agreement
 
-MOST_PRODUCTS = 1_200_000
+MOST_PRODUCTS = 250_000
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, oscillations.write)
 

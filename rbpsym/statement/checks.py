@@ -173,7 +173,7 @@ def _check_names(section: Table, known: list[str]) -> None:
     for name in section.names():
         if name not in known:
             raise section.error(
-                f"[{section.path[-1]}] speaks of “{name}”, which does not exist",
+                f"[{'.'.join(map(str, section.path))}] speaks of “{name}”, which does not exist",
                 did_you_mean(name, known, "names"),
                 name,
             )
