@@ -31,6 +31,8 @@ const asked = TIMES.flatMap((share) => MOTIONS.map((motion) => {
     R: named(data.unknowns), works: Object.fromEntries(motion.works.map((key, k) => [key, moment.works[k]])),
     K: [translation(moment), rotation(moment)], U: potential(moment), momenta,
     box: boxOfMotion(motion),
+    blows: motion.blows.map((one) => ({ lost: one.lost, parts: one.parts.map((p) => p.value), arrows: one.arrows.length })),
+    lost: motion.lost(moment.time),
   };
 }));
 console.log(JSON.stringify(asked, (key, value) => (typeof value === "number" && !Number.isFinite(value) ? null : value)));

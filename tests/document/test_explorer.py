@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
+from rbpsym.document.explorer import strikes
 from rbpsym.document.explorer.model import model, problem_stages
 from rbpsym.document.explorer.page import explorer
 from rbpsym.document.resources import data_folder
@@ -83,6 +84,38 @@ def test_works_and_motion_are_those_of_the_derivation(name: str) -> None:
                     assert explored.close(number(half.value, numbers), value, 10.0), item.force
         assert closed
         assert explored.close(moment["q"][study.system.independent[0]], integrated(study, found, moment["time"]))
+
+
+STRUCK = [name for name in MOVING if "impulses" in FILES[name].read_text(encoding="utf-8")]
+
+
+@node
+@pytest.mark.parametrize("name", STRUCK)
+def test_impulses_are_those_of_the_derivation(name: str) -> None:
+    """Their sizes and the energy lost; and the energy that is left is that before without it."""
+    problem = load_problem(FILES[name])
+    found = model(problem, "en")
+    parts, _ = problem_stages(problem)
+    [moment] = explored.run(found, (1.0,))
+    numbers = {one["name"]: one["value"] for one in found.data["numbers"]}
+    pairs = zip(parts[1:], problem.phases, strict=True)
+    began = [part.began for part, phase in pairs if strikes.has_impulses(part.began, phase)]
+    assert len(moment["blows"]) == len(began) > 0
+    for blow, handed in zip(moment["blows"], began, strict=True):
+        assert explored.close(blow["lost"], number(handed.energy_lost, numbers))
+        assert blow["arrows"]
+        for value in handed.impulses.values():
+            size = number(value, numbers)
+            assert abs(size) < 1e-9 or any(explored.close(size, part) for part in blow["parts"])
+    assert explored.close(moment["lost"], sum(blow["lost"] for blow in moment["blows"]))
+    assert found.phases[0].data["strikes"] is None
+
+
+@node
+def test_what_is_struck_at_rest_is_not_displaced_besides() -> None:
+    [moment] = explored.run(explored.explored(load_problem(FILES["center-of-percussion"])), (0.0,))
+    assert moment["q"]["theta"] == 0
+    assert moment["phase"] == 1
 
 
 def integrated(study, found, time: float) -> float:

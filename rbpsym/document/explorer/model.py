@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.explorer.labels import force_labels, label
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
-from rbpsym.document.explorer.stage import Ending, Phase, phase
+from rbpsym.document.explorer.stage import LAST, Ending, Phase, phase
+from rbpsym.document.explorer.strikes import strikes
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable, StatementError
@@ -53,7 +56,7 @@ def model(problem: Problem, language: str) -> Model:
     numbers = sliders(study)
     names = tuple(slider.name for slider in numbers)
     _require_start(study, {slider.name: slider.value for slider in numbers})
-    phases = tuple(_phase(problem, parts, k, names) for k in range(len(parts)))
+    phases = tuple(_phase(problem, parts, k, names, notation) for k in range(len(parts)))
     data = {
         "name": problem.name,
         "title": said.title(problem.title) or problem.name,
@@ -99,16 +102,23 @@ def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
         return (Stage(problem.name, Study(problem)),), True
 
 
-def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...]) -> Phase:
-    """A phase with what ends it: the moment, if it is known, and the event that is no surprise then."""
+def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> Phase:
+    """A phase with what strikes at its start, and what ends it."""
+
+    def struck(put: Callable[[Scalar], int]) -> dict[str, Any] | None:
+        return strikes(parts[k], problem.phases[k - 1], put, notation) if k else None
+
+    return phase(parts[k].study, names, _ending(problem, parts, k), struck)
+
+
+def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> Ending:
+    """The moment at which a phase ends, if it is known, and the event that is no surprise then."""
     if k + 1 == len(parts):
-        return phase(parts[k].study, names)
+        return LAST
     ending = problem.phases[k]
-    goal = None
-    if ending.event == "reaches":
-        goal = (ending.subject, scalar(ending.value))
+    goal = (ending.subject, scalar(ending.value)) if ending.event == "reaches" else None
     names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
-    return phase(parts[k].study, names, Ending(parts[k + 1].began.before.time, names_of, goal))
+    return Ending(parts[k + 1].began.before.time, names_of, goal)
 
 
 # event that begins a phase -> events of the explorer that end the phase before

@@ -7,7 +7,7 @@ kinetic friction, the friction that is left, the range of a coordinate.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,15 +50,17 @@ class Ending:
 
 
 LAST = Ending()
+Struck = Callable[[Callable[[Scalar], int]], dict[str, Any] | None]
 
 
-def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST) -> Phase:
-    """A phase; `names` are those of the adjustable numbers in their order."""
+def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST, struck: Struck = lambda put: None) -> Phase:
+    """A phase; `names` are those of the adjustable numbers in their order, `struck` tells what strikes at its start."""
     solved = is_lighter_solved_here(study, names)
     look, data = _look(study, names, solved, ending)
     data["endsWith"] = [list(event) for event in ending.events]
     starts = _program(study, names, moving=False)
     state = [starts.output_again(value) for value in _start(study)]
+    data["strikes"] = struck(starts.output)
     data["endsAt"] = None if ending.time is None else starts.output(ending.time)
     data["start"] = state
     gaps, data["gaps"] = _gaps(study, names)

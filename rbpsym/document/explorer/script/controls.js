@@ -67,6 +67,7 @@ function rebuild() {
   slider.step = Math.max(longest() / 1000, 1e-6);
   byId("force-scale").textContent = told("scale", { size: shown(force.legend) });
   byId("force-bar").style.width = fixed(force.legend * force.factor * (byId("picture-0").clientWidth / ROOM || 0.8)) + "px";
+  byId("impulse-key").hidden = !fine.some((motion) => motion.blows.length);
   seekers();
 }
 
@@ -81,7 +82,8 @@ function forceScale(motions) {
   });
   const factor = LONGEST_ARROW / mostly(sizes), power = Math.pow(10, Math.floor(Math.log10(60 / factor)));
   const legend = power * ([5, 2, 1].find((n) => n * power <= 60 / factor) || 1);
-  return { factor, legend, couple: 5 / mostly(couples) };
+  const blows = motions.flatMap((motion) => motion.blows.flatMap((blow) => blow.arrows.map((one) => Math.hypot(...one.vector))));
+  return { factor, legend, couple: 5 / mostly(couples), impulse: LONGEST_ARROW / (Math.max(0, ...blows) || 1) };
 }
 
 /** The largest of some sizes, but for rare peaks. */
@@ -114,8 +116,15 @@ const clock = () => shown(Math.round(state.time * 1e4) / 1e4) + "\u202fs";
 function phaseName(motion, moment) {
   if (motion.unfit) return ending({ end: { ...motion.unfit, atOnce: true }, data: motion.data });
   if (motion.nudged) return told("nudged", { name: motion.data.coordinates[motion.nudged].here.text });
-  const key = moment.data.name ? "phase" : "phase_first";
-  return motion.code.length > 1 ? told(key, { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";
+  const key = moment.data.name ? "phase" : "phase_first", blow = motion.blow(moment.time);
+  const said = motion.code.length > 1 ? told(key, { number: moment.phase + 1, count: motion.code.length, name: moment.data.name }) : "";
+  return blow ? said + ". " + struck(blow) : said;
+}
+
+/** What strikes, in words. */
+function struck(blow) {
+  const parts = blow.parts.map((one) => `${one.text} = ${shown(one.value)}\u202fN\u202fs`).join(", ");
+  return told(blow.lost < 0 ? "struck_gained" : "struck", { parts, energy: shown(Math.abs(blow.lost)) });
 }
 
 /** What ended a motion, in words. */

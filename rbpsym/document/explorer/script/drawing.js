@@ -83,6 +83,7 @@ class Drawing {
     parts.push(...data.bodies.filter((body) => body.kind !== "particle").map((body) => this.dot(pick(body.cm, out), 2.2)));
     this.tips = [];
     parts.push(...data.forces.flatMap((force) => this.force(force)));
+    parts.push(...((this.motion.blow(moment.time) || { arrows: [] }).arrows.flatMap((one) => this.impulse(one))));
     this.svg.replaceChildren(...parts, ...this.names());
   }
 
@@ -211,9 +212,18 @@ class Drawing {
     return found;
   }
 
-  arrow(force, [x, y], [fx, fy], size, look) {
+  /** An impulse at the place where it acts, on a scale of its own. */
+  impulse(one) {
+    const [u, v] = one.vector, size = Math.hypot(u, v) * this.forceScale.impulse, at = this.scale.point(one.at);
+    if (!(size > 1.5)) return [];
+    return [make("circle", { cx: fixed(at[0]), cy: fixed(at[1]), r: 7, class: "strike" }), ...this.pointed(at, [u, -v], size, "impulse", one.math)];
+  }
+
+  arrow(force, at, way, size, look) { return this.pointed(at, way, size, look, this.motion.data.forces[keyOf(force)].math); }
+
+  pointed([x, y], [fx, fy], size, look, math) {
     const length = Math.hypot(fx, fy), [u, v] = [fx / length, fy / length], tip = [x + u * size, y + v * size];
-    this.tips.push({ math: this.motion.data.forces[keyOf(force)].math, from: [x, y], at: tip, way: Math.atan2(v, u), look });
+    this.tips.push({ math, from: [x, y], at: tip, way: Math.atan2(v, u), look });
     const head = Math.min(9, size), back = [tip[0] - u * head, tip[1] - v * head];
     const sides = [-0.4, 0, 0.4].map((w) => [back[0] + (w ? -w * v * head : u * 0.25 * head), back[1] + (w ? w * u * head : v * 0.25 * head)]);
     return [

@@ -1,6 +1,6 @@
 // The motion of a model from its start: states at many moments, the works done until then, what ends it.
 
-const FRAME = 0.01, LONGEST = 10, FAR = 6, HARDLY = 1e-7, NUDGE = 2e-3;
+const FLASH = 0.08, FRAME = 0.01, LONGEST = 10, FAR = 6, APART = 2.5, HARDLY = 1e-7, NUDGE = 2e-3;
 
 /** A system with its numbers, ready to be asked. */
 class Motion {
@@ -9,6 +9,7 @@ class Motion {
     this.code = model.code;
     this.numbers = numbers;
     this.frames = [];
+    this.blows = [];
     this.end = null;
     this.works = [...new Set(this.data.phases.flatMap((phase) => phase.forces.map(keyOf)))];
     this.run();
@@ -30,10 +31,16 @@ class Motion {
   start(phase) {
     const places = this.data.phases[phase].start, values = this.code[phase].start([], this.numbers, 0);
     const { rows, held } = this.data.phases[phase].gaps, state = places.map((place) => values[place]);
-    if (phase === 0) this.nudge(state);
+    if (phase === 0 && !this.endsAtOnce()) this.nudge(state);
     if (!rows.length) return state;
     const free = this.allCoordinates(phase).filter((k) => !held.includes(k));
     return kept((x) => this.conditions(phase, x, 0), state, free.length ? free : this.allCoordinates(phase));
+  }
+
+  /** Does the first phase end where it begins? (A blow strikes what is at rest.) */
+  endsAtOnce() {
+    const { endsAt } = this.data.phases[0];
+    return endsAt !== null && this.code[0].start([], this.numbers, 0)[endsAt] === 0;
   }
 
   /** What rests in equilibrium gets a small displacement, as every book tacitly gives it. */
@@ -58,6 +65,7 @@ class Motion {
     const watch = new Watch(data, (x, t) => this.look(phase, x, t));
     const pack = (y) => this.frame(phase, y, worksBefore, places);
     let y = [...this.start(phase), ...data.forces.flatMap(() => [0, 0])], t = 0;
+    this.strike(phase, began);
     const push = () => { const frame = pack(y); Object.assign(frame, { time: began + t, local: t, began }); this.frames.push(frame); };
     push();
     if (!y.every(Number.isFinite) || !this.look(phase, y, 0).every(Number.isFinite)) {
@@ -84,6 +92,25 @@ class Motion {
     if (began + t >= LONGEST - 1e-9) this.end = this.end || { kind: "time", time: last.time };
     return [last.time, last.works];
   }
+
+  /** Notes the impulses with which a phase begins. */
+  strike(phase, time) {
+    const strikes = this.data.phases[phase].strikes;
+    if (!strikes) return;
+    const values = this.code[phase].start([], this.numbers, 0), of = (place) => values[place];
+    const arrows = strikes.arrows.map((one) => ({ ...one, at: one.at.map(of), vector: one.vector.map(of), couple: of(one.couple) }));
+    const parts = strikes.parts.map((one) => ({ ...one, value: of(one.value) }));
+    this.blows.push({ phase, time, arrows, parts, lost: of(strikes.lost) });
+  }
+
+  /** The impulses that act just now: they are seen for a while. */
+  blow(time) {
+    const shown = FLASH * this.duration;
+    return this.blows.find((one) => one.time <= time + 1e-9 && time < one.time + shown);
+  }
+
+  /** The kinetic energy that impulses have taken until a time. */
+  lost(time) { return this.blows.reduce((sum, one) => sum + (one.time <= time + 1e-9 ? one.lost : 0), 0); }
 
   /** The state and works a little later, the conditions kept. */
   after(phase, y, t, span) {
@@ -113,7 +140,7 @@ class Motion {
     return { phase, y, works, before };
   }
 
-  /** Has a body gone, in the last phase, much farther than the system is large? */
+  /** Has a body gone, in the last phase, much farther than the system is large, or have the bodies come apart? */
   isFar(phase) {
     const centres = (frame) => {
       const out = this.look(frame.phase, frame.y, frame.local);
@@ -124,8 +151,8 @@ class Motion {
       this.first = centres(first);
       this.reach = FAR * extentOf(this, first);
     }
-    const now = centres(this.frames[this.frames.length - 1]);
-    return now.some(([x, y], k) => Math.hypot(x - this.first[k][0], y - this.first[k][1]) > this.reach);
+    const frame = this.frames[this.frames.length - 1], now = centres(frame);
+    return extentOf(this, frame) > (APART / FAR) * this.reach || now.some(([x, y], k) => Math.hypot(x - this.first[k][0], y - this.first[k][1]) > this.reach);
   }
 
   get duration() { return this.frames[this.frames.length - 1].time; }

@@ -32,7 +32,7 @@ class Reading {
   set(value) {
     this.node.value = Number.isFinite(value) ? String(value) : "NaN";
     const text = shown(value / this.size);
-    this.node.textContent = this.unit ? text + (this.unit === "°" ? "°" : "\u202f" + this.unit) : text;
+    this.node.textContent = this.unit && Number.isFinite(value) ? text + (this.unit === "°" ? "°" : "\u202f" + this.unit) : text;
   }
 }
 
@@ -63,7 +63,7 @@ function tableOf(caption, heads, rows) {
 class Readings {
   constructor(holder, motion, place) {
     Object.assign(this, { motion, place, updates: [] });
-    holder.replaceChildren(this.works(), this.energies(), this.momenta(), this.forces(), this.position());
+    holder.replaceChildren(this.works(), this.energies(), this.momenta(), this.forces(), this.impulses(), this.position());
     this.scales = this.measured();
   }
 
@@ -109,6 +109,7 @@ class Readings {
 
   energies() {
     const rows = Object.entries(ENERGIES).filter(([name]) => name[0] === "K" || this.motion.data.phases.some((p) => p.potential !== null));
+    if (this.motion.blows.length) rows.push(["lost", (m) => this.motion.lost(m.time)]);
     return tableOf(WORDS.energies, [], rows.map(([name, of]) => [
       WORDS[name], this.bar(name, (m) => of(m), "energy"), this.reading(name, "", 1, of),
     ]));
@@ -134,12 +135,21 @@ class Readings {
     ]));
   }
 
+  /** The impulses that have acted until now. */
+  impulses() {
+    const rows = this.motion.blows.flatMap((blow, k) => blow.parts.map((one, n) => [
+      formula(one), this.reading(`J.${k}.${n}`, "N s", 1, (m) => (blow.time <= m.time + 1e-9 ? one.value : NaN)),
+    ]));
+    return rows.length ? tableOf(WORDS.impulses, [WORDS.impulse, WORDS.size], rows) : "";
+  }
+
   /** The largest of each kind of number over the motion: what a whole bar stands for. */
   measured() {
     const found = { work: 1e-12, energy: 1e-12, momentum: 1e-12 };
     sampled(this.motion).forEach((m) => {
       for (const pair of m.works) found.work = Math.max(found.work, ...pair.map(Math.abs));
       for (const of of Object.values(ENERGIES)) found.energy = Math.max(found.energy, Math.abs(of(m)) || 0);
+      found.energy = Math.max(found.energy, Math.abs(this.motion.lost(m.time)));
       for (const origin of Object.keys(m.data.origins)) {
         for (const body of m.data.bodies) found.momentum = Math.max(found.momentum, ...momentum(m, body.name, origin).map(Math.abs));
       }
