@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from unicodedata import normalize
 
 LATEX = str.maketrans({
     "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
@@ -17,6 +18,7 @@ TYPST_ENUMERATION = re.compile(r"^(\d+)\.")
 MARKDOWN = re.compile(r"([\\`*_{}\[\]<>#|~$])")
 
 
+CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]")
 APOSTROPHE = re.compile(r"(?<=\w)'(?=\w|\s|$)")
 
 
@@ -25,19 +27,24 @@ def typographic(text: str) -> str:
     return APOSTROPHE.sub("’", text)
 
 
+def without_controls(text: str) -> str:
+    """The text without characters that no page shows."""
+    return CONTROLS.sub("", text)
+
+
 def latex_text(text: str) -> str:
     """For LaTeX (T1 encoding); letters stay as they are."""
-    return text.translate(LATEX)
+    return normalize("NFC", without_controls(text)).translate(LATEX)
 
 
 def typst_text(text: str) -> str:
     """For Typst markup; a number with a point at the start would begin a list."""
-    return TYPST_ENUMERATION.sub(r"\1\.", TYPST.sub(r"\\\1", typographic(text)))
+    return TYPST_ENUMERATION.sub(r"\1\.", TYPST.sub(r"\\\1", typographic(without_controls(text))))
 
 
 def typst_string(text: str) -> str:
     """A Typst string with its quotes."""
-    return json.dumps(text, ensure_ascii=False)
+    return json.dumps(without_controls(text), ensure_ascii=False)
 
 
 def markdown_text(text: str) -> str:

@@ -290,10 +290,27 @@ def test_any_title_gives_a_word_file(text: str) -> None:
     assert all(char in shown for char in clean if char.strip())
 
 
-@given(LATIN)
-@settings(max_examples=25, deadline=None)
+@given(LATIN | HOSTILE)
+@settings(max_examples=15, deadline=None)
 def test_any_title_is_typeset(text: str) -> None:
     assert write_pdf(hostile(f"a {text}")).startswith(b"%PDF")
+
+
+SCRIPTS = "مرحبا שלום 漢字 θ ≤ é e\u0301 🚀\ufe0f \u202eabc\u202c Ǆ ﷽ Ω½"
+
+
+@pytest.mark.parametrize("engine", ["typst", "pdflatex", "beamer"])
+def test_letters_of_all_scripts_and_pictures_are_set_or_told(engine: str, tmp_path: Path) -> None:
+    if engine != "typst" and shutil.which("pdflatex") is None:
+        pytest.skip("TeX is not installed")
+    document = hostile(SCRIPTS)
+    content = compiled(write_slides(document)) if engine == "beamer" else write_pdf(document, engine)
+    (tmp_path / "x.pdf").write_bytes(content)
+    text = subprocess.run(
+        ["pdftotext", str(tmp_path / "x.pdf"), "-"], capture_output=True, text=True, check=True
+    ).stdout
+    assert text.count("rocket") >= 5
+    assert "½" in text
 
 
 @given(HOSTILE)

@@ -22,12 +22,25 @@ def write_pdf(document: Document, engine: str = "typst") -> bytes:
 
 def by_typst(document: Document) -> bytes:
     """Tagged PDF (PDF/UA-1): formulas and figures carry their spoken form."""
-    import typst
-
     from rbpsym.document.writers.typst import write_typst
 
-    source = write_typst(document).encode()
-    return typst.compile(source, pdf_standards=["ua-1"])
+    return readable_aloud(write_typst(document))
+
+
+def readable_aloud(source: str) -> bytes:
+    """The PDF/UA-1 of a Typst source; a character that no font shows is told by its name."""
+    import typst
+
+    from rbpsym.document.writers.rare_letters import without_lacking
+
+    while True:
+        try:
+            return typst.compile(source.encode(), pdf_standards=["ua-1"])
+        except typst.TypstError as complaint:
+            changed = without_lacking(source, str(complaint))
+            if changed is None:
+                raise
+            source = changed
 
 
 def by_pdflatex(document: Document) -> bytes:
