@@ -22,17 +22,17 @@ from rbpsym.algebra.grouping import (
     joined_squares,
     leads_backwards,
     leads_negative,
-    leads_positive,
     perfect_power,
-    plain_value,
     ratio_to,
     shared_coefficient,
     splits_by_parameters,
     starts_negative,
     taken_out,
 )
+from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.signs import is_upside_down, positive_first, turned
 from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key
 from rbpsym.notation import tree as t
 
@@ -42,7 +42,7 @@ Pieces = tuple[Coefficient, list[Piece]]
 def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
     """The value as a display tree; `factor` looks for irreducible factors of sums."""
     if value.den is ONE:
-        return present_poly(value.num, style, factor)
+        return present_poly(with_joined_angles(value.num), style, factor)
     return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
 
 
@@ -56,7 +56,8 @@ def present_ratio(
     """
     if den.is_monomial():
         return present(Scalar(num) / Scalar(den), style, factor=factor)
-    if _is_upside_down(den, style):
+    num, den = with_joined_angles(num), with_joined_angles(den)
+    if is_upside_down(den, style):
         num, den = -num, -den
     if below := divisors(den):
         num, den = num.scaled(1, below), den.scaled(1, below)
@@ -71,7 +72,7 @@ def present_ratio(
     more, lower = (1, []) if den == ONE else _groups(den, style, factor)
     further, upper = (1, []) if num == ONE else _groups(num, style, factor)
     upper, lower = without_shared(upper, lower)
-    coefficient, upper = _turned(Fraction(b) * further / (a * more), upper, style)
+    coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
     node = _quotient(abs(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
     return t.neg(node) if coefficient < 0 else node
 
@@ -102,21 +103,6 @@ def _number(size: int) -> list[t.Node]:
     return [t.Num(size)] if size != 1 else []
 
 
-def _is_upside_down(den: Poly, style: Style) -> bool:
-    """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
-    still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
-    if leads_negative(den, style) or leads_positive(den, style):
-        return leads_negative(den, style)
-    power = perfect_power(den)
-    if power is not None:
-        return power[0] < 0
-    if len(still) == 2 == len(den.terms):
-        coefficient, _, rest = taken_out(den, style)
-        value = plain_value(rest)
-        return starts_negative(den, style) if value is None else value * coefficient < 0
-    return bool(still) and all(c < 0 for c in still)
-
-
 def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.Node:
     """A polynomial as a tree."""
     if not poly.terms:
@@ -132,32 +118,8 @@ def present_poly(poly: Poly, style: Style = PLAIN, factor: bool = False) -> t.No
     return _assembled(coefficient, common, pieces, style)
 
 
-def _turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
-    """-(a - b) is printed b - a, unless a is known to be the greater."""
-    if coefficient > 0:
-        return coefficient, pieces
-    for k, (node, moving) in enumerate(pieces):
-        if isinstance(node, t.Add) and len(node.terms) == 2 and t.is_negative(node.terms[1]) and _may_turn(node, style):
-            turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
-            return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
-    return coefficient, pieces
-
-
-def _may_turn(node: t.Add, style: Style) -> bool:
-    return _compared(node.terms[0], getattr(node.terms[1], "arg", None)) not in style.greater
-
-
-def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | None]:
-    """The names a, b of a - b, aⁿ - bⁿ and 1 - b/a."""
-    if isinstance(second, t.Div) and first == t.ONE:
-        return _compared(second.den, second.num)
-    if isinstance(first, t.Pow) and isinstance(second, t.Pow) and first.exponent == second.exponent:
-        return _compared(first.base, second.base)
-    return getattr(first, "name", None), getattr(second, "name", None)
-
-
 def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style) -> t.Node:
-    coefficient, pieces = _turned(coefficient, pieces, style)
+    coefficient, pieces = turned(coefficient, pieces, style)
     before, behind = split(common, style)
     behind, tangents = _tangents(behind, style)
     fixed = [node for node, moving in pieces if not moving]
@@ -204,12 +166,12 @@ def _sum_by_parameters(poly: Poly, style: Style) -> t.Node:
     for m, c in poly.terms.items():
         parts.setdefault(split(m, style)[0], {})[m] = c
     ordered = sorted(parts.items(), key=lambda item: term_key(item[0], style))
-    return t.add(*_positive_first([present_poly(Poly(part), style, True) for _, part in ordered]))
+    return t.add(*positive_first([present_poly(Poly(part), style, True) for _, part in ordered]))
 
 
 def _factor_pieces(coefficient: Coefficient, found, style: Style) -> tuple[Coefficient, list[tuple[t.Node, bool]]]:
     pieces = []
-    for base, power in joined_squares(found):
+    for base, power in joined_squares([(with_joined_angles(base), power) for base, power in found]):
         content = base.content()[0]
         base, coefficient = base.scaled(Fraction(1) / content), coefficient * content**power
         if leads_negative(base, style) or (power % 2 == 0 and starts_negative(base, style)):
@@ -227,7 +189,7 @@ def _sum(poly: Poly, style: Style) -> t.Node:
         return _plain_sum(poly, style)
     collected = sorted(parts.items(), key=lambda item: term_key(item[0], style))
     nodes = [_collected(moving, Poly(fixed), style) for moving, fixed in collected]
-    return t.add(*_positive_first(nodes))
+    return t.add(*positive_first(nodes))
 
 
 def _plain_sum(poly: Poly, style: Style) -> t.Node:
@@ -240,12 +202,7 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     if leads_backwards(poly, style):
         ordered = ordered[::-1]
-    return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))
-
-
-def _positive_first(nodes: list[t.Node]) -> list[t.Node]:
-    first = next((k for k, node in enumerate(nodes) if not t.is_negative(node)), 0)
-    return [nodes[first], *nodes[:first], *nodes[first + 1 :]]
+    return t.add(*positive_first([_signed(c, m, style) for m, c in ordered]))
 
 
 def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
@@ -331,4 +288,4 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
 def angle_node(angle: Poly, style: Style = PLAIN) -> t.Node:
     """The argument of a sine: its terms, a positive one first, nothing taken out."""
     ordered = sorted(angle.terms.items(), key=lambda item: term_key(item[0], style))
-    return t.add(*_positive_first([_signed(c, m, style) for m, c in ordered]))
+    return t.add(*positive_first([_signed(c, m, style) for m, c in ordered]))

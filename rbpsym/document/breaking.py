@@ -11,15 +11,15 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
+from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms
 from rbpsym.document.model import Display, Emph, Inlines, Math, Ref, Strong, Table, Text
+from rbpsym.document.widths import width
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
 from rbpsym.notation.tree import Node, System
 
 EMPTY = b.Row(())
-INDENT = 2.0
-SIGNS = frozenset("+−-")
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,51 +37,6 @@ class Line:
     def width(self) -> float:
         """In em."""
         return width(self.left) + width(self.right) + (INDENT if self.indent else 0.0)
-
-
-@lru_cache(maxsize=4096)
-def width(box: b.Box) -> float:
-    """The width of a box in display style, in em."""
-    return WIDTHS[type(box)](box)
-
-
-def letter_width(box: b.Letter) -> float:
-    """Half an em a digit or small letter, more for capitals."""
-    return sum(0.72 if char.isupper() else 0.53 for char in box.text)
-
-
-def script_width(box: b.Script) -> float:
-    """The base, and the wider of its two small scripts."""
-    scripts = [width(part) for part in (box.sub, box.sup) if part]
-    return width(box.base) + 0.7 * max(scripts, default=0.0)
-
-
-def fence_width(box: b.Fence) -> float:
-    """The body with its delimiters."""
-    return width(box.body) + (0.5 if box.tall else 0.4) * sum(map(bool, (box.opening, box.closing)))
-
-
-OPERATORS = {"binary": 1.15, "prefix": 0.8, "relation": 1.35, "mark": 0.4}
-
-WIDTHS: Mapping[type, Callable[..., float]] = {
-    b.Letter: letter_width,
-    b.Script: script_width,
-    b.Fence: fence_width,
-    b.Phrase: lambda box: 0.5 * len(box.text) + 0.6,
-    b.Operator: lambda box: OPERATORS.get(box.kind, 1.0),
-    b.Big: lambda box: 1.0,
-    b.Space: lambda box: 0.17,
-    b.Times: lambda box: 0.08,
-    b.Accent: lambda box: width(box.body),
-    b.Prime: lambda box: 0.3 * box.count,
-    b.Under: lambda box: max(width(box.base), 0.7 * width(box.under)),
-    b.Fraction: lambda box: max(width(box.num), width(box.den)) + 0.25,
-    b.Radical: lambda box: width(box.body) + 0.9,
-    b.Function: lambda box: 0.5 * len(box.name) + 0.17,
-    b.Applied: lambda box: width(box.head) + 0.1 + width(box.arg),
-    b.Row: lambda box: sum(map(width, box.items)),
-    b.Rows: lambda box: max(width(left) + width(right) for left, right in box.rows),
-}
 
 
 def node_width(node: Node, notation: Notation = DEFAULT) -> float:
@@ -157,91 +112,9 @@ def sum_lines(left: b.Box, right: b.Box, room: float) -> Iterator[Line]:
     yield from (Line(EMPTY, group, True) for group in groups[1:])
 
 
-def opened(box: b.Box, room: float) -> tuple[b.Row, ...]:
-    """The terms of a sum; one that is too wide is cut within its longest parentheses."""
-    return tuple(piece for term in terms(box) for piece in (cut(term) if width(term) > room - INDENT else (term,)))
-
-
-def cut(term: b.Row) -> tuple[b.Row, ...]:
-    """A term cut at the signs within its longest parentheses, the term itself if there are none."""
-    items = [part for item in term.items for part in spelled(item)]
-    fences = [k for k, item in enumerate(items) if isinstance(item, b.Fence) and len(terms(item.body)) > 1]
-    if not fences:
-        return (term,)
-    place = max(fences, key=lambda k: width(items[k]))
-    fence = items[place]
-    first, *middle, last = terms(fence.body)
-    before = b.Row((*items[:place], b.Fence(fence.opening, first, "", fence.tall)))
-    sign, *rest = last.items
-    after = b.Row((sign, b.Fence("", b.Row(tuple(rest)), fence.closing, fence.tall), *items[place + 1 :]))
-    return before, *middle, after
-
-
-def spelled(item: b.Box) -> tuple[b.Box, ...]:
-    """A long sum over a denominator as one over the denominator times the sum."""
-    if isinstance(item, b.Fraction) and len(terms(item.num)) > 2:
-        one = b.Fraction(b.Letter("1", "number"), item.den)
-        return one, b.Times(), b.Fence("(", item.num, ")", b.is_tall(item.num))
-    return (item,)
-
-
-def flat(box: b.Box) -> Iterator[b.Box]:
-    """The boxes side by side, rows within rows opened."""
-    if isinstance(box, b.Row):
-        for item in box.items:
-            yield from flat(item)
-    else:
-        yield box
-
-
-def terms(box: b.Box) -> tuple[b.Row, ...]:
-    """The terms of a sum, each with the sign before it (the first with its relation sign)."""
-    groups: list[list[b.Box]] = [[]]
-    for item in flat(box):
-        if isinstance(item, b.Operator) and item.kind == "binary" and item.sign in SIGNS:
-            groups.append([])
-        groups[-1].append(item)
-    return tuple(b.Row(tuple(group)) for group in groups if group)
-
-
 def least(box: b.Box) -> float:
     """The width that a side can be broken down to."""
-    return max((width(piece) for term in terms(box) for piece in cut(term)), default=0.0) + INDENT
-
-
-def packed(parts: tuple[b.Row, ...], room: float) -> Iterator[b.Row]:
-    """The terms in groups that each fit the room (one that does not stands alone)."""
-    group: tuple[b.Box, ...] = ()
-    for part in parts:
-        if group and width(b.Row((*group, *part.items))) > room:
-            yield fenced_together(group)
-            group = ()
-        group = (*group, *part.items)
-    yield fenced_together(group)
-
-
-def fenced_together(items: tuple[b.Box, ...]) -> b.Row:
-    """A line whose cut parentheses hold all that stands between them on this line, so that they grow with it."""
-    start = next((k for k, item in enumerate(items) if is_fence(item) and not item.closing), None)
-    end = next((k for k, item in enumerate(items) if is_fence(item) and not item.opening), None)
-    if end is not None and start is not None and start < end:
-        body = (items[start].body, *items[start + 1 : end], items[end].body)
-        whole = b.Fence(items[start].opening, b.Row(tuple(flat(b.Row(body)))), items[end].closing, items[end].tall)
-        return fenced_together((*items[:start], whole, *items[end + 1 :]))
-    if end:
-        sign = int(isinstance(items[0], b.Operator))  # it keeps its spaces outside
-        body = b.Row(tuple(flat(b.Row((*items[sign:end], items[end].body)))))
-        closed = b.Fence("", body, items[end].closing, items[end].tall)
-        return fenced_together((*items[:sign], closed, *items[end + 1 :])) if end > sign else b.Row(items)
-    if start is not None and items[start + 1 :]:
-        body = b.Row(tuple(flat(b.Row((items[start].body, *items[start + 1 :])))))
-        return b.Row((*items[:start], b.Fence(items[start].opening, body, "", items[start].tall)))
-    return b.Row(items)
-
-
-def is_fence(item: b.Box) -> bool:
-    """Is it a pair of delimiters, or one of a pair that was cut?"""
-    return isinstance(item, b.Fence)
+    return max((width(piece) for term in terms(box) for piece in pieces(term, 0.0)), default=0.0) + INDENT
 
 
 def widest(found: tuple[Line, ...]) -> float:

@@ -16,7 +16,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.infix import Ways
 from rbpsym.notation.latex_grammar import BELOW
-from rbpsym.notation.latex_readings import best_reading, every_reading
+from rbpsym.notation.latex_readings import Reading, best_reading, every_reading
 from rbpsym.notation.latex_relations import SIGNS, chained, relation
 from rbpsym.notation.latex_table import Reader
 from rbpsym.notation.latex_tokens import Token, tokenize
@@ -57,13 +57,20 @@ def latex_ways(text: str, symbols: SymbolTable) -> Ways:
     what, instead, token = met[0] if met else ("", "", tokens[0])
     error = source.error(what, token.start, token.end, instead) if met else None
     trees = tuple(_checked(reading.node, source) for reading in readings)
-    return Ways(trees, error, any(question[0] == BELOW for question in met))
+    return Ways(trees, error, tuple(_parted(reading) for reading in readings))
+
+
+def _parted(reading: Reading) -> tuple[bool, ...]:
+    """What was chosen where this changes what is multiplied and what divided."""
+    pairs = zip(reading.met, reading.script, strict=False)
+    return tuple(chosen for question, chosen in pairs if question[0] == BELOW)
 
 
 _FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")
 _BROKEN = re.compile(r"(?:\\right\s*\.\s*)+\\\\.*?(?:\\left\s*\.\s*)+", re.DOTALL)
 _EMPTY = re.compile(r"\\(?:left|right)\s*\.|\\\\(?:\[[^\]]*\])?\s*&?|(?<=[\s&d])\{\}")
 _GOES_ON = re.compile(r"\\\\\s*&?\s*\\q?quad\b\s*(?:\{\})?")
+_CUT = re.compile(rf"(?:\\right\s*\.\s*)*{_GOES_ON.pattern}\s*[-+]?\s*(?:\\left\s*\.\s*)*")
 
 
 def _unbroken(text: str) -> str:
@@ -72,7 +79,12 @@ def _unbroken(text: str) -> str:
     while frame and text[end] == "}":
         text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
         frame, end = _FRAME.match(text), len(text.rstrip()) - 1
-    return _GOES_ON.sub(_blank, _BROKEN.sub(_mended, text))
+    return _GOES_ON.sub(_blank, _BROKEN.sub(_mended, _CUT.sub(_without_empty, text)))
+
+
+def _without_empty(found: re.Match[str]) -> str:
+    """Any number of delimiters that are cut where a sum goes on in the next line."""
+    return re.sub(r"\\(?:left|right)\s*\.", lambda empty: " " * len(empty[0]), found[0])
 
 
 def _blank(found: re.Match[str]) -> str:

@@ -39,7 +39,7 @@ def test_the_equation_of_motion_has_the_tree_of_its_form():
 
 READ = {
     4: "𝒲_θ = ∫_(θ_A)^(θ_B) τ⃗ₙₑₜ · k̂ dθ = ΔE_K",
-    5: "L⃗ = ∫_Ω r⃗′ × dp⃗′/dm dm = ∫_Ω (r⃗ + R⃗_cm) × d/dt(r⃗ + R⃗_cm) dm = R⃗_cm × P⃗_cm + I_cm ω⃗",
+    5: "L⃗ = ∫_Ω r⃗′ × dp⃗′ = ∫_Ω (r⃗ + R⃗_cm) × d/dt(r⃗ + R⃗_cm) dm = R⃗_cm × P⃗_cm + I_cm ω⃗",
     9: "E_K = ½ ∫_Ω v′² dm = ½M V_cm² + ½ I_cm ω²",
     14: "−gℓ(m/2 + M) cos θ + ½(mℓ²/3 + Mℓ² + MR²/2) ω² = E",
     15: "ω(gℓ(m/2 + M) sin θ + (mℓ²/3 + Mℓ² + MR²/2) α) = 0",

@@ -1,0 +1,60 @@
+"""Where the minus of a sum goes: b - a and not -(a - b), a positive term first, no negative denominators."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.grouping import (
+    leads_negative,
+    leads_positive,
+    perfect_power,
+    plain_value,
+    starts_negative,
+    taken_out,
+)
+from rbpsym.algebra.poly import Coefficient, Poly
+from rbpsym.algebra.style import Style, moves
+from rbpsym.notation import tree as t
+
+
+def is_upside_down(den: Poly, style: Style) -> bool:
+    """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
+    still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
+    if leads_negative(den, style) or leads_positive(den, style):
+        return leads_negative(den, style)
+    power = perfect_power(den)
+    if power is not None:
+        return power[0] < 0
+    if len(still) == 2 == len(den.terms):
+        coefficient, _, rest = taken_out(den, style)
+        value = plain_value(rest)
+        return starts_negative(den, style) if value is None else value * coefficient < 0
+    return bool(still) and all(c < 0 for c in still)
+
+
+def turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
+    """-(a - b) is printed b - a, unless a is known to be the greater."""
+    if coefficient > 0:
+        return coefficient, pieces
+    for k, (node, moving) in enumerate(pieces):
+        if isinstance(node, t.Add) and len(node.terms) == 2 and t.is_negative(node.terms[1]) and _may_turn(node, style):
+            turned = t.Add((t.neg(node.terms[1]), t.Neg(node.terms[0])))
+            return -coefficient, [*pieces[:k], (turned, moving), *pieces[k + 1 :]]
+    return coefficient, pieces
+
+
+def _may_turn(node: t.Add, style: Style) -> bool:
+    return _compared(node.terms[0], getattr(node.terms[1], "arg", None)) not in style.greater
+
+
+def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | None]:
+    """The names a, b of a - b, aⁿ - bⁿ and 1 - b/a."""
+    if isinstance(second, t.Div) and first == t.ONE:
+        return _compared(second.den, second.num)
+    if isinstance(first, t.Pow) and isinstance(second, t.Pow) and first.exponent == second.exponent:
+        return _compared(first.base, second.base)
+    return getattr(first, "name", None), getattr(second, "name", None)
+
+
+def positive_first(nodes: list[t.Node]) -> list[t.Node]:
+    """The terms of a sum, one that is not taken off at the beginning."""
+    first = next((k for k, node in enumerate(nodes) if not t.is_negative(node)), 0)
+    return [nodes[first], *nodes[:first], *nodes[first + 1 :]]
