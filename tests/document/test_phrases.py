@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from string import Formatter
 
 import pytest
 
+from rbpsym.document.language import usual_notation
 from rbpsym.document.model import DocumentError, Emph, Math, Ref, Text
-from rbpsym.document.phrases import has_phrase, languages, phrase, phrases, plain
-from rbpsym.notation.tree import Sym
+from rbpsym.document.phrases import FOLDER, grammar, has_phrase, languages, phrase, phrases, plain
+from rbpsym.notation.latex import to_latex
+from rbpsym.notation.speech import to_speech
+from rbpsym.notation.tree import Fn, Sym
 
 THETA, OMEGA, ELL = Sym("theta"), Sym("omega"), Sym("ell")
 
@@ -96,3 +100,24 @@ def test_no_formula_and_no_markup_stands_in_a_phrase(language: str) -> None:
         assert not re.search(r"[\\$=^<>{}]|\d[a-z]|[α-ω]", bare), key
         assert text.count("*") % 2 == 0, key
         assert all(name != "" for _, name, _, _ in Formatter().parse(text)), key
+
+
+def test_a_further_language_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Grammar, functions, marks and spoken words come from the file alone; a document is written in it."""
+    for name in languages():
+        (tmp_path / f"{name}.toml").write_text((FOLDER / f"{name}.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    own = (FOLDER / "en.toml").read_text(encoding="utf-8")
+    own = own.replace('decimal = "."', 'decimal = ","').replace('singular = "1"', 'singular = "0 1"')
+    own = own.replace('statement = "The problem"', 'statement = "Le problème"').replace('sin = "sine"', 'sin = "sinus"')
+    own += '\n[functions]\ntan = "tg"\n\n[grammar.contractions]\n"de le" = "du"\n'
+    (tmp_path / "qfr.toml").write_text(own, encoding="utf-8")
+    monkeypatch.setattr("rbpsym.document.phrases.FOLDER", tmp_path)
+    assert "qfr" in languages()
+    known = usual_notation("qfr")
+    assert to_latex(Fn("tan", THETA), known) == r"\operatorname{tg}\theta"
+    assert to_speech(Fn("sin", THETA), known) == "sinus of theta"
+    assert known.decimal == ","
+    assert grammar("qfr").number(0) == "one"
+    assert plain("point.of", "qfr", point="centre", body="x") == "the centre of x"
+    assert grammar("qfr").contracted("de le disque") == "du disque"
+    assert phrase("section.statement", "qfr") == (Text("Le problème"),)
