@@ -7,10 +7,10 @@ from pathlib import Path
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
 from rbpsym.derive import derive
-from rbpsym.errors import StatementError
 from rbpsym.statement.course import Course, CoursePart
-from rbpsym.statement.library import find_problem
+from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
+from rbpsym.statement.source import did_you_mean
 
 
 def derive_course(
@@ -25,43 +25,51 @@ def derive_course(
     `derived` gives the derivation of a problem file, if not every one is to be made anew.
     """
     derivations: dict[str, Derivation] = {}
+    paths = _paths(course)
     made = derived or (lambda path: derive(load_problem(path), simulation=simulation))
 
     def problem(name: str) -> Derivation:
         if name not in derivations:
             progress(name)
-            derivations[name] = made(_path(name, course))
+            derivations[name] = made(paths[name])
         return derivations[name]
 
-    for name in _problem_names(course):
+    for name in paths:
         problem(name)
     lessons = {part: LESSONS[part.kind](part, problem) for part in course.parts if part.kind in LESSONS}
     return DerivedCourse(course, derivations, lessons)
 
 
-def _problem_names(course: Course) -> Iterator[str]:
-    """Names of the problems that a course needs, some of them more than once."""
-    for part in course.parts:
-        yield from filter(None, (part.name if part.kind == "problem" else "", part.first, part.second))
-
-
 def sources(course: Course) -> list[Path]:
     """The files that a course is made of."""
     own = [Path(course.file)] if course.file else []
-    return own + [_path(name, course) for name in dict.fromkeys(_problem_names(course))]
+    return own + list(_paths(course).values())
 
 
-def _path(name: str, course: Course) -> Path:
-    """A problem of the library, or a file beside the course."""
-    beside = Path(course.file).parent / name
-    return beside if course.file and beside.is_file() else find_problem(name)
+def _paths(course: Course) -> dict[str, Path]:
+    """The files of the problems that a course needs, by the names that it has for them."""
+    return {name: _path(name, part, course) for part in course.parts for name in _needed(part)}
+
+
+def _needed(part: CoursePart) -> Iterator[str]:
+    yield from filter(None, (part.name if part.kind == "problem" else "", part.first, part.second))
+
+
+def _path(name: str, part: CoursePart, course: Course) -> Path:
+    """A file beside the course, with or without its ending, or a problem of the library."""
+    beside = [Path(course.file).parent / found for found in (name, f"{name}.toml")] if course.file else []
+    own = next((path for path in beside if path.is_file()), None)
+    if own is None and name not in problem_files():
+        hint = did_you_mean(name, problem_files(), "problems in the library")
+        raise part.error(part.kind, f"there is no problem “{name}” in the library and no file beside the course", hint)
+    return own or problem_files()[name]
 
 
 def _theory(part: CoursePart, problem: Callable[[str], Derivation]) -> Lesson:
     from rbpsym.derivation.theory import THEORIES
 
     if part.name not in THEORIES:
-        raise StatementError(f"unknown theory “{part.name}”", instead="known: " + ", ".join(THEORIES) + ".")
+        raise part.error("theory", f"unknown theory “{part.name}”", "known: " + ", ".join(THEORIES) + ".")
     return THEORIES[part.name]()
 
 

@@ -1,4 +1,4 @@
-"""`rbpsym new`: a commented problem file to start from."""
+"""`rbpsym new`: a commented problem or course file to start from."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from rbpsym.errors import ReadError
 @click.option(
     "--template", metavar="PROBLEM", type=ShelfName(), help="Begin from a problem that ships; without: a pendulum."
 )
+@click.option("--course", "is_course", is_flag=True, help="A course: theory, problems and comparisons in their order.")
 @output_option(".", "Folder of the new file.")
-def command(name: str, template: str | None, output: Path) -> None:
+def command(name: str, template: str | None, is_course: bool, output: Path) -> None:
     """Write NAME.toml, a commented problem file to start from.
 
     The file is a complete problem that works at once; its comments list every shape,
@@ -28,11 +29,30 @@ def command(name: str, template: str | None, output: Path) -> None:
       rbpsym new my-problem
       rbpsym new my-ladder --template sliding-ladder -o problems
       rbpsym derive my-problem.toml
+      rbpsym new week-5 --course
     """
+    if is_course and template:
+        raise click.UsageError("--template gives a problem to begin from; a course has none.")
     name = name.removesuffix(".toml")
-    text = problem_text(name, template)
+    text = course_text(name) if is_course else problem_text(name, template)
     path = written(output / f"{name}.toml", text)
-    click.echo(f"{path} is written. Now: rbpsym derive {path}")
+    click.echo(f"{path} is written. Now: rbpsym {'notes' if is_course else 'derive'} {path}")
+
+
+def course_text(name: str) -> str:
+    """The text of a new course file; what it names is taught in the first course that ships."""
+    from rbpsym.document.resources import data_folder
+    from rbpsym.statement.course import load_course
+    from rbpsym.statement.library import course_files
+    from rbpsym.statement.starter import title_of
+
+    parts = load_course(next(iter(course_files().values()))).parts
+    first = {part.kind: part for part in reversed(parts)}
+    text = (data_folder("templates") / "course.toml").read_text(encoding="utf-8")
+    problem, pair = first["problem"], first["comparison"]
+    return text.format(
+        name=name, title=title_of(name), problem=problem.name, first=pair.first, second=pair.second, limit=pair.limit
+    )
 
 
 def problem_text(name: str, template: str | None) -> str:

@@ -80,13 +80,14 @@ def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> 
 
 
 def kind_of_file(path: Path, kinds: tuple[str, ...]) -> str:
-    """What a file of one's own holds: a course has parts."""
+    """What a file of one's own holds: a problem has bodies, a course has parts (also one that calls them otherwise)."""
     if "course" not in kinds:
         return kinds[-1]
     try:
-        return "course" if "part" in tomllib.loads(path.read_text(encoding="utf-8")) else kinds[-1]
+        head = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError):
         return kinds[-1]  # the loader of problems says what is wrong
+    return "course" if "bodies" not in head and {"part", "parts", "problem", "problems"} & set(head) else kinds[-1]
 
 
 def missing(name: str, shelves: Mapping[str, Mapping[str, Path]], kinds: tuple[str, ...]) -> ReadError:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.language import common_notation, problem_notation
-from rbpsym.document.model import Document, Inlines, Live, Section, Text, words
+from rbpsym.document.model import Document, Inlines, Live, Paragraph, Section, Text, words
 from rbpsym.document.needless import needless
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_lessons import lesson_sections
@@ -18,6 +18,7 @@ from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
+from rbpsym.statement.course import CoursePart
 from rbpsym.statement.model import Problem
 
 DETAILS: Mapping[str, int] = {"brief": 1, "standard": 2, "full": 3}
@@ -127,13 +128,12 @@ def course_notes(
     said = Words(language)
     for place, part in enumerate(course.parts, 1):
         prefix = f"p{place}."
+        if part.kind == "remark" and not part.title and sections:
+            sections[-1] = replace(sections[-1], blocks=(*sections[-1].blocks, *_own(part, said)))
+            continue
+        sections += _part_sections(part, derived, said, prefix, detail, plots=plots)
         if part.kind == "problem":
-            derivation = derived.derivations[part.name]
-            sections.append(Section(words(said.title(derivation.study.problem.title)), (), prefix + "part", 1))
-            sections += problem_sections(derivation, language, detail, prefix, 2, CHECKS, plots=plots)
-            problems += live(derivation.study.problem, prefix)
-        else:
-            sections += lesson_sections(derived.lessons[part], _about(derived, derived.lessons[part]), language, prefix)
+            problems += live(derived.derivations[part.name].study.problem, prefix)
     sections.append(course_checks_section(derived, said, CHECKS))
     notation = _common_notation(derived, language)
     return Document(
@@ -145,6 +145,30 @@ def course_notes(
         notation,
         tuple(problems),
     )
+
+
+def _part_sections(
+    part: CoursePart, derived: DerivedCourse, said: Words, prefix: str, detail: str, *, plots: bool
+) -> list[Section]:
+    """One part: its heading, the author's words, then what is derived."""
+    own = _own(part, said)
+    if part.kind == "problem":
+        derivation = derived.derivations[part.name]
+        title = said.title(part.title or derivation.study.problem.title)
+        found = problem_sections(derivation, said.language, part.detail or detail, prefix, 2, CHECKS, plots=plots)
+        return [Section(words(title), own, prefix + "part", 1), *found]
+    if part.kind == "remark":
+        title = words(said.title(part.title)) if part.title else said.say("section.introduction")
+        return [Section(title, own, prefix + "part", 1)]
+    lesson = derived.lessons[part]
+    first, *rest = lesson_sections(lesson, _about(derived, lesson), said.language, prefix)
+    title = words(said.title(part.title)) if part.title else first.title
+    return [replace(first, title=title, blocks=(*own, *first.blocks)), *rest]
+
+
+def _own(part: CoursePart, said: Words) -> tuple[Paragraph, ...]:
+    """The author's words."""
+    return tuple(Paragraph(words(text)) for text in said.told(part.text))
 
 
 def _about(derived: DerivedCourse, lesson: Lesson) -> Derivation | None:

@@ -103,6 +103,10 @@ class Words:
         """A text given by language, English or any if there is none in this one."""
         return titles.get(self.language) or titles.get("en") or next(iter(titles.values()), "")
 
+    def told(self, texts: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+        """The author's paragraphs in this language, in English or in any if there are none in this one."""
+        return texts.get(self.language) or texts.get("en") or next(iter(texts.values()), ())
+
     def body(self, name: str) -> str:
         """What a body is called: its meaning in this language, else its name."""
         if self.problem is None:

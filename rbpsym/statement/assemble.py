@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -21,6 +20,7 @@ from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of
 from rbpsym.statement.translations import check_translated_names
+from rbpsym.statement.worded import check_languages, strings, worded
 
 # What each section of a file is for.
 SECTIONS: dict[str, str] = {
@@ -83,11 +83,11 @@ def assemble(table: Table, name: str) -> Problem:
 def _about(table: Table, name: str) -> dict[str, object]:
     """What a file says about the problem, beside the physics."""
     return {
-        "title": _worded(table, "title", name),
+        "title": worded(table, "title", name),
         "source": table.string("source"),
-        "level": _worded(table, "level").get("en", ""),
-        "topic": _worded(table, "topic").get("en", ""),
-        "notation": _strings(table, "notation"),
+        "level": worded(table, "level").get("en", ""),
+        "topic": worded(table, "topic").get("en", ""),
+        "notation": strings(table, "notation"),
         "meanings": _translations(table, "meanings", "theta"),
         "names": _translations(table, "names", "rod"),
         "example": _values(table, "example"),
@@ -121,27 +121,6 @@ def _origins(table: Table, around: Surroundings) -> dict[str, PointRef]:
     return {point.label: point for point in points}
 
 
-def _worded(table: Table, key: str, default: str = "") -> Mapping[str, str]:
-    """A text by language; one that is not told apart is taken for English."""
-    if not isinstance(table.data.get(key), Mapping):
-        return {"en": table.string(key, default)}
-    texts = _strings(table, key)
-    _check_languages(table.table(key, key), f'write {key} = {{ en = "...", es = "..." }}')
-    return texts
-
-
-def _check_languages(section: Table, cure: str) -> None:
-    for language in section.names():
-        if not re.fullmatch(r"[a-z]{2,3}", language):
-            raise section.error(f"“{language}” is no language", cure, language)
-
-
-def _strings(table: Table, key: str) -> dict[str, str]:
-    """A table of texts."""
-    section = table.table(key, f"“{key}”")
-    return {name: section.string(name) for name in section.names()}
-
-
 def _values(table: Table, key: str) -> dict[str, str]:
     """A table of values: texts with a unit, or plain numbers."""
     section = table.table(key, f"“{key}”")
@@ -150,8 +129,8 @@ def _values(table: Table, key: str) -> dict[str, str]:
 
 def _translations(table: Table, key: str, example: str) -> dict[str, dict[str, str]]:
     section = table.table(key, key)
-    _check_languages(section, f'write [{key}.es] and, below it, {example} = "..."')
-    return {language: _strings(section, language) for language in section.names()}
+    check_languages(section, f'write [{key}.es] and, below it, {example} = "..."')
+    return {language: strings(section, language) for language in section.names()}
 
 
 def _claims(table: Table) -> tuple[Mapping[str, object], ...]:

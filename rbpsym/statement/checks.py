@@ -145,7 +145,7 @@ def _known_names(problem: Problem, table: Table) -> None:
     own = [quantity.name for quantity in problem.parameters]
     starts = [coordinate.name for coordinate in problem.coordinates]
     _check_names(table.table("notation", "notation"), [*quantities, *MARKS])
-    _check_marks(table.table("notation", "notation"), problem.notation)
+    check_marks(table.table("notation", "notation"), problem.notation)
     _check_names(table.table("example", "example"), [*own, *starts, *_rates(problem, "_dot")])
     _check_units(table.table("example", "example"), problem)
     meanings = table.table("meanings", "meanings")
@@ -179,7 +179,7 @@ def _check_names(section: Table, known: list[str]) -> None:
             )
 
 
-def _check_marks(section: Table, notation: Mapping[str, str]) -> None:
+def check_marks(section: Table, notation: Mapping[str, str]) -> None:
     """How vectors and decimals are printed is one of the ways that exist."""
     for key, allowed in MARKS.items():
         if notation.get(key, allowed[0]) not in allowed:

@@ -1,31 +1,50 @@
-"""Course files: theory, problems and comparisons in the order in which they are taught."""
+"""Course files: theory, problems and comparisons in the order in which they are taught.
+
+The grammar, with examples, is docs/courses.md.
+"""
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from pathlib import Path
 
-from rbpsym.errors import Place, ReadError, StatementError
-from rbpsym.notation.glyphs import MARKS
+from rbpsym.errors import Place, StatementError
+from rbpsym.statement.checks import check_marks
+from rbpsym.statement.loader import load_table
+from rbpsym.statement.source import Table
+from rbpsym.statement.worded import strings, worded
+
+DETAILS = ("brief", "standard", "full")
+COMPARED = ("oscillation", "acceleration", "speed")
 
 
 @dataclass(frozen=True, slots=True)
 class CoursePart:
     """One part of a course.
 
-    kind: "theory" (name: which one), "problem" (name or file) or "comparison" (first and second
-    problem, the coordinate, and the parameter that goes to zero in the limit, "" for none).
+    kind: "theory" (name: which one), "problem" (name or file), "comparison" (first and second
+    problem, what of them is compared, the coordinate, and the parameter that goes to zero in the
+    limit; "" for what is not said) or "remark" (its text alone). title: the heading, by language,
+    empty for that of the theory or problem; text: paragraphs of the author's words before it, by
+    language; detail: "" for that of the whole.
     """
 
     kind: str
     name: str = ""
     first: str = ""
     second: str = ""
+    of: str = ""
     coordinate: str = ""
     limit: str = ""
+    detail: str = ""
+    title: Mapping[str, str] = field(default_factory=dict, hash=False)
+    text: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+    places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
+
+    def error(self, key: str, what: str, instead: str) -> StatementError:
+        """An error about what the part says under a key."""
+        return StatementError(what, instead=instead, place=self.places.get(key))
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,71 +62,98 @@ class Course:
 
 PART_KEYS = {
     "theory": ("theory",),
-    "problem": ("problem",),
-    "comparison": ("comparison", "coordinate", "limit"),
+    "problem": ("problem", "detail"),
+    "comparison": ("comparison", "of", "coordinate", "limit"),
+    "remark": (),
 }
+COMMON = ("title", "text")
 KEYS = ("title", "subtitle", "source", "notation", "part")
+OWN_WORDS = (
+    "a text holds words alone: every formula of the notes is derived. Tell it in words, or leave it to the steps."
+)
 
 
 def load_course(file: Path) -> Course:
     """A course from a TOML file. Raises ReadError or StatementError with the place of what is wrong."""
-    text = file.read_text(encoding="utf-8")
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise ReadError(f"{file.name} is not valid TOML: {error}", place=Place(str(file))) from None
-    _known_keys(data, KEYS, file)
-    if not data.get("part"):
-        raise StatementError(
-            "the course has no parts", instead='add [[part]] with problem = "..."', place=Place(str(file))
-        )
-    _known_marks(data.get("notation", {}), file)
-    parts = tuple(_part(item, file) for item in data["part"])
+    table = load_table(Path(file))
+    _check_shape(table)
+    notation = strings(table, "notation")
+    check_marks(table.table("notation", "notation"), notation)
+    parts = tuple(_part(row) for row in table.rows("part", "part"))
     return Course(
-        file.stem,
-        _titles(data.get("title", "")),
+        Path(file).stem,
+        worded(table, "title", Path(file).stem),
         parts,
-        _titles(data.get("subtitle", "")),
-        str(data.get("source", "")),
-        dict(data.get("notation", {})),
+        worded(table, "subtitle") if "subtitle" in table else {},
+        table.string("source"),
+        notation,
         str(file),
     )
 
 
-def _titles(value: object) -> Mapping[str, str]:
-    return dict(value) if isinstance(value, dict) else {"en": str(value)}
+def _check_shape(table: Table) -> None:
+    table.check_keys(KEYS, "a course")
+    if not table.data.get("part"):
+        raise table.error("the course has no parts", 'add [[part]] and, below it, problem = "..."')
 
 
-def _known_marks(notation: Mapping[str, object], file: Path) -> None:
-    for key, allowed in MARKS.items():
-        if notation.get(key, allowed[0]) not in allowed:
-            ways = " or ".join(f'"{way}"' for way in allowed)
-            said = f"{key} cannot be “{notation[key]}”"
-            raise StatementError(said, instead=f"write {key} = {ways}.", place=Place(str(file)))
+def _part(row: Table) -> CoursePart:
+    kind = _kind(row)
+    row.check_keys((*PART_KEYS[kind], *COMMON), f"a {kind}")
+    first, second = _pair(row) if kind == "comparison" else ("", "")
+    return CoursePart(
+        kind,
+        row.string(kind) if kind in ("theory", "problem") else "",
+        first,
+        second,
+        _one_of(row, "of", COMPARED),
+        row.string("coordinate"),
+        row.string("limit"),
+        _one_of(row, "detail", DETAILS),
+        _heading(row),
+        _paragraphs(row),
+        {key: row.source.value((*row.path, key)) for key in row.names()},
+    )
 
 
-def _known_keys(data: Mapping[str, object], known: tuple[str, ...], file: Path) -> None:
-    for key in data:
-        if key not in known:
-            near = get_close_matches(key, known, n=1)
-            hint = f"did you mean “{near[0]}”?" if near else "known: " + ", ".join(known) + "."
-            raise StatementError(f"unknown key “{key}” in a course", instead=hint, place=Place(str(file)))
+def _kind(row: Table) -> str:
+    """What the part is, by the key that only one kind has."""
+    named = [kind for kind in ("theory", "problem", "comparison") if kind in row]
+    if len(named) > 1:
+        raise row.error(f"a part is a {named[0]} or a {named[1]}, not both", "write two parts.", named[1])
+    if named:
+        return named[0]
+    if "text" in row:
+        return "remark"
+    raise row.error(
+        "a part of a course is a theory, a problem, a comparison or a text",
+        'write problem = "...", theory = "...", comparison = ["...", "..."] or text = "...".',
+    )
 
 
-def _part(item: Mapping[str, object], file: Path) -> CoursePart:
-    kind = next((kind for kind in PART_KEYS if kind in item), None)
-    if kind is None:
-        raise StatementError(
-            "a part of a course is a theory, a problem or a comparison",
-            instead='write problem = "...", theory = "..." or comparison = ["...", "..."].',
-            place=Place(str(file)),
-        )
-    _known_keys(item, PART_KEYS[kind], file)
-    if kind != "comparison":
-        return CoursePart(kind, str(item[kind]))
-    pair = item["comparison"]
-    if not isinstance(pair, list) or len(pair) != 2:
-        raise StatementError(
-            "a comparison takes two problems", instead='write comparison = ["first", "second"].', place=Place(str(file))
-        )
-    return CoursePart(kind, "", str(pair[0]), str(pair[1]), str(item.get("coordinate", "")), str(item.get("limit", "")))
+def _pair(row: Table) -> tuple[str, str]:
+    pair = row.data["comparison"]
+    if not isinstance(pair, list) or len(pair) != 2 or not all(isinstance(name, str) for name in pair):
+        raise row.value_error("comparison", "a comparison takes two problems", 'write comparison = ["first", "second"]')
+    return pair[0], pair[1]
+
+
+def _one_of(row: Table, key: str, allowed: tuple[str, ...]) -> str:
+    value = row.string(key)
+    if value and value not in allowed:
+        raise row.value_error(key, f"{key} cannot be “{value}”", "it is one of: " + ", ".join(allowed) + ".")
+    return value
+
+
+def _heading(row: Table) -> Mapping[str, str]:
+    return worded(row, "title") if "title" in row else {}
+
+
+def _paragraphs(row: Table) -> Mapping[str, tuple[str, ...]]:
+    """The author's words, cut at empty lines."""
+    found = {}
+    for language, text in (worded(row, "text") if "text" in row else {}).items():
+        if any(mark in text for mark in ("$", "\\")):
+            raise row.value_error("text", "a text of a course holds no formula", OWN_WORDS)
+        found[language] = tuple(" ".join(part.split()) for part in text.split("\n\n") if part.strip())
+    return found

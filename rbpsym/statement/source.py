@@ -132,7 +132,9 @@ class Table:
         """The string under `key`."""
         value = self.data.get(key, default)
         if not isinstance(value, str):
-            raise self.value_error(key, f"“{key}” must be a text in quotes, not {kind_of(value)}")
+            raise self.value_error(
+                key, f"“{key}” must be a text in quotes, not {kind_of(value)}", f'write {key} = "..."'
+            )
         return value
 
 

@@ -64,17 +64,22 @@ theta_0 = "60 deg"
 
 def starter_text(name: str) -> str:
     """The text of a new problem file."""
-    fault, instead = fault_of_name(name.replace("-", "_"))
-    if fault:
-        raise StatementError(fault, instead=instead)
     return _TEXT.format(
         name=name,
-        title=name.replace("-", " ").capitalize(),
+        title=title_of(name),
         dimensions=_wrapped("dimensions", DIMENSIONS),
         shapes="\n".join(_shape_lines(SHAPES)),
         interactions=_kind_lines("interactions", INTERACTIONS),
         constraints=_kind_lines("constraints", CONSTRAINTS),
     )
+
+
+def title_of(name: str) -> str:
+    """A title from the name of a file. Raises StatementError for a name that can't be one."""
+    fault, instead = fault_of_name(name.replace("-", "_"))
+    if fault:
+        raise StatementError(fault, instead=instead)
+    return name.replace("-", " ").capitalize()
 
 
 def _wrapped(head: str, words: Iterable[str]) -> str:

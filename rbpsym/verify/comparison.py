@@ -1,4 +1,4 @@
-"""Two problems beside each other: whose small oscillations are faster, why, and where they agree.
+"""Two problems beside each other: which oscillates, speeds up or moves faster, why, and where they agree.
 
 Parameters of the same name are the same quantities.
 """
@@ -10,19 +10,18 @@ from dataclasses import dataclass, field, replace
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import Scope, Value, value
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.step import STANDARD, BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.course import CoursePart
+from rbpsym.statement.source import did_you_mean
+from rbpsym.verify.compared import Compared, compared
 
 
 @dataclass(frozen=True)
@@ -42,6 +41,7 @@ class _Pair:
     first: Study
     second: Study
     context: _Context
+    compared: Compared
     steps: list[Step] = field(default_factory=list)
 
     def add(self, id: str, statement: t.Node, phrase: str, check=c.identity, is_result: bool = False, **slots) -> None:
@@ -52,25 +52,23 @@ class _Pair:
 
 
 def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
-    """The lesson. Raises NotApplicable if one of them has no small oscillation of one coordinate."""
-    pair = _Pair(first, second, _Context(Assumptions({**second.assumptions.signs, **first.assumptions.signs})))
-    places = [_oscillation(study, part.coordinate) for study in (first, second)]
-    squares = [place.frequencies_squared[0] for place in places]
-    for k, (study, place, square) in enumerate(zip((first, second), places, squares, strict=True), 1):
-        pair.context.scalars[f"Omega_{k}"] = square
-        pair.context.scalars[f"vartheta_{k}"] = _root(square)
+    """The lesson. Raises StatementError if the problems have nothing that `part` can compare."""
+    found = compared(first, second, part)
+    pair = _Pair(first, second, _Context(_common(first, second), found.scalars()), found)
+    for k, (study, letter, shown) in enumerate(zip((first, second), found.letters(), found.shown, strict=True), 1):
         pair.add(
             f"frequency.{k}",
-            t.equation(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), _quotient(study, place, square)),
-            "comparison.frequency",
+            t.equation(letter, shown),
+            f"comparison.{found.of}",
             title=dict(study.problem.title),
             problem=study.problem.name,
         )
-    _order(pair, squares)
-    _ratio(pair, squares)
+    _order(pair)
+    _ratio(pair)
+    _moments(pair)
     _reasons(pair)
     if part.limit:
-        _limit(pair, squares, part.limit)
+        _limit(pair, part)
     return Lesson(
         "comparison",
         f"{first.problem.name}-{second.problem.name}",
@@ -80,45 +78,25 @@ def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
     )
 
 
-def _root(value: Scalar) -> Scalar:
-    from rbpsym.algebra.calculus import root
-
-    return root(value)
-
-
-def _oscillation(study: Study, coordinate: str) -> Equilibrium:
-    for item in study.equilibria:
-        if item.stable and item.frequencies_squared and (not coordinate or coordinate in item.at):
-            return item
-    raise NotApplicable(
-        f"“{study.problem.name}” has no stable position of rest about which it oscillates with one frequency",
-        instead="compare problems with small oscillations.",
-    )
+def _common(first: Study, second: Study) -> Assumptions:
+    """What is declared of the quantities of both."""
+    one, other = first.assumptions, second.assumptions
+    return Assumptions({**other.signs, **one.signs}, {**other.ranges, **one.ranges})
 
 
-def _quotient(study: Study, place: Equilibrium, square: Scalar) -> t.Node:
-    """Stiffness over inertia of the coordinate that oscillates, as the equation of motion has them."""
-    for row, inertia in zip(place.stiffness, place.inertia, strict=True):
-        for k, m in zip(row, inertia, strict=True):
-            if k and m and k.den is ONE and m.den is ONE and is_zero(k / m - square):
-                return present_ratio(k.num, m.num, study.style, as_ratio=True)
-    from rbpsym.algebra.present import present
-
-    return present(square, study.style, factor=True)
-
-
-def _order(pair: _Pair, squares: list[Scalar]) -> None:
-    """ϑ₁ < ϑ₂, proved for all values that the assumptions allow."""
-    found = sign(squares[1] - squares[0], pair.context.assumptions).kind
+def _order(pair: _Pair) -> None:
+    """ϑ₁ < ϑ₂, proved for all values that the assumptions allow; of negative values their sizes."""
+    values, known = pair.compared.values, pair.context.assumptions
+    turned = all(sign(value, known).kind == "negative" for value in values)
+    found = sign(values[0] - values[1] if turned else values[1] - values[0], known).kind
     op = {"positive": "<", "negative": ">", "zero": "=", "nonnegative": "<=", "nonpositive": ">="}.get(found)
     if op is None:
         return
-    letters = [t.Sym(f"vartheta_{k}") for k in (1, 2)]
-    context = replace(pair.context, scalars={"vartheta_1": squares[0], "vartheta_2": squares[1]})
+    letters = [t.Sym(name) for name in pair.compared.names]
     step = Step(
         "order",
         "inequality",
-        t.relation(letters[0], op, letters[1]),
+        t.relation(*((t.neg(letters[0]), op, t.neg(letters[1])) if turned else (letters[0], op, letters[1]))),
         "comparison",
         f"comparison.order.{NAMES[op]}",
         {"sources": [StepRef("frequency.1"), StepRef("frequency.2")], "faster": _titles(pair, op)},
@@ -126,8 +104,10 @@ def _order(pair: _Pair, squares: list[Scalar]) -> None:
         STANDARD,
         True,
     )
+    context = replace(pair.context, scalars=dict(zip(pair.compared.names, values, strict=True)))
     verdict = c.guarded(lambda: c.identity(context, step))
-    pair.steps.append(replace(step, certificate=Certificate(("squares of positive numbers",), verdict)))
+    checks = ("squares of positive numbers",) if pair.compared.power == 2 else (c.identity.__name__,)
+    pair.steps.append(replace(step, certificate=Certificate(checks, verdict)))
 
 
 NAMES = {"<": "less", ">": "greater", "=": "equal", "<=": "less", ">=": "greater"}
@@ -138,14 +118,38 @@ def _titles(pair: _Pair, op: str) -> dict:
     return dict(faster.problem.title)
 
 
-def _ratio(pair: _Pair, squares: list[Scalar]) -> None:
+def _ratio(pair: _Pair) -> None:
     """(ϑ₂/ϑ₁)² = 1 + what makes the difference."""
     from rbpsym.algebra.present import present
 
-    ratio = squares[1] / squares[0]
-    excess = present(ratio - 1, pair.first.style, factor=True)
-    left = t.Div(t.Pow(t.Sym("vartheta_2"), t.TWO), t.Pow(t.Sym("vartheta_1"), t.TWO))
-    pair.add("ratio", t.equation(left, t.add(t.ONE, excess)), "comparison.ratio")
+    first, second = pair.compared.values
+    if is_zero(second - first):
+        return
+    letters = pair.compared.letters()
+    ratio, style = short(second / first), pair.first.style
+    one_more = t.add(t.ONE, present(short(ratio - 1), style, factor=True))
+    plain = present(ratio, style, factor=True)
+    shown = one_more if pair.compared.of == "oscillation" else plain
+    phrase = "comparison.ratio.squares" if pair.compared.power == 2 else "comparison.ratio.plain"
+    pair.add("ratio", t.equation(t.Div(letters[1], letters[0]), shown), phrase)
+
+
+def _moments(pair: _Pair) -> None:
+    """Bodies of one name that differ in their moments of inertia."""
+    from rbpsym.algebra.present import present
+
+    for name in pair.first.system.bodies:
+        other = pair.second.system.bodies.get(name)
+        own = pair.first.system.bodies[name].moment
+        if other is None or not own or not other.moment or is_zero(own - other.moment):
+            continue
+        names = [f"I_{name}_{k}" for k in (1, 2)]
+        pair.context.scalars.update(zip(names, (own, other.moment), strict=True))
+        rows = [
+            t.equation(t.Sym(letter), present(value, study.style, factor=True))
+            for letter, value, study in zip(names, (own, other.moment), (pair.first, pair.second), strict=True)
+        ]
+        pair.add(f"moments.{name}", t.System(tuple(rows)), "comparison.moments", body=BodyRef(name))
 
 
 def _reasons(pair: _Pair) -> None:
@@ -197,16 +201,31 @@ def _spin_steps(pair: _Pair, name: str, free: Study, bound: Study) -> None:
         pair.steps.append(replace(step, certificate=Certificate(("identity",), verdict)))
 
 
-def _limit(pair: _Pair, squares: list[Scalar], name: str) -> None:
-    """Both frequencies agree when the parameter tends to zero (both are continuous there)."""
+def _limit(pair: _Pair, part: CoursePart) -> None:
+    """What both tend to when the parameter tends to zero (both are continuous there)."""
     from rbpsym.algebra.present import present
 
-    ends = [substitute(square, {name: NOTHING}) for square in squares]
+    known = {q.name for study in (pair.first, pair.second) for q in study.problem.parameters}
+    if part.limit not in known:
+        raise part.error("limit", f"no parameter is called “{part.limit}”", did_you_mean(part.limit, known))
+    try:
+        ends = [substitute(value, {part.limit: NOTHING}) for value in pair.compared.values]
+    except ZeroDivisionError:
+        what = f"what is compared has no limit where “{part.limit}” tends to zero"
+        raise part.error("limit", what, "name another parameter, or leave the limit out.") from None
     rows = [
-        t.equation(
-            t.Limit(t.Pow(t.Sym(f"vartheta_{k}"), t.TWO), name, t.ZERO), present(end, pair.first.style, factor=True)
-        )
-        for k, end in enumerate(ends, 1)
+        t.equation(t.Limit(letter, part.limit, t.ZERO), present(end, pair.first.style, factor=True))
+        for letter, end in zip(pair.compared.letters(), ends, strict=True)
     ]
-    phrase = "comparison.limit.agree" if is_zero(ends[0] - ends[1]) else "comparison.limit.differ"
-    pair.add("limit", t.System(tuple(rows)), phrase, parameter=t.Sym(name))
+    phrase = f"comparison.limit.{_limit_kind(pair, ends, part.limit)}"
+    pair.add("limit", t.System(tuple(rows)), phrase, parameter=t.Sym(part.limit))
+
+
+def _limit_kind(pair: _Pair, ends: list[Scalar], name: str) -> str:
+    """Do both agree there, and because the moments of the bodies whose spins differ are gone?"""
+    if not is_zero(ends[0] - ends[1]):
+        return "differ"
+    told = [step.id.rpartition(".")[2] for step in pair.steps if step.id.startswith("spin.")]
+    states = [study.system.bodies[body] for body in told for study in (pair.first, pair.second)]
+    gone = all(is_zero(substitute(state.moment, {name: NOTHING})) for state in states)
+    return "agree_without_spin" if states and gone else "agree"
