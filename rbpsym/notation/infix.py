@@ -64,12 +64,12 @@ def read_relation(
 class Ways:
     """The trees that a text can be read as, the usual one first, and the error of the first place that is not clear.
 
-    parted: whether one of these places decides what is multiplied and what divided.
+    parted: for each tree, what was chosen at the places that decide what is multiplied and what divided.
     """
 
     trees: tuple[t.Node, ...]
     error: RbpsymError | None
-    parted: bool
+    parted: tuple[tuple[bool, ...], ...]
 
 
 def read_ways(
@@ -78,18 +78,19 @@ def read_ways(
     """All readings of a typed expression or relation that can be read in several ways. Raises as `read_infix`."""
     trees: list[t.Node] = []
     waiting: list[tuple[bool, ...]] = [()]
-    error, parted = None, False
+    error, parted = None, []
     while waiting:
         script = waiting.pop(0)
         reader = _reader(text, symbols, functions, MappingProxyType({}), None)
         reader.script = script
         trees.append(_checked(_whole(reader), reader))
-        error, parted = error or next(iter(reader.met), None), parted or reader.parted
+        error = error or next(iter(reader.met), None)
+        parted.append(reader.parted)
         chosen = (*script, *(False,) * (len(reader.met) - len(script)))
         waiting += [(*chosen[:place], True) for place in range(len(script), len(chosen))]
         if len(trees) + len(waiting) > MOST_WAYS:
             raise error
-    return Ways(tuple(trees), error, parted)
+    return Ways(tuple(trees), error, tuple(parted))
 
 
 def _whole(reader: Reader) -> t.Node:

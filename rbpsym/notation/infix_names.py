@@ -33,7 +33,7 @@ class Reader(Cursor[Token]):
     """A cursor with the symbols, functions and aliases of a problem.
 
     `script` says what to choose at the places that can be read in two ways (False behind its end; None: refuse
-    them), `met` their errors, `parted` if one of them changes what is multiplied and what divided. `bars`: a |
+    them), `met` their errors, `parted` what was chosen where this changes what is multiplied and what divided. `bars`: a |
     would close.
     """
 
@@ -42,7 +42,7 @@ class Reader(Cursor[Token]):
     aliases: Mapping[str, str] = field(default_factory=dict)
     script: tuple[bool, ...] | None = None
     met: list[RbpsymError] = field(default_factory=list)
-    parted: bool = False
+    parted: tuple[bool, ...] = ()
     bars: bool = False
 
     def decide(self, what: str, instead: str, *, changes_value: bool = False) -> bool:
@@ -52,7 +52,7 @@ class Reader(Cursor[Token]):
             raise error
         chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
         self.met.append(error)
-        self.parted = self.parted or changes_value
+        self.parted += (chosen,) if changes_value else ()
         return chosen
 
 

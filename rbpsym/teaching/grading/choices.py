@@ -99,7 +99,7 @@ def judge_signs(text: str, key: SignsKey) -> Judgement:
     parts = [(str(place + 1), Fraction(a == b)) for place, (a, b) in enumerate(zip(rows, wanted, strict=True))]
     remarks = [Remark("rows", {"right": str(sum(c == 1 for _, c in parts)), "all": str(len(wanted))})]
     if any(row.cancels for row in key.rows):
-        is_right = _groups([mark.lower() for *_, mark in found]) == _groups([row.cancels for row in key.rows])
+        is_right = _cancel(_groups([mark.lower() for *_, mark in found]), _groups([row.cancels for row in key.rows]))
         parts.append(("cancel", Fraction(is_right)))
         remarks += [] if is_right else [Remark("cancelling")]
     return _by_parts(tuple(parts), tuple(remarks), guessed=len(set("".join(rows))) == 1)
@@ -112,6 +112,12 @@ def _groups(marks: list[str]) -> frozenset[frozenset[int]]:
         if mark:
             held.setdefault(mark, set()).add(place)
     return frozenset(map(frozenset, held.values()))
+
+
+def _cancel(own: frozenset[frozenset[int]], wanted: frozenset[frozenset[int]]) -> bool:
+    """Are the same rows marked, and is each own group made of whole groups, whose works then cancel too?"""
+    whole = all(any(group <= mine for mine in own) for group in wanted)
+    return whole and frozenset().union(*own) == frozenset().union(*wanted)
 
 
 def _by_parts(parts: tuple[tuple[str, Fraction], ...], remarks: tuple[Remark, ...], guessed: bool) -> Judgement:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
@@ -18,6 +19,8 @@ from rbpsym.teaching.grading.ground import Ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number
+from rbpsym.teaching.grading.reading import read_formula
+from rbpsym.teaching.grading.verdicts import are_equal
 from rbpsym.teaching.model import (
     Blank,
     BlanksKey,
@@ -65,7 +68,8 @@ class Desk:
             return ground
         key = (id(problem), more)
         if key not in self.wider:
-            wide = book(ground.book.names | more, problem.notation, self.language)
+            called = problem.names_in(self.language)
+            wide = book(ground.book.names | more, problem.notation, self.language, called)
             self.wider[key] = replace(ground, book=wide)
         return self.wider[key]
 
@@ -97,6 +101,9 @@ def grade_worksheet(worksheet: Worksheet, answers: Answers, desk: Desk) -> tuple
 
 def _marked(item: Item, case: Case) -> Mark:
     text = case.answers.get(item.id, "")
+    if isinstance(item.key, BlanksKey):
+        typed = blank_texts(text, item, case.answers)
+        text = text if text.strip() else "; ".join(typed[number] for number in sorted(typed)).strip("; ")
     found = JUDGES[type(item.key)](text, item, case)
     case.judged[item.id] = found
     return Mark(item.id, text, found, found.credit * item.points, item.points)
@@ -201,11 +208,22 @@ def _correction(text: str, item: Item, case: Case) -> Judgement:
     sides = corrected.items if isinstance(corrected, t.Chain) else (corrected,)
     ground = case.ground(item, corrected)
     found = judge_formula(text, Sought(sides[-1], ground, sides[0] if len(sides) > 1 else None))
-    if found.credit == 1:
+    if found.credit == 1 or _says_the_same(text, sides, ground):
         return j.RIGHT
     if found.is_for_teacher:
         return replace(found, credit=j.HALF, remarks=(Remark("right line"), *found.remarks))
     return Judgement(Status.PARTLY, j.HALF, (Remark("wrong correction"), *found.remarks))
+
+
+def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: Ground) -> bool:
+    """Is it an equation whose sides are, one by one, sides of the corrected line?"""
+    try:
+        read = read_formula(text, ground.book)
+    except RbpsymError:
+        return False
+    if not isinstance(read, t.Chain) or len(read.items) < 2:
+        return False
+    return all(any(are_equal(own, side, ground).is_proved for side in sides) for own in read.items)
 
 
 JUDGES: Mapping[type, Callable[[str, Item, Case], Judgement]] = {

@@ -44,7 +44,8 @@ def remarks_of(mark: Mark, worksheet: Worksheet) -> Inlines:
 
 def remarks_text(mark: Mark, worksheet: Worksheet) -> str:
     """The remarks as plain text on one line, for a table."""
-    return visible(" ".join(plain_text(remarks_of(mark, worksheet), worksheet.notation, worksheet.language).split()))
+    lines = plain_text(remarks_of(mark, worksheet), worksheet.notation, worksheet.language).splitlines()
+    return visible("; ".join(" ".join(line.split()) for line in lines if line.strip()))
 
 
 def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -> str:

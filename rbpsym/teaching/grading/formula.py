@@ -69,13 +69,14 @@ def _in_all_ways(text: str, sought: Sought) -> Judgement | None:
         return None
     if len(ways.trees) < 2:
         return None
-    sound = [tree for tree in ways.trees if _fits(tree, sought)] or list(ways.trees)
+    kept = [k for k, tree in enumerate(ways.trees) if _fits(tree, sought)] or list(range(len(ways.trees)))
+    sound, is_parted = [ways.trees[k] for k in kept], len({ways.parted[k] for k in kept}) > 1
     found = [judge_tree(tree, sought) for tree in sound]
     statuses = {judgement.status for judgement in found}
     if len(found) == 1 or statuses == {Status.WRONG}:
         return found[0].with_remark("read as", formula=sound[0]) if len(found) == 1 else found[0]
     best = next((status for status in EARNING if status in statuses), None)
-    if best is None or ways.parted:
+    if best is None or is_parted:
         return None
     place = next(k for k, judgement in enumerate(found) if judgement.status is best)
     return found[place].with_remark("read as", formula=sound[place]) if place else found[0]
