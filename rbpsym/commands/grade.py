@@ -17,6 +17,12 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 @click.argument("answers", metavar="ANSWERS.CSV", type=FILE)
 @click.option("-o", "--output", type=FILE, default="marks.csv", show_default=True, help="File of the marks.")
 @click.option("--feedback", metavar="DIR", type=FOLDER, help="Folder of a page of feedback for each student.")
+@click.option(
+    "--students",
+    metavar="CSV",
+    type=FILE,
+    help="The class list: names in the marks; who is missing or unknown is told.",
+)
 @click.option("--seed", "secret", metavar="S", default="", help="The --seed with which the papers were made.")
 @click.option("--lang", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet.")
 @click.option("--executor", metavar="WHERE", default="", help="local, or dask://HOST:PORT.")
@@ -26,6 +32,7 @@ def command(
     answers: Path,
     output: Path,
     feedback: Path | None,
+    students: Path | None,
     secret: str,
     lang: str,
     executor: str,
@@ -35,7 +42,7 @@ def command(
 
     \b
     Examples:
-      rbpsym grade my-worksheet.toml answers.csv --seed autumn -o marks.csv
+      rbpsym grade my-worksheet.toml answers.csv --seed autumn --students class.csv -o marks.csv
       rbpsym grade sliding-ladder answers.csv --feedback feedback
       rbpsym grade my-worksheet.toml answers.csv --executor dask://10.0.0.5:8786
 
@@ -49,7 +56,7 @@ def command(
     journal = output.with_name(f".{output.name}.journal")
     with Progress("grading") as bar:
         graded = grade(
-            worksheet, answers, secret=secret, language=lang, pages=feedback is not None, executor=executor,
+            worksheet, answers, secret=secret, language=lang, roster=students, pages=feedback is not None, executor=executor,
             processes=jobs, journal=journal, told=lambda done, of: bar.reached(done, of, f"{done} of {of} students"),
         )  # fmt: skip
     written = write_graded(graded, output, feedback)

@@ -284,3 +284,62 @@ def test_a_class(tmp_path: Path) -> None:
         "no item 99" in sentence for sentence in graded.told
     )
     assert len(graded.pages) == 2
+
+
+# --- with the class list
+
+ROSTER = (
+    Student("001", "Siobhán O'Brien"),
+    Student("002", "李 小龙"),
+    Student("003", "=cmd|' /C calc'!A0"),
+    Student("004"),
+)
+
+
+def listed(*lines: str):
+    return grade("sliding-ladder", parse_answers("\n".join(lines)), secret="autumn", roster=ROSTER, processes=1)
+
+
+def rows_of(graded) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(graded.marks)))
+
+
+def test_a_class_list_gives_names_and_tells_who_is_missing() -> None:
+    graded = listed("student,1", "001,g", "002,g", "0O3,g")
+    found = {row["student"]: row for row in rows_of(graded)}
+    assert [found[key]["name"] for key in ("001", "002", "003", "0O3")] == [
+        "Siobhán O'Brien",
+        "李 小龙",
+        "'=cmd|' /C calc'!A0",
+        "",
+    ]
+    assert found["003"]["total"] == "" and found["001"]["total"] != "" and found["0O3"]["teacher"] == "all"
+    assert any("“0O3” is not in the class list; is it “003”" in text for text in graded.told)
+    assert graded.told[-1] == "no answers: 003 (=cmd|' /C calc'!A0), 004."
+
+
+def test_codes_find_their_students() -> None:
+    codes = {row["student"]: row["code"] for row in rows_of(listed("student,1", "001,g", "002,g"))}
+    graded = listed("student,code,1", f",{codes['001']},g", f"002,{codes['002']},g", f"004,{codes['001']},g", "003,,g")
+    rows = [(row["student"], row["teacher"]) for row in rows_of(graded)]
+    assert rows[0][0] == "001" and ("004", "all") in rows
+    assert any("the same paper as in line 2" in text for text in graded.told)
+
+
+def test_an_exchanged_paper_is_marked_by_itself() -> None:
+    codes = {row["student"]: row["code"] for row in rows_of(listed("student,1", "001,g", "002,g"))}
+    graded = listed("student,code,1", f"001,{codes['002']},g")
+    assert "line 2: 001 answered the paper of 002; it is marked by that paper." in graded.told
+    assert rows_of(graded)[0]["code"] == codes["002"]
+
+
+def test_rows_that_cancel_may_be_marked_together_or_apart() -> None:
+    from rbpsym.teaching.grading.choices import _cancel, _groups
+
+    assert _cancel(_groups(["a", "b", ""]), _groups(["N", "F", ""])) and _cancel(
+        _groups(["a", "a", ""]), _groups(["N", "F", ""])
+    )
+    assert not _cancel(_groups(["a", "b", ""]), _groups(["N", "N", ""]))
+    assert not _cancel(_groups(["a", "a", "a"]), _groups(["N", "N", ""])) and not _cancel(
+        _groups(["a", "", ""]), _groups(["N", "F", ""])
+    )

@@ -14,12 +14,14 @@ from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.executor import crew, run
 from rbpsym.teaching.grading.answers_csv import AnswerTable, Row, read_answers
+from rbpsym.teaching.grading.class_list import ClassList, class_list
 from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet, points_text
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.grading.marks_csv import marks_csv
 from rbpsym.teaching.journal import Journal
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.roster import load_roster
 
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
@@ -60,6 +62,7 @@ def grade(
     *,
     secret: str = "",
     language: str = "",
+    roster: str | Path | tuple[Student, ...] | None = None,
     pages: bool = False,
     executor: str = "",
     processes: int = 0,
@@ -68,23 +71,34 @@ def grade(
 ) -> Graded:
     """The marks of a class. `secret` is the --seed with which the papers were made.
 
+    With `roster`, the class list, the marks hold names, and keys that nobody has are told.
     With `journal` an interrupted run goes on where it was. Raises RbpsymError for files that can't be
     used; never for an answer.
     """
     plan, source = _plan(str(worksheet))
     table = answers if isinstance(answers, AnswerTable) else read_answers(Path(answers))
     order = Order(source, secret, language, plan.fingerprint, pages)
-    jobs = [(order, row) for row in table.rows]
-    held = Journal(journal, _about(order, table))
+    listed = class_list(table.rows, plan, secret, language, _roster(roster))
+    jobs = [(order, row) for row in listed.rows]
+    held = Journal(journal, _about(order, listed.rows))
     found = [json.loads(text) for text in run(mark_rows, jobs, crew(executor, processes), held, told)]
-    return _graded(found, table)
+    found += [_refused(row, why) for row, why in listed.refused]
+    return _graded(found, table, listed)
 
 
-def _about(order: Order, table: AnswerTable) -> str:
+def _roster(roster: str | Path | tuple[Student, ...] | None) -> tuple[Student, ...] | None:
+    return roster if roster is None or isinstance(roster, tuple) else load_roster(Path(roster))
+
+
+def _refused(row: Row, why: str) -> dict[str, object]:
+    return {"student": row.student, "code": row.code, "error": f"line {row.line}: {why}"}
+
+
+def _about(order: Order, rows: tuple[Row, ...]) -> str:
     """Stands for all that the results depend on."""
     from rbpsym import __version__
 
-    parts = (__version__, order.fingerprint, order.secret, order.language, order.pages, table.rows)
+    parts = (__version__, order.fingerprint, order.secret, order.language, order.pages, rows)
     return sha256(repr(parts).encode("utf-8", "surrogatepass")).hexdigest()
 
 
@@ -116,7 +130,7 @@ def _marked(order: Order, row: Row) -> dict[str, object]:
     try:
         sheet = _sheet(plan, order, row)
     except RbpsymError as error:
-        return {"student": row.student, "code": row.code, "error": f"line {row.line}: {error.what}"}
+        return _refused(row, error.what)
     marks = grade_worksheet(sheet, row.answers, _desk(sheet.language))
     return _told(order, row, sheet, marks)
 
@@ -143,16 +157,22 @@ def _told(order: Order, row: Row, sheet: Worksheet, marks: tuple[Mark, ...]) -> 
     }
 
 
-def _graded(found: list[dict], table: AnswerTable) -> Graded:
+def _graded(found: list[dict], table: AnswerTable, listed: ClassList) -> Graded:
     whole = [one for one in found if "error" not in one]
     items = list(dict.fromkeys(item for one in whole for item, _, _ in one["items"]))
     header = ["student", "code", "total", "of", "teacher", *(c for item in items for c in (item, f"{item} remarks"))]
+    rows = [_row(one, items) for one in found]
+    rows += [[student.id, "", "", "", *([""] * (2 * len(items) + 1))] for student in listed.absent]
+    if listed.names:
+        header.insert(1, "name")
+        rows = [[row[0], listed.names.get(row[0], ""), *row[1:]] for row in rows]
     told = [f"the column “{name}” is no item of the worksheet and was passed over." for name in table.passed_over]
-    told += [f"{one['student'] or one['code']}: {one['error']}." for one in found if "error" in one]
+    told += [f"{one['student'] or one['code']}: {one['error'].rstrip('?')}." for one in found if "error" in one]
+    told += listed.told
     known = {name.partition(".")[0] for row in table.rows for name in row.answers} - set(items)
     told += [f"the worksheet has no item {name}." for name in sorted(known) if whole]
     return Graded(
-        marks_csv(header, (_row(one, items) for one in found)),
+        marks_csv(header, rows),
         {one["file"]: one["page"] for one in whole if one["page"]},
         len(found),
         sum(one["answered"] for one in whole),
