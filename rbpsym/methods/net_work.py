@@ -104,7 +104,7 @@ def _manner(element: Element, name: str) -> str:
         return "link" if element.values.get("rigid") else "tension"
     if element.values.get("friction") == name:
         return "grip"
-    return {"pivot": "joint", "pin": "joint", "weld": "joint"}.get(element.kind, "contact")
+    return {"pivot": "joint", "pin": "joint", "weld": "joint", "gear": "teeth"}.get(element.kind, "contact")
 
 
 # --- forces that dissipate
