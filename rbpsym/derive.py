@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from rbpsym.algebra.effort import at_most
@@ -40,7 +41,8 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
 
 def _derived(study: Study, simulation: bool) -> Derivation:
     """The derivation of one phase."""
-    check_pushes(study)
+    with suppress(LimitError):  # told by the methods that can't do without the forces
+        check_pushes(study)
     draft = Draft(study)
     for write in BEFORE:
         write(draft)

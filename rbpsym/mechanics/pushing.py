@@ -20,10 +20,10 @@ LARGEST = 400  # terms: signs of what is longer are not looked for
 
 def check_pushes(study: Study) -> None:
     """Raises StatementError where a force that can only push (or pull) is surely negative at the start."""
-    start = _start(study)
+    start, reactions = _start(study), study.dynamics.reactions
     for element in study.problem.constraints:
         for name in pushes(element):
-            value = _at_start(study.dynamics.reactions[name], start)
+            value = _at_start(reactions[name], start)
             if value is not None and sign(value, study.assumptions, factoring=False).kind == "negative":
                 raise _wrong_way(element, name, value)
 

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.effort import is_bounded
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.errors import LimitError
 from rbpsym.mechanics import balance, energy, events, friction, motion, oscillation, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
@@ -37,10 +39,24 @@ class Study:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return self.system.implicit
 
-    @cached_property
+    @property
     def dynamics(self) -> Dynamics:
-        """Equations of motion, accelerations, unknown forces."""
-        return solve(self.system)
+        """Equations of motion, accelerations, unknown forces. Raises LimitError where they grow too long."""
+        if is_bounded() and "_dynamics" not in self.__dict__:
+            found = self.__dict__.setdefault("_dynamics", solve(self.system))
+        else:
+            found = self._dynamics
+        if isinstance(found, LimitError):
+            raise found
+        return found
+
+    @cached_property
+    def _dynamics(self) -> Dynamics | LimitError:
+        """That it grows too long is found out only once."""
+        try:
+            return solve(self.system)
+        except LimitError as error:
+            return error
 
     @cached_property
     def newton_euler_rows(self) -> list[Scalar]:
