@@ -28,12 +28,13 @@ _ITEM = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+(?:\.\d+)?
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """The answers of one student by item; `line` of the file."""
+    """The answers of one student by item; `line` of the file, `name` that of the class list."""
 
     student: str
     code: str
     answers: Mapping[str, str]
     line: int = 0
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

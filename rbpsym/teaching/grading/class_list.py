@@ -38,7 +38,9 @@ def class_list(
     names = {student.id: student.name for student in roster}
     known, refused = _once(tuple(row if row.student else replace(row, student=codes.get(row.code, "")) for row in rows))
     unknown = tuple((row, _unknown(row, names)) for row in known if row.student and row.student not in names)
-    kept = tuple(row for row in known if not row.student or row.student in names)
+    kept = tuple(
+        replace(row, name=names.get(row.student, "")) for row in known if not row.student or row.student in names
+    )
     exchanged = tuple(
         _exchanged(row, codes[row.code]) for row in kept if codes.get(row.code, row.student) != row.student
     )

@@ -153,7 +153,7 @@ def _told(order: Order, row: Row, sheet: Worksheet, marks: tuple[Mark, ...]) -> 
         "teacher": [mark.item for mark in marks if mark.judgement.is_for_teacher],
         "answered": sum(bool(mark.answer.strip()) for mark in marks),
         "file": file_name(name),
-        "page": feedback_page(sheet, marks, name) if order.pages else "",
+        "page": feedback_page(sheet, marks, row.name or name) if order.pages else "",
     }
 
 
