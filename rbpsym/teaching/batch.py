@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+from base64 import b64decode, b64encode
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
+from threading import Lock
 
 from rbpsym.document.files import write_whole
+from rbpsym.errors import RbpsymError
 from rbpsym.teaching.executor import Crew, run
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.journal import Journal
@@ -18,11 +21,15 @@ from rbpsym.teaching.plan import Plan, plan_of
 
 JOURNAL = ".worksheets.journal"
 PART = 16  # papers that one process makes before it tells
+TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What is to be made of each student's worksheet, and where."""
+    """What is to be made of each student's worksheet, and where.
+
+    `fingerprint` is that of the worksheet here: a worker elsewhere that has another file of that name must not make papers.
+    """
 
     source: str
     secret: str
@@ -32,6 +39,7 @@ class Order:
     key: bool = False
     solution: bool = False
     engine: str = "typst"
+    fingerprint: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +59,26 @@ def known_plan(source: str) -> Plan:
 def papers(
     order: Order, students: Sequence[Student | None], who: Crew, told: Callable[[int, int], None]
 ) -> list[list[str]]:
-    """Writes the papers of all students; the paths written, student by student."""
+    """Writes the papers of all students; the paths written, student by student.
+
+    Processes of this machine write their papers themselves; a cluster sends them, and they are written here.
+    """
     plan = known_plan(order.source)  # before the processes part, so that they share it
-    journal = Journal(Path(order.folder) / JOURNAL if len(students) > PART else None, _about(order, plan, students))
-    jobs = [Paper(order, student) for student in students]
-    found = run(write_papers, jobs, who, journal, told, PART)
+    path = Path(order.folder) / JOURNAL if len(students) > PART else None
+    journal = Journal(path, _about(order, plan, students))
+    jobs = [Paper(_for_others(order, plan) if who.address else order, student) for student in students]
+    if who.address:
+        found = run(send_papers, jobs, who, journal, told, PART, lambda text: _taken(text, order.folder))
+    else:
+        found = run(write_papers, jobs, who, journal, told, PART)
     journal.remove()
     return [json.loads(text) for text in found]
+
+
+def _for_others(order: Order, plan: Plan) -> Order:
+    """The order as a worker elsewhere understands it."""
+    path = Path(order.source)
+    return replace(order, source=str(path.resolve()) if path.is_file() else order.source, fingerprint=plan.fingerprint)
 
 
 def _about(order: Order, plan: Plan, students: Sequence[Student | None]) -> str:
@@ -72,14 +93,46 @@ def write_papers(jobs: tuple[Paper, ...]) -> list[str]:
 
 def _written(job: Paper) -> list[str]:
     plan = known_plan(job.order.source)
-    worksheet = plan.worksheet(job.student, job.order.secret, job.order.language)
-    return written(worksheet, plan, job.order)
+    return written(_worksheet(plan, job), plan, job.order)
+
+
+def _worksheet(plan: Plan, job: Paper) -> Worksheet:
+    return plan.worksheet(job.student, job.order.secret, job.order.language)
+
+
+def send_papers(jobs: tuple[Paper, ...]) -> list[str]:
+    """The work of a worker elsewhere: the files of each paper, by name, as JSON."""
+    with TURN:
+        return [json.dumps({name: b64encode(data).decode() for name, data in _files_of(job).items()}) for job in jobs]
+
+
+def _files_of(job: Paper) -> dict[str, bytes]:
+    plan = known_plan(job.order.source)
+    if plan.fingerprint != job.order.fingerprint:
+        raise RbpsymError(
+            f"the worksheet {job.order.source} of this worker is another one",
+            instead="give all machines the same files, and start the workers again.",
+        )
+    found = files_of(_worksheet(plan, job), plan, job.order)
+    return {name: content.encode() if isinstance(content, str) else content for name, content in found.items()}
+
+
+def _taken(text: str, folder: str) -> str:
+    """Writes what a worker sent; the paths as JSON."""
+    files = json.loads(text)
+    return json.dumps([str(write_whole(Path(folder) / name, b64decode(data))) for name, data in files.items()])
 
 
 def written(worksheet: Worksheet, plan: Plan, order: Order) -> list[str]:
     """One worksheet in the formats of an order; the paths of its files. All are made before the first is written."""
+    files = files_of(worksheet, plan, order)
+    return [str(write_whole(Path(order.folder) / name, content)) for name, content in files.items()]
+
+
+def files_of(worksheet: Worksheet, plan: Plan, order: Order) -> dict[str, str | bytes]:
+    """The files of one worksheet by name."""
     options = Options(order.key, True, order.engine, order.solution, plan.derivations)
     files: dict[str, str | bytes] = {}
     for name in order.formats:
         files |= exporter(name)((worksheet,), options).files
-    return [str(write_whole(Path(order.folder) / name, content)) for name, content in files.items()]
+    return files

@@ -8,16 +8,17 @@ differs at a student's printed numbers is seen to when these are drawn (`distinc
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import at_most, spend
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.dimensions import dimension_of
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import TIME, Dimension
@@ -30,6 +31,7 @@ from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
 SPECIFIC = 4  # a misconception about so few kinds of quantities comes before general ones
+MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's greatest takes a twentieth of it
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
 
 
@@ -62,6 +64,7 @@ class Pool:
     found: dict[str, tuple[Distractor, ...]] = field(default_factory=dict)
     spoiled: dict[int, str] = field(default_factory=dict)
     told: dict[int, Retelling] = field(default_factory=dict)
+    given_up: set[int] = field(default_factory=set)
 
     def of(self, target: Target) -> tuple[Distractor, ...]:
         """Accepted wrong values of a target, the best first."""
@@ -108,9 +111,25 @@ def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
 
 def _made(misconception: Misconception, site: Site) -> Iterator[Wrong]:
     try:
-        yield Wrong(misconception, site, site.wrong())
+        with at_most(MOST_PRODUCTS):
+            made = Wrong(misconception, site, site.wrong())
+        yield made
     except (RbpsymError, KeyError, ZeroDivisionError, ValueError):
         return
+
+
+def bounded(pool: Pool, place: int, call: Callable[[], Scalar | None]) -> Scalar | None:
+    """A value of a wrong study; None, then and ever after, if the study takes too long to work out."""
+    if place in pool.given_up:
+        return None
+    try:
+        with at_most(MOST_PRODUCTS):
+            found = call()
+            spend(0)  # a target takes a limit for a value that there is not
+            return found
+    except LimitError:
+        pool.given_up.add(place)
+        return None
 
 
 def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
@@ -126,7 +145,8 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
         if all(scalars_equal(value, other, study.assumptions).is_refuted for other in known):
             known.append(value)
             wrong = pool.wrongs[place].study
-            kept.append(Distractor(pool.slip(place), value, formula, target.along(wrong), wrong))
+            along = bounded(pool, place, lambda wrong=wrong: target.along(wrong))
+            kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
 
 
@@ -137,7 +157,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     for place, wrong in enumerate(pool.wrongs):
         if target.kind not in wrong.misconception.about:
             continue
-        value = target.value(wrong.study)
+        value = bounded(pool, place, lambda wrong=wrong: target.value(wrong.study))
         if value is None or speeds_in(value) - moving:
             continue
         formula = shown(value, study)

@@ -10,7 +10,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import suppress
 from dataclasses import dataclass
@@ -57,30 +57,47 @@ def run(
     journal: Journal,
     told: Callable[[int, int], None] = lambda done, of: None,
     size: int = 16,
+    received: Callable[[str], str] = lambda result: result,
 ) -> list[str]:
     """The results of all jobs, in their order; those that the journal holds are not done again.
 
-    `work` is a function of a module that takes some jobs and returns a text for each. `told` hears
-    how many are done. Raises Interrupted (what is done is kept), RbpsymError for a cluster out of reach.
+    `work` is a function of a module that takes some jobs and returns a text for each; `received` is what is done
+    here with each text before it is noted (it returns what to keep). `told` hears how many are done. Raises
+    Interrupted (what is done is kept), RbpsymError for a cluster out of reach.
     """
     with journal:
         waiting = [place for place in range(len(jobs)) if place not in journal.results]
         parts = [tuple(waiting[at : at + size]) for at in range(0, len(waiting), size)]
         told(len(journal.results), len(jobs))
+
+        def note(part: tuple[int, ...], results: list[str]) -> None:
+            journal.enter(dict(zip(part, map(received, results), strict=True)))
+            told(len(journal.results), len(jobs))
+
+        coming = _done(work, jobs, parts, who)
         try:
-            for part, results in _done(work, jobs, parts, who):
-                journal.enter(dict(zip(part, results, strict=True)))
-                told(len(journal.results), len(jobs))
+            for found in coming:
+                note(*found)
         except KeyboardInterrupt:
+            with suppress(KeyboardInterrupt):
+                _note_rest(coming, note)
             done = f"interrupted: {len(journal.results)} of {len(jobs)} are done"
             raise Interrupted(done, instead="the same command goes on from there.") from None
         return [journal.results[place] for place in range(len(jobs))]
 
 
+def _note_rest(coming: Generator, note: Callable[[tuple[int, ...], list[str]], None]) -> None:
+    """What was being done when the interrupt came is done to its end, and noted."""
+    note(*coming.throw(KeyboardInterrupt))
+    for found in coming:
+        note(*found)
+
+
 Parts = list[tuple[int, ...]]
+Coming = Generator[tuple[tuple[int, ...], list[str]], None, None]
 
 
-def _done(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple[tuple[int, ...], list[str]]]:
+def _done(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
     """(places, results) as they come."""
     if who.address:
         yield from _by_dask(work, jobs, parts, who)
@@ -97,7 +114,7 @@ def _count(who: Crew) -> int:
     return who.processes or usable or 1
 
 
-def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple]:
+def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
     """A pool of processes; where it is safe they are forked, and share what was worked out before."""
     threads = 1 if sys.version_info >= (3, 12) else 2  # the second is the clock of the progress bar
     forks = sys.platform == "linux" and threading.active_count() <= threads
@@ -105,8 +122,12 @@ def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> I
     pool = ProcessPoolExecutor(_count(who), mp_context=context, initializer=_leave_interrupts)
     try:
         futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
-        for future in as_completed(futures):
-            yield futures[future], future.result()
+        for future in as_completed(list(futures)):
+            yield futures.pop(future), future.result()
+    except KeyboardInterrupt:
+        pool.shutdown(wait=True, cancel_futures=True)
+        yield from ((part, future.result()) for future, part in futures.items() if not future.cancelled())
+        raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
@@ -116,7 +137,7 @@ def _leave_interrupts() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Iterator[tuple]:
+def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
     client = _client(who.address)
     try:
         from distributed import as_completed as finished

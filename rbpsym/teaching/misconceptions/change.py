@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import cached_property
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
@@ -21,7 +22,10 @@ def with_parts(study: Study, **parts: object) -> Study:
     The parts that are not given are worked out anew from those that are.
     """
     wrong = Study(study.problem)
-    wrong.__dict__.update(parts)  # a cached property is looked up there first
+    for name, part in parts.items():
+        kept = name if isinstance(getattr(Study, name), cached_property) else f"_{name}"
+        assert isinstance(getattr(Study, kept), cached_property), name
+        wrong.__dict__[kept] = part  # a cached property is looked up there first
     return wrong
 
 
