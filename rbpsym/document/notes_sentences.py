@@ -11,6 +11,7 @@ from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef
+from rbpsym.statement.paths import tensions
 
 Slots = dict[str, object]
 
@@ -123,7 +124,9 @@ def _string(element: Element, pose: DrawnPose, said: Words) -> Slots:
         return {"path": told, "key": "statement.string_straight"}
     over = "over_" if len(turns) > 2 else ""
     key = f"statement.string_{over}wound" if turns[-1].sense else "statement.string"
-    return {"first": told[0], "path": told[1:-1], "last": told[-1], "key": key}
+    pulls = tensions(element)
+    turned = {"key": "statement.string_turning", "letters": [t.Sym(name) for name in pulls]} if len(pulls) > 1 else {}
+    return {"first": told[0], "path": told[1:-1], "last": told[-1], "key": key, **turned}
 
 
 def _other(element: Element, pose: DrawnPose, said: Words) -> Slots:
