@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.language import problem_notation
 from rbpsym.document.model import Inlines
-from rbpsym.document.telling import known_key
+from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
@@ -209,8 +209,7 @@ def sentence(bench: Bench, step: Step, said: Words) -> Inlines:
 
 
 def _sentence(step: Step, said: Words) -> Inlines:
-    key = None if step.chapter == "forces" else known_key(step.phrase, said)  # forces are told in a table
-    return () if key is None else said.say(key, **step.slots)
+    return () if step.chapter == "forces" else Teller(said).sentence(step, step.phrase, **step.slots)  # these: a table
 
 
 def word(measure: Measure, notation: Notation) -> t.Word:
