@@ -9,6 +9,7 @@ from rbpsym.algebra.evaluate import at_start
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.derivation.draft import Draft
+from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.work import ForceWork, Work
 from rbpsym.notation import tree as t
@@ -70,5 +71,14 @@ def gained(draft: Draft, kinetic: Scalar) -> Scalar:
 
 def show_gained(draft: Draft, value: Scalar) -> t.Node:
     """½ M (v² - v₀²), from rest ½ M v²."""
-    speeds = [n for q in draft.study.system.independent for n in names_in(_start_of(draft, f"{q}_dot"))]
-    return draft.show(value, factor=True) if any(depends_on(value, n) for n in speeds) else draft.show_brief(value)
+    start = draft.study.system.scope.start
+    moving = [n for q in draft.study.system.independent if depends_on(value, n := f"{q}_dot") and start.get(n)]
+    if not moving:
+        return draft.show_brief(value)
+    speed, squared = t.Sym(moving[0]), t.Pow(t.Sym(moving[0]), t.TWO)
+    now = draft.show_brief(short(value - substitute(value, {speed.name: NOTHING})))
+    if len(moving) > 1 or not isinstance(now, t.Mul) or now.factors[-1] != squared:
+        return draft.show(value, factor=True)
+    shown = t.mul(*now.factors[:-1], t.add(squared, t.neg(t.power(draft.show(start[speed.name]), 2))))
+    same = scalars_equal(draft.context.value(shown), value, draft.study.assumptions).is_proved
+    return shown if same else draft.show(value, factor=True)

@@ -12,7 +12,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters.forces import is_reaction
 from rbpsym.derivation.chapters.inertia import turning_together
-from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
@@ -20,6 +20,7 @@ from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started
 from rbpsym.notation import tree as t
 
+FAR_SHORTER = 0.5
 MOST_AT_THE_BOARD = 2  # bodies; with more of them it is a matter for full detail
 
 
@@ -106,11 +107,17 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
         premises=[f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body] + _theorems(draft, body),
         body=BodyRef(body),
         works=[letters[k] for k in acting],
-        forces=[t.Vec(k) for k in acting or letters],
+        forces=[t.Vec(k) for k in acting or [k for k in letters if body in parties[k]]],
         variant={0: "other", 1: "one"}.get(len(acting), "many"),
         level=parts.level,
         data={"known": sum(known, NOTHING), "growth": growth},
     )
+
+
+def _shown(draft: Draft, growth: Scalar) -> t.Node:
+    """The inertias of the bodies side by side, unless that is far too long."""
+    plain, brief = draft.show(growth), show_gained(draft, growth)
+    return brief if length(brief) <= FAR_SHORTER * length(plain) else plain
 
 
 def _theorems(draft: Draft, body: str) -> list[str]:
@@ -124,7 +131,7 @@ def _sum(draft: Draft, parts: Parts, steps: list[Step], letters: Mapping[str, t.
     draft.add(
         "alone.added",
         "work_sum",
-        t.equation(since_start(draft, total), draft.show(growth)),
+        t.equation(since_start(draft, total), _shown(draft, growth)),
         "work.added",
         premises=[step.id for step in steps],
         equations=[StepRef(step.id) for step in steps],
