@@ -12,7 +12,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.explorer.labels import force_labels, label
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
-from rbpsym.document.explorer.stage import LAST, Ending, Phase, phase
+from rbpsym.document.explorer.stage import LAST, Began, Ending, Phase, phase
 from rbpsym.document.explorer.strikes import strikes
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
@@ -23,7 +23,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.quantities import NUMBER, TIME
-from rbpsym.statement.model import Problem
+from rbpsym.statement.model import Element, Problem
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,15 @@ def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str,
     def struck(put: Callable[[Scalar], int]) -> dict[str, Any] | None:
         return strikes(parts[k], problem.phases[k - 1], put, notation) if k else None
 
-    return phase(parts[k].study, names, _ending(problem, parts, k), struck)
+    return phase(parts[k].study, names, _ending(problem, parts, k), Began(struck, _ground(parts)))
+
+
+def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
+    """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
+    found = (e for part in parts for e in part.study.problem.constraints)
+    return tuple(
+        e for e in found if e.values.get("line") is not None and e.values.get("of") is None and e.kind != "guide"
+    )
 
 
 def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> Ending:

@@ -29,11 +29,12 @@ Part = dict[str, Any]
 
 @dataclass(frozen=True)
 class Scenery:
-    """A study seen: `put` stores a scalar and says where."""
+    """A study seen: `put` stores a scalar and says where; `elsewhere` is the ground of other phases."""
 
     study: Study
     put: Callable[[Scalar], int]
     geometry: Geometry
+    elsewhere: tuple[Element, ...] = ()
 
     def node(self, node: Node) -> int:
         """A formula of the statement, dependent coordinates put in."""
@@ -54,9 +55,9 @@ class Scenery:
         return (e for e in (*problem.constraints, *problem.interactions) if e.kind in kinds)
 
 
-def scenery(study: Study, put: Callable[[Scalar], int]) -> dict[str, list[Part]]:
+def scenery(study: Study, put: Callable[[Scalar], int], elsewhere: tuple[Element, ...] = ()) -> dict[str, list[Part]]:
     """All that is drawn besides the forces."""
-    return Scenery(study, put, geometry_of(study.system)).parts()
+    return Scenery(study, put, geometry_of(study.system), elsewhere).parts()
 
 
 def bodies(seen: Scenery) -> Iterator[Part]:
@@ -121,7 +122,7 @@ def fixed_ends(seen: Scenery) -> Iterator[Any]:
 def lines(seen: Scenery) -> Iterator[Part]:
     """Lines that are touched: a x + b y = c, in the frame of the body `of` or in space; a slot has no normal."""
     done = set()
-    for element in seen.study.problem.constraints:
+    for element in (*seen.study.problem.constraints, *seen.elsewhere):
         line, of = element.values.get("line"), element.values.get("of")
         if line is None or (line.label, of) in done:
             continue

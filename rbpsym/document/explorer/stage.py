@@ -15,20 +15,15 @@ from rbpsym.algebra.calculus import depends_on, derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.document.explorer.events import events
 from rbpsym.document.explorer.javascript import Program, function
 from rbpsym.document.explorer.scenery import scenery
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import CONSTANT, linear_row
-from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.numbers import sample
-from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
-from rbpsym.notation import tree as t
-from rbpsym.statement.model import Coordinate
-from rbpsym.statement.paths import runs
+from rbpsym.statement.model import Element
 
 
 @dataclass(frozen=True)
@@ -53,14 +48,25 @@ LAST = Ending()
 Struck = Callable[[Callable[[Scalar], int]], dict[str, Any] | None]
 
 
-def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST, struck: Struck = lambda put: None) -> Phase:
-    """A phase; `names` are those of the adjustable numbers in their order, `struck` tells what strikes at its start."""
+@dataclass(frozen=True)
+class Began:
+    """What strikes when a phase begins, and the ground of the other phases, which stays in sight."""
+
+    struck: Struck = lambda put: None
+    ground: tuple[Element, ...] = ()
+
+
+START = Began()
+
+
+def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST, began: Began = START) -> Phase:
+    """A phase; `names` are those of the adjustable numbers in their order."""
     solved = is_lighter_solved_here(study, names)
-    look, data = _look(study, names, solved, ending)
+    look, data = _look(study, names, solved, ending, began.ground)
     data["endsWith"] = [list(event) for event in ending.events]
     starts = _program(study, names, moving=False)
     state = [starts.output_again(value) for value in _start(study)]
-    data["strikes"] = struck(starts.output)
+    data["strikes"] = began.struck(starts.output)
     data["endsAt"] = None if ending.time is None else starts.output(ending.time)
     data["start"] = state
     gaps, data["gaps"] = _gaps(study, names)
@@ -178,7 +184,9 @@ def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     return program.text, {"rows": rows, "held": held}
 
 
-def _look(study: Study, names: tuple[str, ...], solved: bool, ending: Ending) -> tuple[Program, dict[str, Any]]:
+def _look(
+    study: Study, names: tuple[str, ...], solved: bool, ending: Ending, elsewhere
+) -> tuple[Program, dict[str, Any]]:
     """The program of all numbers that are shown, and where each stands."""
     program, system = _program(study, names, solved=solved), study.system
     put = program.output
@@ -194,9 +202,9 @@ def _look(study: Study, names: tuple[str, ...], solved: bool, ending: Ending) ->
         "forces": [_force(force, put) for force in system.forces],
         "potential": _potential(study, put),
         "origins": {name: [put(place.x), put(place.y)] for name, place in study.origins.items()},
-        "events": [{**event, "value": put(event["value"])} for event in _events(study, ending)],
+        "events": [{**event, "value": put(event["value"])} for event in events(study, ending.goal)],
     }
-    return program, {**data, **scenery(study, put)}
+    return program, {**data, **scenery(study, put, elsewhere)}
 
 
 def _speed(study: Study, name: str) -> Scalar:
@@ -220,49 +228,3 @@ def _potential(study: Study, put) -> int | None:
     """The sum of the potential energies that there are; None if no interaction has one."""
     found = [value for value in energy.potentials(study.system).values() if value is not None]
     return put(sum(found, NOTHING)) if found else None
-
-
-def _events(study: Study, ending: Ending) -> Iterator[dict[str, Any]]:
-    """What ends the phase, with the scalar that is positive until then (one that reaches zero from either side)."""
-    if ending.goal is not None:
-        name, value = ending.goal
-        yield {"kind": "reaches", "name": name, "value": symbol(name) - value}
-    for element in study.problem.constraints:
-        for name in pushes(element):
-            kind = "slack" if element.kind == "string" else "lost"
-            yield {"kind": kind, "name": name, "value": symbol(name)}
-        if element.values.get("limit") is not None and element["friction"] in study.system.unknowns:
-            grip, limit = symbol(element["friction"]), scalar(element["limit"]) * symbol(element.name)
-            for left in (limit - grip, limit + grip):
-                yield {"kind": "slips", "name": element.name, "value": left}
-    yield from _slips(study)
-    yield from _used_up(study)
-    for coordinate in study.problem.coordinates:
-        yield from _edges(coordinate)
-
-
-def _slips(study: Study) -> Iterator[dict[str, Any]]:
-    geometry, senses = geometry_of(study.system), slip_senses(study.system)
-    for name, sense in senses.items():
-        slip = slip_speed(geometry, meeting(study.system.element(name), geometry))
-        yield {"kind": "holds", "name": name, "value": slip * sense}
-
-
-def _used_up(study: Study) -> Iterator[dict[str, Any]]:
-    """The straight pieces of a string between a pulley and something else, as long as there is any."""
-    geometry = geometry_of(study.system)
-    for element in study.problem.constraints:
-        if element.kind != "string":
-            continue
-        for piece in (piece for run in runs(element["path"]) for piece in segments(run, geometry)):
-            if (piece.first.sense or piece.second.sense) and any(
-                depends_on(piece.length, n) for n in study.system.coordinates
-            ):
-                yield {"kind": "short", "name": element.name, "value": piece.length}
-
-
-def _edges(coordinate: Coordinate) -> Iterator[dict[str, Any]]:
-    here = t.Sym(coordinate.name)
-    for bound, left in ((coordinate.lower, 1), (coordinate.upper, -1)):
-        if bound is not None:
-            yield {"kind": "edge", "name": coordinate.name, "value": (scalar(here) - scalar(bound)) * left}

@@ -1,6 +1,6 @@
 // The page: sliders, playing, seeking, what is said aloud.
 
-const SPEEDS = [1, 0.5, 0.25, 0.1, 0.05], SHORTEST = 1.5, CALM = 0.2, LONGEST_ARROW = 84;
+const SPEEDS = [1, 0.5, 0.25, 0.1, 0.05], SHORTEST = 1.5, FASTEST = 14, CALM = 0.2, LONGEST_ARROW = 84;
 const byId = (id) => document.getElementById(id);
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const told = (key, slots = {}) => WORDS[key].replace(/\{(\w+)\}/g, (_, name) => slots[name] ?? "");
@@ -22,9 +22,10 @@ function begin() {
   document.documentElement.dataset.ready = "yes";
 }
 
-/** What is over in a moment is played more slowly. */
+/** What is over in a moment, or turns fast, is played more slowly. */
 function pace() {
-  const fitting = SPEEDS.find((value) => longest() / value >= SHORTEST);
+  const turning = mostly(state.motions.flatMap(sampled).map(({ data, out }) => Math.max(...data.bodies.map((body) => Math.abs(out[body.omega])))));
+  const fitting = SPEEDS.find((value) => longest() / value >= SHORTEST && turning * value <= FASTEST);
   byId("speed").value = fitting || SPEEDS[SPEEDS.length - 1];
 }
 
@@ -100,6 +101,7 @@ function seek(time) {
     if (motion.end.kind === "numbers") return byId("picture-" + k).replaceChildren();
     const moment = motion.at(state.time);
     state.drawings[k].show(moment);
+    Object.assign(byId("picture-" + k).dataset, { phase: moment.phase, local: moment.local });
     state.readings[k].show(moment);
     byId("end-" + k).textContent = state.time >= motion.duration - 1e-9 ? ending(motion) : phaseName(motion, moment);
   });

@@ -72,7 +72,9 @@ class Drawing {
   show(moment) {
     const { data, out } = moment, parts = [];
     this.out = out;
+    this.thin = [...(data.cords || []), ...(data.links || [])].map((one) => one.ends.map((pair) => pick(pair, out)));
     this.scale.look(data.bodies, out);
+    this.grounds = [];
     parts.push(...(data.circles || []).map((circle) => this.circle(circle)));
     parts.push(...(data.lines || []).flatMap((line) => this.line(line, data)));
     parts.push(...(data.cords || []).map((cord, k) => this.cord(cord, data.cords[k + 1])));
@@ -82,6 +84,7 @@ class Drawing {
     parts.push(...(data.points || []).flatMap((point) => this.mark(point, data)));
     parts.push(...data.bodies.filter((body) => body.kind !== "particle").map((body) => this.dot(pick(body.cm, out), 2.2)));
     this.tips = [];
+    this.thin = this.thin.map((ends) => this.scale.points(ends)).concat(this.grounds);
     parts.push(...data.forces.flatMap((force) => this.force(force)));
     parts.push(...((this.motion.blow(moment.time) || { arrows: [] }).arrows.flatMap((one) => this.impulse(one))));
     this.svg.replaceChildren(...parts, ...this.names());
@@ -120,6 +123,7 @@ class Drawing {
     const piece = this.visible([a / size, b / size, c / size], !line.normal || of ? [] : this.others(line, data));
     if (!piece) return [];
     if (!line.normal) return [make("path", { d: path(piece), class: "slot" })];
+    this.grounds.push(...[0, 0.25, 0.5, 0.75].map((share) => [between(...piece, share), between(...piece, share + 0.25)]));
     return [make("path", { d: hatching(piece, this.free(line)), class: "hatch" }), make("path", { d: path(piece), class: "edge" })];
   }
 
@@ -263,11 +267,13 @@ class Drawing {
     return [Math.min(Math.max(at[0] + away * u, 20), ROOM - 20), Math.min(Math.max(at[1] + away * v, 13), this.scale.height - 13)];
   }
 
-  /** How much lies in the way of a name: other names, then the shafts of arrows. */
+  /** How much lies in the way of a name: other names, then the shafts of arrows, strings and springs. */
   crowd(spot, taken) {
     const near = ([x, y], share) => Math.abs(x - spot[0]) < LABEL[0] * share && Math.abs(y - spot[1]) < LABEL[1] * share;
-    const shafts = this.tips.flatMap(({ from, at }) => Array.from({ length: 9 }, (_, k) => between(from, at, k / 8)));
-    return 10 * taken.filter((other) => near(other, 0.85)).length + shafts.filter((point) => near(point, 0.45)).length;
+    const dotted = ([from, at]) => Array.from({ length: 9 }, (_, k) => between(from, at, k / 8));
+    const shafts = this.tips.flatMap(({ from, at }) => dotted([from, at])), thin = this.thin.flatMap(dotted);
+    const lying = (points) => points.filter((point) => near(point, 0.45)).length;
+    return 10 * taken.filter((other) => near(other, 0.85)).length + lying(shafts) + 0.6 * lying(thin);
   }
 
   label({ math, look }, [x, y]) {

@@ -1,6 +1,6 @@
 // The motion of a model from its start: states at many moments, the works done until then, what ends it.
 
-const FLASH = 0.08, FRAME = 0.01, LONGEST = 10, FAR = 6, APART = 2.5, HARDLY = 1e-7, NUDGE = 2e-3;
+const FLASH = 0.08, FRAME = 0.01, LONGEST = 10, RADIANS = 75, FAR = 6, APART = 2.5, HARDLY = 1e-7, NUDGE = 2e-3;
 
 /** A system with its numbers, ready to be asked. */
 class Motion {
@@ -73,9 +73,10 @@ class Motion {
       return [began, worksBefore];
     }
     this.unfit = this.unfit || watch.first(y);
+    const longest = this.longest(phase, y, began);
     let event = null;
-    while (!event && t < ends && began + t < LONGEST - 1e-9) {
-      const span = Math.min(FRAME, ends - t, LONGEST - began - t), next = this.after(phase, y, t, span);
+    while (!event && t < ends && began + t < longest - 1e-9) {
+      const span = Math.min(FRAME, ends - t, longest - began - t), next = this.after(phase, y, t, span);
       if (!next) { event = { kind: "singular" }; break; }
       event = watch.passed(next, t + span);
       if (event) {
@@ -89,8 +90,15 @@ class Motion {
     const last = this.frames[this.frames.length - 1];
     if (event && data.endsWith.some(([kind, name]) => kind === event.kind && name === event.name)) event = null;
     if (event) this.end = { ...event, time: last.time };
-    if (began + t >= LONGEST - 1e-9) this.end = this.end || { kind: "time", time: last.time };
+    if (began + t >= longest - 1e-9) this.end = this.end || { kind: "time", time: last.time };
     return [last.time, last.works];
+  }
+
+  /** The time beyond which nothing is recorded: what turns fast is not watched for long. */
+  longest(phase, y, began) {
+    if (phase + 1 < this.code.length) return LONGEST;
+    const out = this.look(phase, y, 0), turning = Math.max(...this.data.phases[phase].bodies.map((body) => Math.abs(out[body.omega])));
+    return Math.min(LONGEST, began + 1 + RADIANS / turning);
   }
 
   /** Notes the impulses with which a phase begins. */

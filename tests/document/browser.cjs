@@ -1,0 +1,78 @@
+// Explorers in Chromium, met by a person: node browser.cjs FOLDER-OF-node_modules JOBS.json ; prints a list as JSON.
+// A job is {file, hash, act}; `act` is one of ACTS. Each answer holds the numbers of the page and what was seen.
+const { createRequire } = require("module");
+const { readFileSync } = require("fs");
+const [folder, jobs] = process.argv.slice(2);
+const { chromium } = createRequire(folder + "/any.js")("playwright-core");
+
+/** The numbers by key, and the phase of each system with the time since it began. */
+const readings = (page) => page.evaluate(() => {
+  const pairs = [...document.querySelectorAll("data[data-key]")].map((one) => [one.dataset.key, one.value]);
+  document.querySelectorAll(".picture").forEach((one, k) => pairs.push([`${k}.phase`, one.dataset.phase], [`${k}.local`, one.dataset.local]));
+  return Object.fromEntries(pairs);
+});
+
+/** How many different pictures are seen in a while of playing. */
+async function pictures(page, reducedMotion) {
+  await page.emulateMedia({ reducedMotion });
+  await page.evaluate(() => {
+    window.seen = 0;
+    new MutationObserver(() => { window.seen += 1; }).observe(document.getElementById("picture-0"), { childList: true });
+  });
+  await page.click("#restart");
+  await page.click("#play");
+  await page.waitForTimeout(900);
+  await page.evaluate(() => document.getElementById("play").dataset.playing === "true" && document.getElementById("play").click());
+  return page.evaluate(() => window.seen);
+}
+
+/** What has the focus: its id, its role for a screen reader, its name. */
+const focused = (page) => page.evaluate(() => {
+  const one = document.activeElement, label = one.labels && one.labels[0];
+  const name = one.getAttribute("aria-label") || (label && label.textContent.trim()) || one.textContent.trim();
+  return { id: one.id, tag: one.tagName, name, value: one.value, said: one.getAttribute("aria-valuetext") };
+});
+
+const ACTS = {
+  read: async () => ({}),
+  calm: async (page) => ({ calm: await pictures(page, "reduce"), lively: await pictures(page, "no-preference") }),
+  keys: async (page) => {
+    const order = [], after = {};
+    await page.evaluate(() => document.activeElement.blur());
+    for (let k = 0; k < 30; k++) {
+      await page.keyboard.press("Tab");
+      const one = await focused(page);
+      if (one.tag === "BODY" || (order.length && one.id === order[0].id)) break;
+      order.push(one);
+      if (one.id === "time") {
+        for (const key of ["Home", "ArrowRight", "PageUp", "End", "Home"]) { await page.keyboard.press(key); after[key] = Number((await focused(page)).value); }
+      }
+      if (one.id === "play") {
+        await page.keyboard.press("Space");
+        after.space = await page.getAttribute("#play", "data-playing");
+        await page.keyboard.press("Enter");
+        after.enter = await page.getAttribute("#play", "data-playing");
+      }
+      if (one.id.startsWith("number-") && !after.slider) {
+        await page.keyboard.press("ArrowRight");
+        after.slider = [one, await focused(page)];
+      }
+    }
+    return { order, after, status: await page.textContent("#status") };
+  },
+};
+
+(async () => {
+  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"] });
+  const found = [];
+  for (const { file, hash, act, width } of JSON.parse(readFileSync(jobs, "utf8"))) {
+    const page = await browser.newPage({ viewport: { width: width || 1000, height: 800 } }), errors = [];
+    page.on("pageerror", (error) => errors.push(error.message));
+    await page.goto("file://" + file + (hash || ""));
+    await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
+    found.push({ ...(await ACTS[act](page)), readings: await readings(page), errors });
+    await page.close();
+  }
+  console.log(JSON.stringify(found));
+  await browser.close();
+})();
