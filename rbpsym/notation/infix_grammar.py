@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
+from rbpsym.notation.infix_doubts import in_last_argument, is_bare_call, is_call, is_settled, stands_apart
 from rbpsym.notation.infix_names import Reader, function_named, symbol_named, unknown
 from rbpsym.notation.infix_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
@@ -71,7 +71,7 @@ def _one(factors: list[t.Node], start: int, reader: Reader) -> t.Node:
 
 def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
     what = "this can be read in two ways: is the function's argument divided, or its value?"
-    inside = _is_bare_call(num, reader) and reader.decide(what, "Write sin(x)/2 or sin(x/2).")
+    inside = is_bare_call(num, reader) and reader.decide(what, "Write sin(x)/2 or sin(x/2).")
     reader.take()
     den = _signed_factor(reader)
     if inside:
@@ -94,10 +94,10 @@ def _begins_factor(reader: Reader) -> bool:
 def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     """A factor and the one that follows without a sign. Raises ReadError where this can be read in two ways."""
     below = inside = False
-    if isinstance(before, t.Div) and number_of(before) is None and not _is_closed(before, reader):
+    if isinstance(before, t.Div) and number_of(before) is None and not is_settled(before, reader):
         what = "this can be read in two ways: is this factor above or below the fraction bar?"
-        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=not _stands_apart(reader))
-    if _is_bare_call(before, reader) and not _is_call(reader):
+        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=not stands_apart(reader))
+    if is_bare_call(before, reader) and not is_call(reader):
         what = "this can be read in two ways: does it belong to the function's argument?"
         inside = reader.decide(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
     if reader.token.kind == "number":
@@ -108,40 +108,6 @@ def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     if below:
         return (replace(before, den=t.Mul((before.den, factor)), span=(before.span[0], reader.previous_end)),)
     return before, factor
-
-
-def _stands_apart(reader: Reader) -> bool:
-    """Does a function follow, or a parenthesis behind a blank, which one hardly takes for a part of a denominator?"""
-    return _is_call(reader) or (reader.sees("(") and reader.token.spaced)
-
-
-def _is_closed(node: t.Node, reader: Reader) -> bool:
-    """Was the node written in parentheses?"""
-    return bool(node.span) and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
-
-
-def _is_bare_call(node: t.Node, reader: Reader) -> bool:
-    """Does the node end with a function whose argument has no parentheses?"""
-    if isinstance(node, (t.Mul, t.Neg)):
-        return _is_bare_call(node.factors[-1] if isinstance(node, t.Mul) else node.arg, reader)
-    node, end = (node.base, node.base.span) if isinstance(node, t.Pow) else (node, None)
-    text = reader.source.text[: end[1] if end else reader.previous_end].rstrip()
-    return isinstance(node, t.Fn) and not text.endswith((")", "]", "|"))
-
-
-def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
-    """The node with the argument of the function changed that it ends with."""
-    if isinstance(node, t.Mul):
-        return replace(node, factors=(*node.factors[:-1], in_last_argument(node.factors[-1], change)))
-    if isinstance(node, t.Pow):
-        return replace(node, base=in_last_argument(node.base, change))
-    if isinstance(node, t.Neg):
-        return replace(node, arg=in_last_argument(node.arg, change))
-    return replace(node, arg=change(node.arg))
-
-
-def _is_call(reader: Reader) -> bool:
-    return function_named(reader.token, reader) is not None
 
 
 def _factor(reader: Reader) -> t.Node:
@@ -289,7 +255,7 @@ def _bare_argument(token: Token, reader: Reader) -> t.Node:
     if first.kind not in ("number", "name") or function_named(first, reader):
         raise reader.error(f"{token.text} needs its argument", f"Write {token.text}(...).", token)
     arg = _atom(reader)
-    if isinstance(arg, t.Num) and reader.token.kind == "name" and not _is_call(reader):
+    if isinstance(arg, t.Num) and reader.token.kind == "name" and not is_call(reader):
         arg = _spanned(t.Mul((arg, _atom(reader))), start, reader)
     if reader.sees("^") or reader.token.kind == "raised":
         raise reader.error("is the argument or the function raised to this power?",
