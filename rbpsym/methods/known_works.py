@@ -70,7 +70,7 @@ def gained(draft: Draft, kinetic: Scalar) -> Scalar:
 
 
 def show_gained(draft: Draft, value: Scalar) -> t.Node:
-    """½ M (v² - v₀²), from rest ½ M v²."""
+    """½ M (v² - v₀²), from rest ½ M v²; Δ(½ M v²) where the speed at the start is a formula."""
     start = draft.study.system.scope.start
     moving = [n for q in draft.study.system.independent if depends_on(value, n := f"{q}_dot") and start.get(n)]
     if not moving:
@@ -79,6 +79,8 @@ def show_gained(draft: Draft, value: Scalar) -> t.Node:
     now = draft.show_brief(short(value - substitute(value, {speed.name: NOTHING})))
     if len(moving) > 1 or not isinstance(now, t.Mul) or now.factors[-1] != squared:
         return draft.show(value, factor=True)
-    shown = t.mul(*now.factors[:-1], t.add(squared, t.neg(t.power(draft.show(start[speed.name]), 2))))
+    begun = draft.show(start[speed.name])
+    grown = t.mul(*now.factors[:-1], t.add(squared, t.neg(t.power(begun, 2))))
+    shown = grown if isinstance(begun, t.Sym | t.Num) else t.Delta(t.Group(now))
     same = scalars_equal(draft.context.value(shown), value, draft.study.assumptions).is_proved
     return shown if same else draft.show(value, factor=True)
