@@ -44,6 +44,12 @@ def over(head: t.Node, sums: list[Piece], behind: list[t.Node]) -> t.Node:
     return t.mul(t.div(t.mul(*roots_last([head.num, *top])), head.den), *sums_before_functions(rest))
 
 
+def is_half(head: t.Node, sums: list[Piece]) -> bool:
+    """Whether one over a number stands before one short sum of parameters: (c + μ b)/2."""
+    one = isinstance(head, t.Div) and head.num == t.ONE and len(sums) == 1
+    return one and all(not moving and is_short(node) for node, moving in sums)
+
+
 def is_over_parameter(head: t.Node) -> bool:
     """Whether something else than a number is divided by."""
     return isinstance(head, t.Div) and not isinstance(head.den, t.Num)

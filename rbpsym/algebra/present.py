@@ -11,7 +11,16 @@ from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.bars import Piece, fraction, is_over_parameter, over, ratio, sums_before_functions, without_shared
+from rbpsym.algebra.bars import (
+    Piece,
+    fraction,
+    is_half,
+    is_over_parameter,
+    over,
+    ratio,
+    sums_before_functions,
+    without_shared,
+)
 from rbpsym.algebra.grouping import (
     best_factors,
     by_moving,
@@ -61,7 +70,7 @@ def present_ratio(
         num, den = -num, -den
     if below := divisors(den):
         num, den = num.scaled(1, below), den.scaled(1, below)
-    a, low, den = _whole_difference(*taken_out(den, style, fenced=True))
+    a, low, den = _without_fractions(*taken_out(den, style, fenced=True), style)
     b, high, num = taken_out(num, style, fenced=True)
     if is_inertia(den, style) and not style.whole and (Fraction(b) / a).denominator != 1 and not low:
         more, low, den = taken_out(den, replace(style, whole=True), fenced=True)  # no number before moments
@@ -69,7 +78,7 @@ def present_ratio(
     same = ratio_to(num.terms, den) if num.terms.keys() == den.terms.keys() else None
     if same is not None:
         b, num, den = b * same, ONE, ONE
-    more, lower = (1, []) if den == ONE else _groups(den, style, factor)
+    more, lower = (1, []) if den == ONE else _below(den, style, factor)
     further, upper = (1, []) if num == ONE else _groups(num, style, factor)
     upper, lower = without_shared(upper, lower)
     coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
@@ -77,9 +86,19 @@ def present_ratio(
     return t.neg(node) if coefficient < 0 else node
 
 
-def _whole_difference(number: Coefficient, common: Monomial, den: Poly) -> tuple[Coefficient, Monomial, Poly]:
-    """Below a bar, a difference has no fractions of its own; masses and moments that add up may."""
-    if all(c > 0 for c in den.terms.values()):
+def _below(den: Poly, style: Style, factor: bool) -> Pieces:
+    """The factors of a denominator; moments of inertia are seen one by one, with no number before them."""
+    if is_inertia(den, style) and not style.whole:
+        return 1, [(_sum(den, style), False)]
+    return _groups(den, style, factor)
+
+
+def _without_fractions(
+    number: Coefficient, common: Monomial, den: Poly, style: Style
+) -> tuple[Coefficient, Monomial, Poly]:
+    """Below a bar, a sum has no fractions of its own; masses and moments that add up may."""
+    masses = all(c > 0 and len(m) == 1 for m, c in den.terms.items())
+    if masses or is_inertia(den, style):
         return number, common, den
     content = den.content()[0]
     return number * content, common, den.scaled(Fraction(1) / content)
@@ -126,7 +145,7 @@ def _assembled(coefficient: Coefficient, common: Monomial, pieces, style: Style)
     moving = [*tangents, *(node for node, moves in pieces if moves)]
     low = _powers(tuple((i, -e) for i, e in behind if e < 0), style)
     head = _monomial_node(abs(coefficient), before, style, is_quadratic(behind) and not low)
-    if is_over_parameter(head) and not low:
+    if not low and (is_over_parameter(head) or (is_half(head, pieces) and not is_quadratic(behind))):
         node = over(head, [*pieces, *((tangent, True) for tangent in tangents)], _powers(behind, style))
         return t.neg(node) if coefficient < 0 else node
     factors = sums_before_functions([*_powers(behind, style), *moving])
@@ -212,6 +231,7 @@ def _collected(moving: Monomial, fixed: Poly, style: Style) -> t.Node:
         return _signed(c, both, style)
     if is_inertia(fixed, style) and is_quadratic(moving) and not style.whole:  # an energy: ½Iω²
         return _assembled(Fraction(1, 2), moving, [(_plain_sum(fixed.scaled(2), style), False)], style)
+    style = replace(style, whole=True) if any(e < 0 for _, e in moving) else style
     coefficient, common, rest = taken_out(fixed, style, fenced=True)
     both = tuple(sorted((dict(common) | dict(moving)).items()))
     return _assembled(coefficient, both, [(_plain_sum(rest, style), False)], style)
@@ -281,8 +301,17 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
     if isinstance(found.arg, Poly):
         return t.Fn(found.kind, angle_node(found.arg, style))
     if found.kind == "root":
-        return t.Sqrt(present(found.arg, style))
+        return t.Sqrt(_radicand(found.arg, style))
     return t.Fn(found.kind, present(found.arg, style))
+
+
+def _radicand(value: Scalar, style: Style) -> t.Node:
+    """Below a root, a sum has one fraction line at most."""
+    if value.den is not ONE or len(value.num) < 2 or not divisors(value.num):
+        return present(value, style)
+    coefficient, common, rest = taken_out(value.num, replace(style, whole=True), fenced=True)
+    more, pieces = _groups(rest, style, False)
+    return _assembled(coefficient * more, common, pieces, style)
 
 
 def angle_node(angle: Poly, style: Style = PLAIN) -> t.Node:

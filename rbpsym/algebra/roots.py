@@ -14,13 +14,13 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of
 
 def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
     """√value with rational squares and squares of positive symbols in front."""
-    if value.den is not ONE or not value.num.terms:
+    if not value.num.terms or value.number() is not None:
         return root(value)
     rational, powers = value.num.content()
     squares = tuple((i, e - e % 2) for i, e in powers if e - e % 2 and is_positive(atoms.symbol_name(i) or ""))
     inner = value.num.scaled(Fraction(1) / rational, inverse(squares))
     outer = Scalar(Poly({_halved(squares): 1})) * root(Scalar(Poly({(): rational})))
-    return outer if inner == ONE else outer * generator_of("root", Scalar(inner))
+    return outer if inner == ONE == value.den else outer * generator_of("root", Scalar(inner, value.den))
 
 
 def tidied(value: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.grouping import perfect_power
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.roots import simplified_root
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, lift
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.mass import Moments, mass_moments
 from rbpsym.derivation.step import BodyRef
@@ -142,11 +144,16 @@ def _density(draft: Draft, element: MassElement) -> t.Node:
 def _tidied(draft: Draft, own: t.Node) -> t.Node:
     """The node as it is written, or worked out where that is shorter or spares a fraction in a fraction."""
     shown = draft.show(scalar(own), factor=True)
-    return shown if _is_stacked(own) or length(shown) < length(own) else own
+    return shown if _is_stacked(own) or _repeats(own) or length(shown) < length(own) else own
 
 
 def _is_stacked(node: t.Node) -> bool:
     return isinstance(node, t.Div) and any(isinstance(part, t.Div) for part in t.walk(node.den))
+
+
+def _repeats(node: t.Node) -> bool:
+    """Does a factor stand twice: M/(a a)?"""
+    return any(isinstance(part, t.Mul) and len(set(part.factors)) < len(part.factors) for part in t.walk(node))
 
 
 def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
@@ -276,6 +283,10 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
 
 def as_power(draft: Draft, square: Scalar) -> t.Node:
     """d² as the square of the distance, where that is a plain length."""
+    found = perfect_power(square.num) if square.den is ONE else None
+    if found is not None and found[2] == 2:
+        size = root(lift(found[0]))
+        return draft.show(square) if size.number() is None else t.power(draft.show(Scalar(found[1]) * size), 2)
     distance = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
     rooted = any(atoms.atom(index).kind == "root" for index in distance.atoms())
     return draft.show(square) if rooted else t.power(draft.show(distance), 2)
