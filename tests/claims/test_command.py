@@ -37,6 +37,13 @@ TEXT = r"""\begin{equation}\label{eom}
 """
 
 
+SPANISH = r"""\newcommand{\vel}{\omega}
+\begin{equation} \vel^2 = \frac{3g}{2\ell}(\sen\theta_0 - \operatorname{sen}\theta) \end{equation}
+\begin{equation} N_f = \frac{M g}{4} (1 + 9{,}0\sen^2\theta - 6\,{\rm sen}\,\theta\,\mathrm{sen}\,\theta_0) \end{equation}
+\begin{equation} \operatorname{tg}\theta = \frac{\sen\theta}{\cos\theta} \end{equation}
+"""
+
+
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -46,6 +53,7 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "unread.toml").write_text(CLAIMS.replace(r"\cos\theta", r"\cos\phi"))
     (tmp_path / "text.tex").write_text(TEXT)
     (tmp_path / "slip.tex").write_text(TEXT.replace("-", ""))
+    (tmp_path / "papel.tex").write_text(SPANISH)
     return tmp_path
 
 
@@ -64,6 +72,7 @@ def run(*names):
         (["claims.toml", "wrong.toml", "--failures"], 1),
         (["text.tex", "--problems", "sliding-ladder"], 0),
         (["slip.tex", "--problems", "sliding-ladder"], 1),
+        (["papel.tex", "--problems", "sliding-ladder"], 0),
     ],
 )
 def test_exit_codes(folder, names, code, capsys):
