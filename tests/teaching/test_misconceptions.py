@@ -116,6 +116,26 @@ def test_each_has_sources_kinds_and_words(name: str) -> None:
         assert f"misconception.{name}.title" in keys
 
 
+# problems of the library in which, together, each misconception makes an accepted wrong answer
+COVER = (
+    "atwood-with-massive-pulley", "cart-and-rod", "rod-and-disk-fixed", "rod-and-disk-free", "ball-in-a-loop", "braking-wheel",
+    "half-disk-rocking", "bicycle-wheelie", "disk-with-spring", "ball-slipping-to-rolling", "breaking-chimney",
+)  # fmt: skip
+
+
+def test_each_makes_a_wrong_answer_somewhere() -> None:
+    """Not only applied: what it makes is refuted against the right answer and its siblings, sound, and kept."""
+    missing = set(MISCONCEPTIONS)
+    for problem in COVER:
+        here = bench(problem)
+        left = pool(here.derivation, missing)
+        about = {kind for wrong in left.wrongs for kind in wrong.misconception.about}
+        for target in here.targets.values():
+            if target.kind in about and missing & {wrong.misconception.name for wrong in left.wrongs}:
+                missing -= {distractor.slip.name for distractor in left.of(target)}
+    assert not missing
+
+
 def test_there_are_enough() -> None:
     assert len(MISCONCEPTIONS) >= 20
     assert set(SOURCES) == {source for m in MISCONCEPTIONS.values() for source in m.sources}

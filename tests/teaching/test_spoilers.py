@@ -1,0 +1,65 @@
+"""The worksheet that is made of a problem: no task prints the answer to another."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.notation import tree as t
+from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
+from rbpsym.teaching.plan import plan_of
+from rbpsym.teaching.rubrics import shares
+from rbpsym.teaching.spoilers import Content, claims
+
+M, G, A = (t.Sym(name) for name in ("m", "g", "a"))
+WEIGHT, OTHER = claims([t.equation(A, t.Mul((M, G)))]), claims([t.equation(A, t.Mul((M, A)))])
+
+
+def test_what_spoils_what() -> None:
+    asks, prints, numbers = Content(asks=WEIGHT), Content(prints=WEIGHT), Content(numbers=WEIGHT)
+    assert asks.spoils(asks) and asks.spoils(prints) and prints.spoils(asks) and numbers.spoils(asks)
+    assert numbers.spoils(numbers) and not numbers.spoils(prints) and not prints.spoils(prints)
+    assert not asks.spoils(Content(OTHER, OTHER, OTHER))
+
+
+@pytest.mark.parametrize("name", ["rod-pendulum", "atwood-with-massive-pulley"])
+def test_no_answer_is_printed_in_another_task(name: str) -> None:
+    plan = plan_of(name)
+    sheet = plan.worksheet(Student("a"))
+    by_id = {step.id: step for step in plan.parts[0].bench.derivation.steps}
+    kinds = {item.kind for item in sheet.items}
+    assert len(kinds) >= 7
+    for item in sheet.items:
+        for other in sheet.items:
+            if other is not item:
+                assert not answers(item, by_id) & printed(other), (item.kind, other.kind)
+
+
+def answers(item, by_id) -> frozenset:
+    key = item.key
+    if isinstance(key, FormulaKey):
+        return claims([t.equation(key.left, key.value)])
+    if isinstance(key, SlipKey):
+        return claims([key.corrected])
+    steps = {blank.step for blank in key.blanks} if isinstance(key, BlanksKey) else set()
+    return claims(by_id[id].statement for id in steps)
+
+
+def printed(item) -> frozenset:
+    key = item.key
+    if isinstance(key, OrderKey):
+        return claims(piece.statement for piece in key.pieces)
+    if isinstance(key, SlipKey):
+        return claims(line.statement for line in key.lines)
+    return claims(block.node for block in item.prompt if hasattr(block, "node"))
+
+
+def test_points_go_by_weight_in_halves() -> None:
+    from fractions import Fraction
+
+    for points in (Fraction(2), Fraction(5, 2), Fraction(7)):
+        for weights in ([1], [4, 4], [5, 1, 3], [1, 1, 1, 1]):
+            found = shares(points, weights)
+            assert sum(found) == points and all(share > 0 and (2 * share).denominator == 1 for share in found)
+            order = sorted(range(len(weights)), key=lambda k: weights[k])
+            assert all(found[a] <= found[b] for a, b in zip(order, order[1:], strict=False) if weights[a] < weights[b])
+    assert sum(shares(Fraction(1, 3), [1, 2])) == Fraction(1, 3)
