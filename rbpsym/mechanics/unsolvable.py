@@ -14,6 +14,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.system import System
+from rbpsym.statement.model import Element
 
 SEEN = 1e-6  # of the largest term: what is clearly not zero in numbers
 
@@ -26,12 +27,26 @@ def indistinct(system: System, free: tuple[str, ...]) -> StatementError:
     first = next((f.name for f in system.forces if set(f.unknowns) & set(free)), None)
     if first is None:  # accelerations that nothing determines
         return massless(system, tuple(system.accelerations.index(name) for name in free))
+    pressed = next((e for e in system.problem.constraints if e.name in free and _meshes(e)), None)
+    if pressed is not None:
+        return StatementError(
+            f"nothing tells how hard “{pressed['body']}” is pressed on “{pressed['circle'].body}”: both are held, so the "
+            f"normal force {pressed.name} can't be found",
+            instead='wheels on fixed bearings mesh: write type = "gear"; or let one of the bearings give way.',
+            place=pressed.place,
+        )
     return StatementError(
         f"too many constraints: the unknown forces {names} can't be told apart by the equations of motion",
         instead="drop one of the constraints that hold the same point or the same body, or replace it by a roller "
         "(a contact), so that each force has an equation.",
         place=system.element(first).place,
     )
+
+
+def _meshes(element: Element) -> bool:
+    """Do two round bodies roll or rub on each other there?"""
+    circle = element.values.get("circle")
+    return element.kind in ("rolling", "touch") and circle is not None and circle.body is not None
 
 
 def massless(system: System, block: tuple[int, ...]) -> StatementError:

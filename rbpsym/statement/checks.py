@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from rbpsym.errors import StatementError
 from rbpsym.notation.glyphs import MARKS
-from rbpsym.notation.tree import Node, names
+from rbpsym.notation.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.hints import in_radians, unit_example
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
@@ -107,8 +109,13 @@ def _check_start(coordinate: Coordinate, section: Table) -> None:
         raise section.value_error(
             "start",
             f"the start of “{coordinate.name}” is outside its range",
-            f"it must lie between {bounds[0]} and {bounds[1]}.",
+            f"it must lie between {bounds[0]} and {bounds[1]}." + _radians(coordinate),
         )
+
+
+def _radians(coordinate: Coordinate) -> str:
+    start = coordinate.start
+    return in_radians(float(start.value), coordinate.quantity.dimension) if isinstance(start, Num) else ""
 
 
 def _compare(left: Node | None, right: Node | None) -> int | None:
@@ -157,16 +164,23 @@ def _check_units(section: Table, problem: Problem) -> None:
     """The numbers of the example have units of the dimensions of what they are for."""
     for quantity in problem.parameters:
         text = str(problem.example.get(quantity.name, "")).strip()
-        unit = text.partition(" ")[2]
-        if not unit:
+        number, _, unit = text.partition(" ")
+        if not text or (not unit and _is_number(number)):
             continue  # a plain number is in SI units
-        found = unit_named(unit)
+        found = unit_named(unit) if _is_number(number) else None
         if found is None or found[0] != quantity.dimension:
             raise section.error(
                 f"“{text}” is no {quantity.dimension}",
-                'write a number and, after a space, a unit: "25 cm", "9.81 m/s^2", "60 deg".',
+                unit_example(quantity.dimension),
                 quantity.name,
             )
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def _check_names(section: Table, known: list[str]) -> None:

@@ -10,6 +10,7 @@ from difflib import get_close_matches
 from rbpsym.errors import DimensionError
 from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym, names
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
+from rbpsym.statement.hints import for_a_dimension
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression, read_text
@@ -120,7 +121,8 @@ def _dimension(item: Item, text: str) -> Dimension:
     except DimensionError as error:
         column = 1 + len(text) - len(text.lstrip())
         place = item.source.inside(item.path, str(item.value), column, len(word))
-        raise DimensionError(error.what, instead=error.instead, place=place) from None
+        instead = for_a_dimension(word, error.instead)
+        raise DimensionError(error.what, instead=instead, place=place) from None
 
 
 def _sign(item: Item, text: str, shift: int = 0) -> str:

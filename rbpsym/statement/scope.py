@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -10,6 +11,7 @@ from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import Add, Div, Node, Num, Sym, walk
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
+from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
 from rbpsym.statement.signs import sign_of
 from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
@@ -105,8 +107,16 @@ def read_text(
             _check_dimension(node, scope, dimension, what)
         _check_sign(node, scope, what, sign)
     except RbpsymError as error:
+        _explain(error, text, dimension)
         raise relocate(error, item.source, item.path, text_of(item, what), shift) from None
     return node
+
+
+def _explain(error: RbpsymError, text: str, dimension: Dimension | None) -> None:
+    """A better hint for a name that the problem does not have."""
+    found = re.match(r"unknown symbol “(\w+)”", error.what)
+    if found and error.place:
+        error.instead = unknown_symbol(text, found[1], error.place.column, error.instead, dimension)
 
 
 def _check_names(node: Node, scope: Scope, what: str, may_use: str) -> None:
@@ -132,7 +142,12 @@ def _check_dimension(node: Node, scope: Scope, dimension: Dimension, what: str) 
         bare = [part.name for part in _terms(node) if isinstance(part, Sym) and part.name in scope.coordinates]
         if dimension == LENGTH and bare and scope.coordinates[bare[0]] == NUMBER:
             error.instead = f'if “{bare[0]}” is a length, say so: dimension = "length" in [coordinates.{bare[0]}]'
+        elif not error.instead and error.what.endswith("this is an angle or a number"):
+            error.instead = NUMBERS_ARE_NAMES
         raise
+
+
+NUMBERS_ARE_NAMES = "multiply it by a parameter of the dimension that is missing, or write one instead of a number."
 
 
 def _terms(node: Node) -> tuple[Node, ...]:

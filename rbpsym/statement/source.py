@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from rbpsym.errors import Place, RbpsymError, StatementError
+from rbpsym.statement.hints import other_word
 from rbpsym.statement.positions import Path, PositionIndex, place_at
 
 
@@ -139,8 +140,10 @@ class Table:
 
 
 def did_you_mean(word: str, known: Iterable[str], what: str = "known") -> str:
-    """A hint: the nearest known word, else all of them."""
+    """A hint: our word for a usual one, the nearest known word, else all of them."""
     known = list(known)
+    if ours := other_word(word, known):
+        return ours
     near = get_close_matches(word, known, n=1, cutoff=0.6)
     if near:
         return f"did you mean “{near[0]}”?"

@@ -1,0 +1,137 @@
+"""What to write instead, for the words and units that people bring along from elsewhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping
+
+from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
+from rbpsym.statement.units import unit_named
+
+OTHER_WORDS: Mapping[str, tuple[str, ...]] = {
+    "bar": ("rod",),
+    "stick": ("rod",),
+    "beam": ("rod",),
+    "ladder": ("rod",),
+    "plate": ("rectangle",),
+    "square": ("rectangle",),
+    "block": ("rectangle",),
+    "box": ("rectangle",),
+    "wheel": ("disk",),
+    "pulley": ("disk",),
+    "circle": ("ring", "disk"),
+    "point": ("particle",),
+    "bead": ("particle",),
+    "pendulum": ("rod", "particle"),
+    "hinge": ("pivot", "pin"),
+    "joint": ("pin",),
+    "revolute": ("pin",),
+    "axle": ("pivot",),
+    "fixed": ("pivot", "weld"),
+    "clamp": ("weld",),
+    "roller": ("contact",),
+    "floor": ("contact",),
+    "wall": ("contact",),
+    "wire": ("guide",),
+    "track": ("guide",),
+    "rail": ("guide",),
+    "rod": ("link",),
+    "cable": ("string",),
+    "belt": ("string",),
+    "friction": ("contact", "touch"),
+    "weight": ("gravity",),
+    "torque": ("couple",),
+    "moment": ("couple",),
+    "motor": ("couple", "prescribed-angle"),
+    "dashpot": ("damper",),
+    "mu": ("coefficient", "limit"),
+    "friction_coefficient": ("coefficient", "limit"),
+    "k": ("stiffness",),
+    "m": ("mass",),
+    "position": ("center",),
+    "velocity": ("speed",),
+    "omega": ("speed",),
+    "forces": ("interactions",),
+    "loads": ("interactions",),
+    "joints": ("constraints",),
+    "supports": ("constraints",),
+    "variables": ("coordinates",),
+    "constants": ("parameters",),
+}
+FUNCTIONS = {"cosine": "cos", "cosinus": "cos", "sine": "sin", "sinus": "sin", "tangent": "tan", "squareroot": "sqrt"}
+_AFTER_A_NUMBER = re.compile(r"(?:^|[^\w.])\d+(?:\.\d+)?\s*°?$")
+FULL_TURN = 6.3
+
+
+def other_word(word: str, known: Collection[str]) -> str:
+    """The word of ours for a usual one: "write “rod”" for "stick"; "" if there is none."""
+    found = [name for name in OTHER_WORDS.get(word.lower(), ()) if name in known]
+    return "write " + " or ".join(f"“{name}”" for name in found) + "." if found else ""
+
+
+def unknown_symbol(text: str, name: str, column: int, hint: str, dimension: Dimension | None) -> str:
+    """What to do about a name that the problem does not have; `hint` is what the reader of formulas proposes."""
+    if name.lower() in FUNCTIONS:
+        return f"Write {FUNCTIONS[name.lower()]}(x)."
+    if _AFTER_A_NUMBER.search(text[: column - 1]) and unit_named(name) is not None:
+        return _number_with_unit(name)
+    if "Did you mean" in hint or "Write" in hint or "write" in hint:
+        return hint
+    kind = _name_of(dimension) if text.strip() == name else ""
+    return f'Declare it under [parameters]: {name} = "{kind or "length"}: what it is". {hint}'
+
+
+def _number_with_unit(unit: str) -> str:
+    if unit in ("deg", "°"):
+        return 'Angles are in radians: pi/3. Or write a name, as in start = "theta_0", and its number in [example].'
+    return "Formulas hold names: write one, say what it is under [parameters], and give its number in [example]."
+
+
+def in_radians(value: float, dimension: Dimension | None) -> str:
+    """For a large number where an angle is wanted."""
+    if dimension == NUMBER and abs(value) > FULL_TURN:
+        return f" Angles are in radians: {value:g}° is {value:g}*pi/180."
+    return ""
+
+
+def for_a_dimension(word: str, hint: str) -> str:
+    """Where a number with its unit, or the meaning alone, stands for a dimension."""
+    number, _, unit = word.strip().partition(" ")
+    if re.match(r"[-+]?\d", number):
+        found = unit_named(unit) if unit else None
+        return f'numbers stand in [example]; here stands what it is: "{_name_of(found[0] if found else None) or "length"}: ..."'
+    found = unit_named(word)
+    if found is not None:
+        return f"write the dimension, not its unit: “{_name_of(found[0])}”."
+    first = next((name for name in sorted(DIMENSIONS, key=len, reverse=True) if word.startswith(name + " ")), None)
+    return f'write a colon after the dimension: "{first}: {word}"' if first else hint
+
+
+def _name_of(dimension: Dimension | None) -> str:
+    return next((name for name, found in DIMENSIONS.items() if found == dimension), "")
+
+
+def unit_example(dimension: Dimension) -> str:
+    """How a number of this dimension is written."""
+    usual = UNITS.get(_name_of(dimension))
+    return f'write a number and, after a space, a unit: "{usual}"' if usual else _ANY_UNIT
+
+
+_ANY_UNIT = 'write a number and, after a space, a unit: "25 cm", "9.81 m/s^2", "60 deg".'
+UNITS = {
+    "number": "0.3",
+    "angle": "60 deg",
+    "mass": "0.5 kg",
+    "length": "25 cm",
+    "time": "2 s",
+    "speed": "3 m/s",
+    "acceleration": "9.81 m/s^2",
+    "angular speed": "5 rad/s",
+    "force": "20 N",
+    "torque": "2 N m",
+    "energy": "2 N m",
+    "stiffness": "200 N/m",
+    "damping": "3 kg/s",
+    "moment of inertia": "0.2 kg m^2",
+    "momentum": "2 kg m/s",
+}
