@@ -7,7 +7,7 @@ from itertools import groupby
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.breaking import table_width
-from rbpsym.document.model import Block, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
 from rbpsym.document.tables import done_table, forces_table, works_table
 from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, joined
@@ -35,11 +35,21 @@ def chapter_sections(
 ) -> Iterator[Section]:
     """One section a chapter, in the order of a lecture; chapters without shown steps are left out."""
     for name in chapters:
-        steps = [step for step in derivation.chapter(name) if step.id in said.shown or step.id in said.same]
-        if steps:
-            blocks = BLOCKS.get(name, _plain)(steps, derivation, said)
-            title = said.say(f"section.{_title(name, derivation)}")
-            yield Section(title, tuple(blocks), f"{said.prefix}section.{name}", level)
+        blocks = tuple(chapter_blocks(name, derivation, said))
+        if blocks:
+            yield Section(chapter_title(name, derivation, said), blocks, f"{said.prefix}section.{name}", level)
+
+
+def chapter_blocks(name: str, derivation: Derivation, said: Words) -> Iterator[Block]:
+    """The shown steps of a chapter; none if there are none."""
+    steps = [step for step in derivation.chapter(name) if step.id in said.shown or step.id in said.same]
+    if steps:
+        yield from BLOCKS.get(name, _plain)(steps, derivation, said)
+
+
+def chapter_title(name: str, derivation: Derivation, said: Words) -> Inlines:
+    """The heading of a chapter."""
+    return said.say(f"section.{_title(name, derivation)}")
 
 
 def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[str, str]:
@@ -73,7 +83,10 @@ def _title(name: str, derivation: Derivation) -> str:
 
 
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
-    if said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
+    if said.is_brief:
+        short = f"{key.partition('.')[0]}.brief"
+        yield from (Paragraph(said.say(short)),) if said.has(short) else ()
+    elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
         points = [t.Sym(label) for label in derivation.study.origins]
         count = len(derivation.study.system.bodies)
         yield Paragraph(said.say(f"{key}.intro", points=points, count=count, **slots))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
+from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson
 from rbpsym.document.chapters import chapter_sections, repeated
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Document, Inlines, Live, Paragraph, Section, Text, words
 from rbpsym.document.needless import needless
+from rbpsym.document.notes_brief import brief_sections, brief_steps
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
@@ -69,16 +70,17 @@ def problem_sections(
 
     `checks` is the label of a table of checks for the whole document, "" for one of its own.
     """
-    said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
+    is_brief = detail == "brief"
+    said = replace(words_of(derivation, shown_steps(derivation, detail), language, prefix), is_brief=is_brief)
     speaker = phase_words(detail, language)
     drawn = plots_section(derivation, said, level) if plots else None
     return [
         statement_section(derivation, said, level),
-        *chapter_sections(derivation, said, level),
+        *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
         *phase_sections(derivation, said, level, speaker),
         *([drawn] if drawn else []),
-        results_section(derivation, said, level, phase_results(derivation, said, speaker)),
-        checks_section(derivation, said, level, checks or (None if detail == "brief" else "")),
+        *(() if is_brief else [results_section(derivation, said, level, phase_results(derivation, said, speaker))]),
+        checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]
 
 
@@ -87,7 +89,7 @@ def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words
 
     def speaker(derivation: Derivation, prefix: str) -> Words:
         found = words_of(derivation, new_steps(derivation, shown_steps(derivation, detail)), language, prefix)
-        return replace(found, is_later=True)
+        return replace(found, is_later=True, is_brief=detail == "brief")
 
     return speaker
 
@@ -95,26 +97,8 @@ def phase_words(detail: str, language: str) -> Callable[[Derivation, str], Words
 def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     """Ids of the steps that are shown at a level of detail."""
     level = DETAILS[detail]
-    kept = (s for s in derivation.steps if s.level <= level or s.is_result or (level == 1 and _is_brief(s)))
-    return frozenset(step.id for step in kept) - needless(derivation)
-
-
-def _is_brief(step: Step) -> bool:
-    """Is it a step that a book would print: not the way of a calculation, but what the next one starts from?"""
-    return step.level <= DETAILS["standard"] and step.rule in BRIEF.get(step.chapter, ())
-
-
-BRIEF: Mapping[str, frozenset[str]] = {
-    "kinematics": frozenset({"statement"}),
-    "inertia": frozenset({"mass_integral", "parallel_axis", "statement"}),
-    "momentum": frozenset({"angular_momentum"}),
-    "forces": frozenset({"torque"}),
-    "motion": frozenset({"torque", "balance", "combination", "solution"}),
-    "reactions": frozenset({"balance"}),
-    "work": frozenset({"work", "workless", "work_energy", "work_sum", "work_together", "work_integral"}),
-    "energy": frozenset({"kinetic_energy", "potential", "conservation", "first_integral"}),
-    "oscillations": frozenset({"linearization"}),
-}
+    kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
+    return (brief_steps(derivation) if detail == "brief" else kept) - needless(derivation)
 
 
 CHECKS = "table.checks"

@@ -57,6 +57,9 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
         *_oracles(summary, said),
     ]
     skipped = [left_out(found, said) for found in derivation.skipped]
+    if said.is_brief:
+        told = Paragraph(sentences([intro, *items]))
+        return Section(said.say("section.checks"), (told,), said.prefix + "section.checks", level)
     blocks: tuple[Block, ...] = (
         Paragraph(intro),
         *((own,) if table == "" or (not whole and not table) else ()),

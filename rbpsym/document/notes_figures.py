@@ -25,6 +25,20 @@ def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
     return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
 
 
+def figure_with_forces(derivation: Derivation, said: Words) -> FigureBlock:
+    """The system and, beside it, its only body alone with the forces on it."""
+    sketch, system = sketch_of(derivation), system_figure(derivation, said)
+    (name,) = (body.name for body in sketch.bodies)
+    alt = f"{system.alt} {described(sketch, name, said)}"
+    scenes = (*system.scenes, free_body(sketch, name, "", axes_too=False))
+    return FigureBlock(scenes, said.say("caption.with_forces"), alt, system.label)
+
+
+def has_single_body(derivation: Derivation) -> bool:
+    """Is there one body, so that the forces on it can be drawn beside the system?"""
+    return len(derivation.study.system.bodies) == 1 and bool(derivation.chapter("forces"))
+
+
 def described(sketch: Sketch, name: str, said: Words) -> str:
     """The alt text of the free-body diagram of a body."""
     called = "".join(part.text for part in said.the(name) if isinstance(part, Text))

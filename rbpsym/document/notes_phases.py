@@ -18,6 +18,7 @@ NEW: dict[str, Callable[[Step], bool]] = {
     "kinematics": lambda step: step.rule in ("constraint", "no_slip", "taut", "tied"),
     "energy": lambda step: step.rule in ("conservation", "first_integral"),
 }
+LASTING = ("conservation", "substitution")  # left out one by one where they say the same as before
 Speaker = Callable[[Derivation, str], Words]
 
 
@@ -56,7 +57,7 @@ def without_repetition(derivation: Derivation, own: Words, before: list[tuple[De
     marks = {s.id: earlier[s.chapter, s.statement] for s in derivation.steps if (s.chapter, s.statement) in earlier}
     shown = [step for step in derivation.steps if step.id in own.shown]
     new = {step.chapter for step in shown if step.id not in marks}
-    again = {step.id for step in shown if step.id in marks and (step.chapter not in new or step.rule == "conservation")}
+    again = {step.id for step in shown if step.id in marks and (step.chapter not in new or step.rule in LASTING)}
     return replace(own, shown=own.shown - again, elsewhere={id: marks[id] for id in again})
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.derivation.step import BodyRef, Derivation
-from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section, Text
-from rbpsym.document.notes_figures import figure_label, system_figure
+from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text
+from rbpsym.document.notes_figures import figure_label, figure_with_forces, has_single_body, system_figure
 from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.notes_symbols import symbols_table
 from rbpsym.document.places import growth
@@ -21,14 +21,28 @@ def statement_section(derivation: Derivation, said: Words, level: int) -> Sectio
     problem, pose = derivation.study.problem, DrawnPose(derivation.study)
     text = [_bodies(problem, said), *element_sentences(pose, said)]
     motion = [_freedom(derivation, said), *_start(problem, said), *_phases(problem, said)]
+    symbols = symbols_table(derivation, said)
+    figure = figure_with_forces if said.is_brief and has_single_body(derivation) else system_figure
     blocks: list[Block] = [
         Paragraph(sentences(text)),
-        Paragraph(sentences(motion)),
-        system_figure(derivation, said),
-        symbols_table(derivation, said),
+        Paragraph(sentences([*motion, *(_letters(symbols, (*text, *motion), said) if said.is_brief else ())])),
+        figure(derivation, said),
+        *(() if said.is_brief else (symbols,)),
         Paragraph(sentences(list(_conventions(pose, said)))),
     ]
     return Section(said.say("section.statement"), tuple(blocks), said.prefix + "section.statement", level)
+
+
+def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator[Inlines]:
+    """What the letters of a table mean that the sentences told so far do not speak of."""
+    known = {name for inlines in told for part in inlines if isinstance(part, Math) for name in t.names(part.node)}
+    new = [
+        (*letters, Text(" ("), *meaning, Text(")"))
+        for letters, meaning, _ in symbols.rows
+        if known.isdisjoint(name for part in letters if isinstance(part, Math) for name in t.names(part.node))
+    ]
+    if new:
+        yield said.say("statement.letters", letters=new)
 
 
 def _bodies(problem: Problem, said: Words) -> Inlines:

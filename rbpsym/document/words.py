@@ -21,7 +21,7 @@ class Words:
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
     steps that are displayed, so that only these are referred to by number; `same` maps a step
     that repeats an earlier one to it; `elsewhere` has the references of steps that an earlier
-    phase showed; `is_later` of a later phase of a motion, where introductions
+    phase showed; `is_brief` where nothing is introduced; `is_later` of a later phase of a motion, where introductions
     have been given already; `locate` says a point of a body as it is seen in the figure.
     """
 
@@ -31,6 +31,7 @@ class Words:
     shown: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
+    is_brief: bool = False
     elsewhere: Mapping[str, Ref] = field(default_factory=dict)
     locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)
 

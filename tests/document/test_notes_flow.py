@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 import rbpsym
+from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Text
 from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.notation import tree as t
@@ -15,9 +16,13 @@ NAMES = ("rod-struck-off-center", "ball-slipping-to-rolling", "yo-yo", "spool-pu
 
 
 @cache
-def page(name: str) -> Document:
-    problem = rbpsym.load_problem(rbpsym.find_problem(name))
-    return numbered(rbpsym.notes(rbpsym.derive(problem, simulation=False)))
+def derived(name: str) -> Derivation:
+    return rbpsym.derive(rbpsym.load_problem(rbpsym.find_problem(name)), simulation=False)
+
+
+@cache
+def page(name: str, detail: str = "standard") -> Document:
+    return numbered(rbpsym.notes(derived(name), detail=detail))
 
 
 def displays(document: Document) -> list[Display]:
@@ -105,3 +110,28 @@ def test_a_number_is_cited_once_in_a_list() -> None:
     assert once_each((seven, Text(", "), seven, Text(" and "), seven)) == (seven,)
     apart = (seven, Text(" gives what also "), seven)
     assert once_each(apart) == apart
+
+
+@pytest.mark.parametrize("name", ["yo-yo", "sliding-ladder", "rod-hits-ball-at-bottom"])
+def test_brief_notes_are_short_and_keep_all_results(name: str) -> None:
+    brief, standard = page(name, "brief"), page(name)
+    assert len(displays(brief)) < 0.75 * len(displays(standard))
+    assert len(brief.sections) <= 0.7 * len(standard.sections)
+    results = {shown.node for shown in displays(standard) if shown.boxed}
+    shown = [found.node for found in displays(brief)]
+    assert results <= set(shown)
+    assert len(shown) == len(set(shown)), "a result is not said twice on so few pages"
+
+
+@pytest.mark.parametrize("name", ["yo-yo", "sliding-ladder"])
+def test_brief_notes_say_what_every_letter_of_the_statement_means(name: str) -> None:
+    problem = derived(name).study.problem
+    first = page(name, "brief").sections[0]
+    paragraphs = [block for block in first.blocks if isinstance(block, Paragraph)]
+    told = {n for p in paragraphs for part in p.inlines if isinstance(part, Math) for n in t.names(part.node)}
+    assert {q.name for q in problem.parameters} - set(problem.implicit) <= told
+
+
+def test_brief_notes_keep_what_ties_the_coordinates() -> None:
+    assert any("does not stretch" in text_of(p) for p in parts(page("yo-yo", "brief").sections) if type(p) is Paragraph)
+    assert {"phi_dot", "y_dot"} <= {name for shown in displays(page("yo-yo", "brief")) for name in t.names(shown.node)}
