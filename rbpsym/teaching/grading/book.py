@@ -46,7 +46,8 @@ def book(
     known, drawn, called = frozenset(names), dict(notation or {}), dict(called or {})
     found: dict[str, set[str]] = {}
     for name in known:
-        for way in _ways(name, drawn.get(name), called):
+        rate = drawn.get(name.replace("_ddot", "_dot")) if name.endswith("_ddot") else None
+        for way in (*_ways(name, drawn.get(name), called), *((f"{rate}_dot",) if rate else ())):  # ω̇ is θ̈
             found.setdefault(way, set()).add(name)
     typed = {way: min(meant) for way, meant in found.items() if len(meant) == 1 and way not in known}
     return Book(known, MappingProxyType(typed), _table(known, drawn, typed, called), language)

@@ -201,6 +201,16 @@ def _latex_mixed(found: re.Match[str]) -> str:
     return rf"\left({found[1]}+{found[2]}\right)" if int(above) < int(below) else found[0]
 
 
+_UNIT_BEHIND = re.compile(
+    r"\s*\[\s*(?:rad|deg|kg|N|J|W|m|s|Hz|°|1\s*/\s*s)[^\[\]=+]{0,24}\]$|(?<=[\s)])(?:rad\s*/\s*s|rad\s+s)\S{0,6}$"
+)
+
+
+def without_unit(text: str, book: Book) -> str:
+    """A formula without the unit that stands behind it in brackets, or as rad/s."""
+    return text if lookup("rad", book) else _UNIT_BEHIND.sub("", text).rstrip()
+
+
 def is_label(word: str, book: Book) -> bool:
     """Is it a name that the problem does not have, so that before a sign = it only says what follows?"""
     return not lookup(word, book) and word not in CALLED and word.lower() not in OTHER_FUNCTIONS

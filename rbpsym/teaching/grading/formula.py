@@ -54,32 +54,30 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     try:
         read = read_formula(text, sought.ground.book)
     except RbpsymError as error:
-        return _in_all_ways(text, sought) or j.invalid(error)
+        return _in_all_ways(text, sought, error)
     return judge_tree(read, sought)
 
 
-def _in_all_ways(text: str, sought: Sought) -> Judgement | None:
+def _in_all_ways(text: str, sought: Sought, error: RbpsymError) -> Judgement:
     """The judgement on what can be read in several ways, if one of them alone can be meant, or it does not matter.
 
     Where it only matters how far the argument of a function goes, the reading that is right is meant.
     """
     try:
         ways = read_all(text, sought.ground.book)
-    except RbpsymError:
-        return None
+    except RbpsymError as other:
+        return j.invalid(other)
     if len(ways.trees) < 2:
-        return None
+        return j.invalid(error)
     kept = [k for k, tree in enumerate(ways.trees) if _fits(tree, sought)] or list(range(len(ways.trees)))
     sound, is_parted = [ways.trees[k] for k in kept], len({ways.parted[k] for k in kept}) > 1
     found = [judge_tree(tree, sought) for tree in sound]
     statuses = {judgement.status for judgement in found}
-    if len(found) == 1 or statuses == {Status.WRONG}:
-        return found[0].with_remark("read as", formula=sound[0]) if len(found) == 1 else found[0]
     best = next((status for status in EARNING if status in statuses), None)
-    if best is None or is_parted:
-        return None
-    place = next(k for k, judgement in enumerate(found) if judgement.status is best)
-    return found[place].with_remark("read as", formula=sound[place]) if place else found[0]
+    if len(statuses) > 1 and (best is None or is_parted):
+        return j.invalid(error)
+    place = next((k for k, judgement in enumerate(found) if judgement.status is best), 0)
+    return found[place].with_remark("read as", formula=sound[place]) if kept[place] and best else found[place]
 
 
 def _fits(read: t.Node, sought: Sought) -> bool:

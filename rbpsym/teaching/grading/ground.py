@@ -11,7 +11,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
-from rbpsym.quantities import FORCE, TIME, Dimension
+from rbpsym.quantities import FORCE, LENGTH, MASS, TIME, Dimension
 from rbpsym.statement.checks import unknowns_of
 from rbpsym.teaching.grading.book import Book, book
 from rbpsym.teaching.grading.intervals import Sampling
@@ -61,7 +61,7 @@ def ground_of(study: Study, language: str = "en") -> Ground:
     """The ground of a problem: its names, on its constraints."""
     problem, system = study.problem, study.system
     named = named_quantities(study)
-    dimensions = dimensions_of(study)
+    dimensions = {**dimensions_of(study), **{name: _NAMED[name.partition("_")[0]] for name in named}}
     names = {*dimensions, *named, *system.unknowns}
     scalars = {**named, **dependents(study)}
     return Ground(
@@ -73,6 +73,9 @@ def ground_of(study: Study, language: str = "en") -> Ground:
         lambda value: with_squares(study.on_motion(value), study.squares),
         True,
     )
+
+
+_NAMED = {"I": MASS * LENGTH**2, "omega": TIME**-1, "alpha": TIME**-2}
 
 
 def dependents(study: Study) -> dict[str, Scalar]:
@@ -93,6 +96,8 @@ def named_quantities(study: Study) -> dict[str, Scalar]:
     found |= {f"omega_{name}": state.omega for name, state in bodies.items() if state.omega}
     found |= {f"alpha_{name}": state.alpha for name, state in bodies.items() if state.alpha}
     turning = {state.omega for state in bodies.values() if state.omega}
+    if len(bodies) == 1:
+        found |= dict.fromkeys(("I", "I_cm"), next(iter(bodies.values())).moment)
     if len(turning) == 1:
         state = next(state for state in bodies.values() if state.omega)
         found |= {"omega": state.omega, "alpha": state.alpha}

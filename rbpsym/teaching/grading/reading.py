@@ -9,7 +9,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.infix import Ways, read_infix, read_relation, read_ways
 from rbpsym.notation.latex_reader import latex_ways, read_latex
 from rbpsym.teaching.grading.book import Book
-from rbpsym.teaching.grading.dialects import latex
+from rbpsym.teaching.grading.dialects import latex, without_unit
 from rbpsym.teaching.grading.standard import EULER, MADE, mapped, standard
 from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
 
@@ -41,6 +41,7 @@ def _told(text: str, book: Book, labels: bool) -> str:
     told = unframed(checked_length(text))
     if not told:
         raise ReadError("there is no answer", instead=_HINT)
+    told = told if is_latex(told) else without_unit(told, book)
     return unlabelled(told, book) if labels else told
 
 
