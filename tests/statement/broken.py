@@ -221,4 +221,21 @@ ROWS = [
         '[constraints.L2]\ntype = "contact"\npoint = "rod.end"\nline = "y = x*tan(beta)"\n[notation]',
         "says again what “L” says",
     ),
+    # --- words and units brought along from elsewhere
+    Broken("bar for a rod", 'shape  = "rod"', 'shape  = «"bar"»', "unknown shape “bar”", "write “rod”."),
+    Broken("weight", 'type = "gravity"', 'type = "weight"', "unknown type “weight”", "write “gravity”."),
+    Broken("degrees", '"pi/3"', '"60 «deg»"', "unknown symbol “deg”", "radians"),
+    Broken("degrees as a number", '"pi/3"', '«"60"»', "outside its range", "60*pi/180"),
+    Broken("number with a unit", '"omega_0"', '"5 «s»"', "unknown symbol “s”", "in [example]"),
+    Broken("cosine", '"ell*sin(theta)"', '"ell*«cosine»(theta)"', "unknown symbol “cosine”", "Write cos(x)."),
+    Broken(
+        "value for a dimension",
+        '"mass: mass of the rod"',
+        '"«5 kg»"',
+        "unknown dimension",
+        'here stands what it is: "mass',
+    ),
+    Broken("meaning for a dimension", '"mass: mass of the rod"', '"«mass of the rod»"', "unknown dimension", "a colon"),
+    Broken("undeclared", '= "k"', '= "«c»"', "unknown symbol “c”", '[parameters]: c = "stiffness: '),
+    Broken("number for a length", 'length = "ell"', 'length = "«2»"', "must be a length", "multiply it by a parameter"),
 ]
