@@ -11,16 +11,20 @@ from rbpsym.algebra.calculus import derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
+from rbpsym.document.plots.integrator import solved
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import System
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate, Element, PointRef, Problem
 
 Point = tuple[float, float]
 LEAST_ANGLE, SHOWN_ANGLE, LEAST_SHARE = 0.3, 0.6, 0.2
+DRIVEN_ANGLE = 0.9
+ROUNDS = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +39,11 @@ class DrawnPose:
         object.__setattr__(self, "numbers", self._tied(drawn_numbers(self.study.problem) | dict(self.given)))
 
     def _tied(self, numbers: dict[str, float]) -> dict[str, float]:
-        return numbers | {n: number(v, numbers) for n, v in self.study.system.dependent.items()}
+        system = self.study.system
+        if system.implicit and not system.independent and "t" not in self.given:
+            numbers = numbers | {"t": shown_time(system, numbers)}
+        numbers = numbers | {n: number(v, numbers) for n, v in system.dependent.items()}
+        return fitted(system, numbers) if system.implicit else numbers
 
     @cached_property
     def where(self):
@@ -99,6 +107,36 @@ class DrawnPose:
             except (KeyError, ValueError, ZeroDivisionError, OverflowError, RbpsymError):
                 continue
         return found
+
+
+def shown_time(system: System, numbers: Mapping[str, float]) -> float:
+    """A moment at which what is driven has turned by an angle that is seen."""
+    angles = [
+        c.name for c in system.problem.coordinates if c.quantity.dimension == NUMBER and c.name in system.dependent
+    ]
+    for name in angles:
+        now, soon = (number(system.dependent[name], {**numbers, "t": t}) for t in (0.0, 1e-6))
+        if abs(soon - now) > 1e-12:
+            return DRIVEN_ANGLE / abs(soon - now) * 1e-6
+    return numbers.get("t", 0.0)
+
+
+def fitted(system: System, numbers: dict[str, float]) -> dict[str, float]:
+    """The nearest numbers with which the conditions that stay as equations hold (Newton's method); what depends follows."""
+    free = [name for name in system.coordinates if name not in system.independent] or list(system.coordinates)
+    rows = [(one.value, [derivative(one.value, name) for name in free]) for one in system.implicit]
+    for _ in range(ROUNDS):
+        gaps = [number(value, numbers) for value, _ in rows]
+        slopes = [[number(slope, numbers) for slope in all_] for _, all_ in rows]
+        square = [[sum(a * b for a, b in zip(one, two, strict=True)) for two in slopes] for one in slopes]
+        try:
+            shares = solved(square, gaps)
+        except ZeroDivisionError:
+            return numbers
+        for k, name in enumerate(free):
+            numbers[name] -= sum(row[k] * share for row, share in zip(slopes, shares, strict=True))
+        numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
+    return numbers
 
 
 RADII = ("radius", "outer", "inner")

@@ -36,10 +36,23 @@ def _coordinate_angles(pose: DrawnPose) -> Iterator[AngleMark]:
         direction = pose.value(pose.study.system.bodies[name].pose.angle)
         value = pose.numbers[coordinate.name]
         at = _vertex(pose, name)
-        direction = _drawn_axis(pose, name, at, direction)
+        hung = _hanging(pose, name, at, sense * value)
+        direction = _drawn_axis(pose, name, at, direction) if hung is None else hung
         reach = _reach(pose, name, at, direction)
         if abs(value) > UNSEEN:
             yield AngleMark(at, direction - sense * value, direction, t.Sym(coordinate.name), reach)
+
+
+def _hanging(pose: DrawnPose, name: str, at: Point, turned: float) -> float | None:
+    """The way from the vertex to the centre of mass, if the body has no axis to be seen and that way was level or
+    upright when the angle was 0: so a book draws the angle of a body that hangs."""
+    if pose.study.problem.body(name).shape.kind not in ROUND | {"composite", "given"}:
+        return None
+    (x, y), (u, v) = at, pose.center(name)
+    direction = math.atan2(v - y, u - x)
+    quarters = (direction - turned) / (math.pi / 2)
+    is_away = math.dist(at, (u, v)) > CLOSE * pose.size
+    return direction if is_away and abs(quarters - round(quarters)) < CLOSE else None
 
 
 def _polar_angle(pose: DrawnPose, coordinate: str) -> Iterator[AngleMark]:

@@ -105,7 +105,13 @@ def body_outline(body: SketchBody) -> Outline:
         for part in joined
         for item in OUTLINES.get(part.kind, OUTLINES["given"])(part.sizes)
     )
-    return (*drawn, *(Circle(body.at, rim, "rim") for rim in body.rims))
+    return (*joined_dots(body), *drawn, *(Circle(body.at, rim, "rim") for rim in body.rims))
+
+
+def joined_dots(body: SketchBody) -> Outline:
+    """Light rods from the origin of a body to those of its parts that are mere points: what holds them together."""
+    ends = [part.at for part in body.parts if part.kind == "particle" and math.hypot(*part.at) > 0]
+    return tuple(Line(tuple(turned(end, body.at, body.angle) for end in ((0.0, 0.0), at)), "line") for at in ends)
 
 
 def styled(item: Item, part: SketchPart) -> Item:

@@ -47,6 +47,10 @@ function outlineOf(body, out) {
     points: piece.points.map((point) => carried(point, at, angle)),
     origin: carried(part === body ? [0, 0] : pick(part.at, out), at, angle),
   })));
+  own.filter((part) => part !== body && part.kind === "particle").forEach((part) => {
+    const ends = [at, carried(pick(part.at, out), at, angle)];
+    found.unshift({ points: ends, look: "light", origin: at });
+  });
   rims.sort((a, b) => b - a).forEach((radius, k) => {
     const points = arc(radius, 0, TURN).map((point) => carried(point, at, angle)), solid = !parts.length && k === 0;
     found.push({ points, closed: true, origin: at, look: solid ? "body" : "rim", spoke: solid ? radius : 0 });
