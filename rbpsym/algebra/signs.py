@@ -56,5 +56,7 @@ def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | N
 
 def positive_first(nodes: list[t.Node]) -> list[t.Node]:
     """The terms of a sum, one that is not taken off at the beginning."""
+    if not nodes:
+        return nodes
     first = next((k for k, node in enumerate(nodes) if not t.is_negative(node)), 0)
     return [nodes[first], *nodes[:first], *nodes[first + 1 :]]

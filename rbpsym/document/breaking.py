@@ -64,7 +64,7 @@ def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]
     found = layout_rows(node, notation).rows
     left, rights = found[0][0], tuple(right for _, right in found)
     margin = width(left)
-    if margin + sum(map(width, rights)) <= (column if len(rights) == 1 else 0.6 * column):
+    if margin + sum(map(width, rights)) <= column * SHARES.get(len(rights), SEVERAL):
         yield Line(left, b.Row(tuple(flat(b.Row(rights)))))
         return
     if margin and margin + max(map(least, rights)) > column:
@@ -84,6 +84,10 @@ def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator
         return
     yield Line(EMPTY, b.Row((*flat(last.right), *flat(end))), last.indent)
     yield from with_short_ends(EMPTY, rights[1:], column - INDENT)
+
+
+# How much of the column a chain of that many relations may fill on one line.
+SHARES, SEVERAL = {1: 1.0, 2: 0.85}, 0.6
 
 
 def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[Line]:

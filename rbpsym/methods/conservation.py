@@ -14,7 +14,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.methods.net_work import is_kinetic, net_power
-from rbpsym.methods.solving import isolated, solved_for
+from rbpsym.methods.solving import isolated_again, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "energy"
@@ -270,7 +270,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         obligations=(t.relation(speed, "!=", t.ZERO),),
     )
     value = short(-(rest / slope))
-    shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
+    shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
     draft.add(
         "motion.from_energy",
         "solution",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.signs import positive_first
 from rbpsym.derivation.chapters.forces import force_node, torque_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef
@@ -34,12 +35,14 @@ def _equations(draft: Draft, name: str):
         pushes = [draft.show(tidy(getattr(f.vector, axis))) for f in forces if getattr(f.vector, axis)]
         left = draft.show(tidy(state.mass * getattr(state.acceleration, axis)))
         if pushes or left != t.ZERO:
-            rows.append(t.equation(left, t.add(*pushes)) if left != t.ZERO else t.equation(t.add(*pushes), t.ZERO))
+            push = t.add(*positive_first(pushes))
+            rows.append(t.equation(left, push) if left != t.ZERO else t.equation(push, t.ZERO))
     turns = [short(torque_about_center(f, state)) for f in forces]
     if any(turns) or state.moment * state.alpha:
         shown = [torque_node(draft, f, state.center) for f, v in zip(forces, turns, strict=True) if v]
         spin = draft.show(state.moment * state.alpha)
-        rows.append(t.equation(spin, t.add(*shown)) if spin != t.ZERO else t.equation(t.add(*shown), t.ZERO))
+        turn = t.add(*positive_first(shown))
+        rows.append(t.equation(spin, turn) if spin != t.ZERO else t.equation(turn, t.ZERO))
     if not rows:
         return None
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
@@ -69,6 +72,7 @@ def _reactions(draft: Draft, steps: list) -> None:
             "newton_euler.reaction",
             premises=premises,
             force=t.Sym(name),
+            is_result=not draft.study.system.independent,  # where nothing is free, the forces are what was asked for
             level=FULL if draft.study.squares or length(shown) > LONGEST else STANDARD,
             data={"rows": draft.study.newton_euler_rows, "values": _values(draft)},
             sources=[StepRef(s.id) for s in steps],

@@ -26,6 +26,14 @@ def isolated(draft: Draft, left: Scalar, right: Scalar, name: str, *, as_ratio: 
     return present_ratio(above, below, draft.study.style, factor=below.is_monomial(), as_ratio=as_ratio)
 
 
+def isolated_again(draft: Draft, left: Scalar, right: Scalar, name: str) -> t.Node:
+    """The unknown of one linear equation, in the form in which it was found before where that has the same sides."""
+    forms = [isolated(draft, left, right, name, as_ratio=as_ratio) for as_ratio in (False, True)]
+    found = [step for step in draft.steps if step.id == f"motion.{name.removesuffix('_ddot')}"]
+    known = [item for step in found if isinstance(step.statement, t.Chain) for item in step.statement.items]
+    return next((form for form in forms if form in known), forms[0])
+
+
 def _varies(coefficient: Scalar, draft: Draft) -> bool:
     """Whether the inertia depends on position: then common factors are cancelled first."""
     return any(depends_on(coefficient, name) for name in draft.study.system.coordinates)

@@ -20,7 +20,7 @@ from rbpsym.mechanics.work import ForceWork, Work
 from rbpsym.methods import axis_work, net_work, spring_works, work_by_bodies, works_together
 from rbpsym.methods.net_work import HALVES
 from rbpsym.methods.paths import over_coordinates
-from rbpsym.methods.solving import isolated, solved_for
+from rbpsym.methods.solving import isolated_again, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "work-energy"
@@ -203,7 +203,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
     slope = derivative(row, f"{name}_ddot")
     rest = substitute(row, {f"{name}_ddot": NOTHING})
     value = short(-(rest / slope))
-    shown = isolated(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
+    shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")
     draft.add(
         "motion.from_work",
         "solution",
