@@ -218,3 +218,17 @@ def test_without_dimensions_two_readings_are_refused(text: str) -> None:
     ground = bare_ground({"g": "positive", "ell": "positive"})
     assert grade_answer(text, "3*g/(4*ell)", ground).status is Status.INVALID
     assert grade_answer(text, "3*g/(2*ell)", ground).status is Status.WRONG
+
+
+def test_an_equation_for_something_else_is_no_wrong_result() -> None:
+    ground = bare_ground({"m": "positive", "k": "positive", "x": "real", "g": "positive", "a": "real"})
+    found = grade_answer("m a = k x - m g", "k*x - m*g", ground)
+    assert found.status is Status.INVALID and found.remarks[0].key == "equation"
+    assert grade_answer("m a = k x + m g", "k*x - m*g", ground).status is Status.WRONG
+
+
+def test_names_of_the_only_body_and_units_behind_a_formula() -> None:
+    ground = ground_of(Study(load_problem(find_problem("sliding-ladder"))))
+    for text in ("-M g l cosθ/(I + M l^2)", "-M g l cosθ/(I_cm + M l^2)", "ω̇ = -3g cosθ/(4l)", "-3g cosθ/(4l) [rad/s²]",
+                 "-(3/4)*(g/l)*cos(theta) rad/s^2", "α=-3g/4l · cosθ ≈ -0.75 g/l cosθ"):  # fmt: skip
+        assert grade_answer(text, LADDER_KEY, ground, target="theta_ddot").status is Status.RIGHT, text

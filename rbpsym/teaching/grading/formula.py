@@ -81,9 +81,10 @@ def _in_all_ways(text: str, sought: Sought, error: RbpsymError) -> Judgement:
 
 
 def _fits(read: t.Node, sought: Sought) -> bool:
-    """Has it, so read, the dimension of the key, as far as that is known?"""
-    answer = _right_side(read, sought)
-    return answer is None or _dimension_remark(answer, sought) is None
+    """Has it, so read, the dimension of the key on every side, as far as that is known?"""
+    if _right_side(read, sought) is None:
+        return True
+    return all(_dimension_remark(side, sought) is None for side in _sides(read) if not _is_left(side, sought))
 
 
 def judge_tree(read: t.Node, sought: Sought) -> Judgement:
@@ -259,6 +260,8 @@ LOOKS = (_carried, _slip, _unfinished, _dimension, _near_miss)
 
 def _equation(read: t.Chain, sought: Sought) -> Judgement:
     """An equation that determines the quantity rightly, but is not solved for it, is unfinished."""
+    if sought.left is None and any(are_equal(side, sought.value, sought.ground).is_proved for side in read.items):
+        return Judgement(Status.INVALID, remarks=(Remark("equation"),))  # of what it is a result is not known
     if not sought.target or sought.target not in t.names(read) or len(read.items) != 2:
         return j.wrong("other side", left=sought.left) if sought.left is not None else j.wrong("equation")
     left, right = read.items
