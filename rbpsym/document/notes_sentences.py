@@ -67,6 +67,8 @@ def _curve(element: Element, pose: DrawnPose, said: Words) -> Inlines:
         return said.the(str(body)) if body else line_in_words(element["line"], pose, said)
     center, side = element["circle"], element.values.get("side")
     slots = {"radius": element["radius"], "center": point_in_words(center, pose, said)}
+    if element["radius"] == t.ZERO:
+        return said.say("line.corner", center=slots["center"])
     if center.body and _is_round_itself(element, pose):
         return said.say("line.inside_body", body=BodyRef(center.body)) if side == "inside" else said.the(center.body)
     return said.say("line.inside" if side == "inside" else "line.circle", **slots)

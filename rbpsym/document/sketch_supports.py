@@ -154,7 +154,7 @@ def _touched(pose: DrawnPose, element: Element) -> SketchCircle:
     body = element.values.get("body") or element["point"].body
     inside = body is not None and math.dist(pose.center(body), at) < radius
     kind = "rail" if element.kind == "guide" else _hollow(pose, element, at) if inside else "convex"
-    return SketchCircle(at, radius, kind, element["radius"])
+    return SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
 
 
 def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
