@@ -19,6 +19,7 @@ from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page, height
+from rbpsym.teaching.papers.layout import number_text
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 36.0
@@ -40,7 +41,7 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
         code=latex_text(plain_text("paper.form", language, code=worksheet.code)),
         student=latex_text((student.name or student.id) if is_key else student.name) if student else "",
         words={key: latex_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
-        points=f"{float(worksheet.points):g}",
+        points=number_text(worksheet.points, worksheet.notation.decimal),
         body="\n\n".join(_sections(document, page)),
     )
 

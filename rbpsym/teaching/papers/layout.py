@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.derivation.step import Derivation
+from rbpsym.document.language import usual_notation
 from rbpsym.document.model import (
     Block,
     Display,
@@ -30,14 +31,15 @@ SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
 
 
 def number_text(value: Fraction, mark: str = ".") -> str:
-    """A number of points: 3, 2.5."""
-    return str(value.numerator) if value.denominator == 1 else f"{float(value):.2g}".replace(".", mark)
+    """A number of points with at most two decimals: 3, 2.5, 23.5."""
+    return f"{float(value):.2f}".rstrip("0").rstrip(".").replace(".", mark)
 
 
 def points_text(points: Fraction, language: str) -> str:
     """ "3 points"."""
     count = 1 if points == 1 else 2
-    return plain_text("paper.points", language, count=count, points=number_text(points))
+    shown = number_text(points, usual_notation(language).decimal)
+    return plain_text("paper.points", language, count=count, points=shown)
 
 
 # --- the paper
@@ -226,7 +228,7 @@ KEYS: Mapping[type, Area] = {
 
 
 def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> Inlines:
-    points = say("paper.points_each", worksheet.language, points=number_text(criterion.points))
+    points = say("paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal))
     return (Strong(points), Text(" "), *criterion.text)
 
 

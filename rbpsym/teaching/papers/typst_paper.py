@@ -17,6 +17,7 @@ from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page
+from rbpsym.teaching.papers.layout import number_text
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 38.0
@@ -36,7 +37,7 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
         code=typst_text(plain_text("paper.form", language, code=worksheet.code)),
         student=typst_text((student.name or student.id) if is_key else student.name) if student else "",
         words={key: typst_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
-        points=typst_text(f"{float(worksheet.points):g}"),
+        points=typst_text(number_text(worksheet.points, worksheet.notation.decimal)),
         body=body(document, page),
     )
 
