@@ -1,0 +1,122 @@
+"""Values as a textbook prints them: each form here was printed worse once."""
+
+from fractions import Fraction
+
+import pytest
+
+from rbpsym.algebra.evaluate import Scope, scalar, value
+from rbpsym.algebra.grouping import perfect_power
+from rbpsym.algebra.joined import with_joined_angles
+from rbpsym.algebra.normal import same
+from rbpsym.algebra.present import present, present_ratio
+from rbpsym.algebra.roots import tidied
+from rbpsym.algebra.scalar import Scalar, generator_of, symbol
+from rbpsym.algebra.style import COEFFICIENT, Style
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import DEFAULT
+from rbpsym.notation.latex import to_latex
+from rbpsym.quantities import ACCELERATION, ENERGY, LENGTH, MASS, NUMBER
+
+DIMENSIONS = {
+    **dict.fromkeys(("m", "M"), MASS),
+    **dict.fromkeys(("R", "ell", "a", "b", "s"), LENGTH),
+    "g": ACCELERATION,
+    "kappa": ENERGY,
+    "mu": NUMBER,
+}
+RANKS = {MASS: 1, ENERGY: 2, ACCELERATION: 3, LENGTH: 4, NUMBER: COEFFICIENT}
+STYLE = Style(
+    {name: (RANKS[dimension], place) for place, (name, dimension) in enumerate(DIMENSIONS.items())},
+    frozenset({"theta", "phi", "v_dot", "theta_dot", "N"}),
+    DIMENSIONS,
+    greater=frozenset({("R", "a"), ("ell", "s")}),
+)
+m, M, R, ell, a, b, s, g, kappa, mu = (symbol(name) for name in "m M R ell a b s g kappa mu".split())
+theta, phi, N, speed = symbol("theta"), symbol("phi"), symbol("N"), symbol("v_dot")
+
+FORMS = {
+    # one fraction line, not one within and one before the brackets
+    r"\frac{3 (2 \kappa - M g \ell)}{2 M \ell^2}": (3 * kappa / (M * ell) - 3 * g / 2) / ell,
+    r"-\frac{M g s (\ell - s)^2}{4 \ell^2} \sin\theta": (
+        M * g * s * (s / (2 * ell) - Fraction(1, 4) - s**2 / (4 * ell**2)) * sine(theta)
+    ),
+    r"\frac{M (\ell - s)^3}{12 \ell}": M * (ell - s) ** 3 / (12 * ell),
+    r"\frac{1}{2} M \left( 1 + \frac{R^2}{2 b^2} \right) \dot{v}^2": M * (speed**2 / 2 + R**2 * speed**2 / (4 * b**2)),
+    r"\left( 1 - \frac{R}{a} \right) \theta": (1 - R / a) * theta,
+    r"\frac{N}{7 \mu g} (2 + \theta)": N * (theta + 2) / (7 * mu * g),
+    # coefficients first, squares as such, tangents
+    r"\frac{5 \mu g}{2 R}": 5 * g * mu / (2 * R),
+    r"\frac{\kappa}{2} (\theta^2 - \phi^2)": kappa * (theta - phi) * (theta + phi) / 2,
+    r"\ell \sin\theta \tan\theta": ell * sine(theta) ** 2 / cosine(theta),
+    r"\ell \cos(\theta - \phi)": ell * (cosine(theta) * cosine(phi) + sine(theta) * sine(phi)),
+}
+
+
+@pytest.mark.parametrize("latex", FORMS)
+def test_a_value_is_printed_so(latex):
+    shown = present(FORMS[latex], STYLE, factor=True)
+    assert to_latex(shown, DEFAULT) == latex
+    assert same(scalar(shown), FORMS[latex])
+
+
+def test_what_stands_above_and_below_is_cancelled():
+    above, below = 5 * m * g * (R - a), 7 * m * (R - a) ** 2
+    shown = present_ratio(above.num, below.num, STYLE)
+    assert to_latex(shown, DEFAULT) == r"\frac{5 g}{7 (R - a)}"
+
+
+def test_moments_of_inertia_stay_one_by_one_below_a_bar():
+    moment, torque = m * ell**2 / 3 + M * ell**2, g * ell * (m / 2 + M)
+    divided = present_ratio(torque.num, moment.num, STYLE)
+    ratio = present_ratio(torque.num, moment.num, STYLE, as_ratio=True)
+    sums = r"\frac{m}{2} + M", r"\frac{m \ell^2}{3} + M \ell^2"
+    assert to_latex(divided, DEFAULT) == rf"\frac{{g \ell \left( {sums[0]} \right)}}{{{sums[1]}}}"
+    assert to_latex(ratio, DEFAULT) == rf"g \ell \frac{{{sums[0]}}}{{{sums[1]}}}"
+
+
+def test_the_greater_one_comes_first():
+    shown = present(1 / (2 * (R - a) * (R + a) * (R + 3 * a)), STYLE, factor=True)
+    assert to_latex(shown, DEFAULT) == r"\frac{1}{2 (R^2 - a^2) (R + 3 a)}"
+    assert to_latex(present(m * (a + R), STYLE), DEFAULT) == "m (R + a)"
+
+
+def _root(radicand):
+    return generator_of("root", radicand)
+
+
+@pytest.mark.parametrize(
+    ("value_", "latex"),
+    [
+        (_root(g * ell) / ell, r"\sqrt{\frac{g}{\ell}}"),
+        (_root((R - a) ** 2 + _root(a * (2 * R - a)) ** 2), "R"),
+        (_root(4 * g / (R - a) ** 2) * (R - a), r"2 \sqrt{g}"),
+    ],
+)
+def test_roots_hold_no_squares(value_, latex):
+    def surely(total):
+        return same(Scalar(total), R - a)
+
+    found = tidied(value_, lambda name: True, surely)
+    assert to_latex(present(found, STYLE), DEFAULT) == latex
+
+
+def test_a_perfect_power_is_told_from_other_sums():
+    assert perfect_power(((ell - 2 * s) ** 3).num)[2] == 3
+    assert perfect_power((3 * (ell - 2 * s) ** 4).num)[::2] == (3, 4)
+    assert perfect_power((ell**3 - 8 * s**3 + ell * s**2 + ell**2 * s).num) is None
+    assert perfect_power((ell**2 + ell * s + s**2).num) is None
+
+
+def test_angles_are_joined_only_where_both_products_are_there():
+    assert len(with_joined_angles((2 * cosine(theta) * cosine(phi) + sine(theta) * sine(phi)).num)) == 2
+    whole = (cosine(theta) * sine(phi) - sine(theta) * cosine(phi)) * ell + g
+    assert same(Scalar(with_joined_angles(whole.num)), whole)
+    assert len(with_joined_angles(whole.num)) == 2
+
+
+def test_a_sum_of_negative_terms_gives_its_sign_away():
+    bracket = t.Add((t.Neg(t.Sym("a")), t.Neg(t.Sym("b"))))
+    assert t.mul(bracket, t.Unit("z")) == t.Neg(t.Mul((t.Add((t.Sym("a"), t.Sym("b"))), t.Unit("z"))))
+    assert t.mul(bracket) == bracket
+    assert value(t.mul(bracket, t.Sym("g")), Scope()) == -(a + b) * g
