@@ -279,8 +279,10 @@ def solution(context: Context, step: Step) -> Verdict:
 
 
 def _stated(context: Context, step: Step, values: Mapping[str, Scalar]) -> Verdict:
-    """What the step states of an unknown is the value that is checked."""
-    stated = [(left.name, right) for left, _, right in relations(step.statement) if isinstance(left, t.Sym)]
+    """What the step states of an unknown, at the end of its chain, is the value that is checked."""
+    rows = step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
+    chains = [row.items for row in rows if isinstance(row, t.Chain)]
+    stated = [(items[0].name, items[-1]) for items in chains if isinstance(items[0], t.Sym)]
     return weakest([_equal(context.value(right), values[name], context) for name, right in stated if name in values])
 
 

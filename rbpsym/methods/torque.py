@@ -8,6 +8,7 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.signs import positive_first
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.draft import Draft, acceleration_symbol
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
@@ -93,7 +94,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     forces = outer_forces(draft.study.system, balance.bodies)
     name = draft.free(f"tau_{_subscript(balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}")
     parts = [short((f.point - balance.where).cross(f.vector) + f.couple) for f in forces]
-    shown = t.add(*(draft.show(part) for part in parts if part))
+    shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
     draft.context.vectors[name] = Space(z=balance.right)
     together = draft.show(balance.right, factor=True)
     shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
@@ -201,7 +202,7 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
         draft.add(
             f"motion.{coordinate}",
             "solution",
-            solved_for(draft, name, shown, value),
+            _as_second_rate(draft, coordinate, solved_for(draft, name, shown, value)),
             "torque.solved" if value else "torque.solved_zero",
             premises=premises,
             is_result=True,
@@ -212,6 +213,14 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             data={"rows": rows, "values": known},
         )
     return values
+
+
+def _as_second_rate(draft: Draft, coordinate: str, solved: t.Chain) -> t.Chain:
+    """α = d²θ/dt² = ... where the acceleration has a letter of its own, so that one sees the differential equation."""
+    if f"{coordinate}_ddot" not in draft.study.problem.notation:
+        return solved
+    first, *others = solved.items
+    return t.equation(first, t.Deriv(t.Sym(coordinate), "t", 2), *others)
 
 
 def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scalar, source: Step | None):
