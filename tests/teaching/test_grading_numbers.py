@@ -141,3 +141,16 @@ def test_an_error_carried_forward() -> None:
 def test_a_tolerance_that_makes_no_sense_is_refused() -> None:
     with pytest.raises(RbpsymError):
         grade_number("5", 5, tolerance=2)
+
+
+@pytest.mark.parametrize(
+    "text", ["1.42±0.01 s", r"1.42 \pm 0.01\,\mathrm{s}", "1.42 s (approx.)", "ca. 1,42 s", "aprox. 1,42 s", "(1.42 s)", "$1.42$ s",
+             r"2\pi\sqrt{0.5/9.81}\,\mathrm{s}"],
+)  # fmt: skip
+def test_words_and_uncertainties_beside_a_number(text: str) -> None:
+    assert grade_number(text, 1.4185, "s").credit == 1
+
+
+@pytest.mark.parametrize("text", ["1 1/2 s", "1½ s", "-1 1/2 s"])
+def test_mixed_numbers(text: str) -> None:
+    assert grade_number(text, -1.5 if text.startswith("-") else 1.5, "s").credit == 1

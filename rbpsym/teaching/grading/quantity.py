@@ -78,24 +78,38 @@ def _bracketed(found: re.Match[str] | None, rest: str) -> Typed | None:
         return None
 
 
+_ABOUT = r"about|approx(?:imately)?|circa|ca|roughly|aprox(?:imadamente)?|unos"
+_BESIDE = (
+    (re.compile(rf"^\s*(?:{_ABOUT})\b\.?\s*", re.IGNORECASE), ""),
+    (re.compile(rf"\s*\(?\b(?:{_ABOUT})\b\.?\)?\s*$", re.IGNORECASE), ""),
+    (re.compile(r"\s*(?:±|\+/?-|\\pm(?![A-Za-z]))\s*\d+(?:[.,]\d+)?(?=\s*(?:\\|[A-Za-zµΩ°]|$))"), ""),  # an uncertainty
+    (re.compile(r"^\$([^$]*)\$"), r"\1 "),
+    (re.compile(r"^\(([^()]*)\)$"), r"\1"),
+    (re.compile(r"^([+\-−]?)(\d+)\s?([¼½¾⅐-⅞])"), r"\1(\2+\3)"),
+    (re.compile(r"^([+\-−]?)(\d+)\s+(\d+)\s*/\s*(\d+)(?![\w.])"), r"\1(\2+\3/\4)"),
+)
+
+
 def _bare(text: str, language: str) -> str:
     """The number and unit alone, LaTeX taken off."""
     told = unframed(re.split(r"[=≈≃]", unframed(text))[-1]).lstrip("~ ")
     if is_latex(told) or "\\" in told or "^{" in told:
         told = _without_latex(told)
+    for pattern, plain in _BESIDE:
+        told = pattern.sub(plain, told.strip())
     told = re.sub(r"(?<=\d)['’](?=\d{3}(?!\d))", "", told.replace("º", "°"))
     return with_decimal_points(told, language).strip()
 
 
 _LATEX = (
     (re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"\1 \2"),
-    (re.compile(r"\\sqrt\s*\{([^{}]*)\}"), r"sqrt(\1)"),
+    (re.compile(r"\\sqrt\s*\{([^{}]*)\}"), r" sqrt(\1)"),
     (re.compile(r"\\(?:mathrm|text|mbox|textrm|unit|si|operatorname)\s*\{([^{}]*)\}"), r" \1 "),
     (re.compile(r"\\(?:d|t)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"(\1)/(\2)"),
     (re.compile(r"\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])"), "°"),
     (re.compile(r"\\(?=(?:sin|cos|tan)(?![A-Za-z]))"), ""),
     (re.compile(r"\\(?:cdot|times)(?![A-Za-z])"), "·"),
-    (re.compile(r"\\pi(?![A-Za-z])"), "π"),
+    (re.compile(r"\\pi(?![A-Za-z])"), "π "),
     (re.compile(r"\\Omega(?![A-Za-z])"), "Ω"),
     (re.compile(r"\\(?:left|right|displaystyle|rm)(?![A-Za-z])"), ""),
     (re.compile(r"\\[,;:! ]|~|\\q?quad(?![A-Za-z])"), " "),
