@@ -7,12 +7,14 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Excerpt, Lesson, Step
+from rbpsym.document.language import usual_notation
 from rbpsym.document.model import Block, Display, Document, Inlines, Paragraph, Section, Strong, Text, words
 from rbpsym.document.notes import notation_of, shown_steps, words_of
 from rbpsym.document.notes_checks import checks_section, results_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.numbering import numbered
 from rbpsym.document.phrases import has_phrase, phrase
+from rbpsym.document.speaking import spoken
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for
@@ -36,7 +38,8 @@ def looks(value: object) -> Bundle:
 
 def formula(node: Node) -> Bundle:
     """A formula, which the notebook's own MathJax draws."""
-    return {"text/latex": rf"$\displaystyle {to_latex(node)}$", "text/plain": to_text(node)}
+    notation = usual_notation(spoken())
+    return {"text/latex": rf"$\displaystyle {to_latex(node, notation)}$", "text/plain": to_text(node, notation)}
 
 
 def of_document(document: Document) -> Bundle:
@@ -67,17 +70,15 @@ def scoped_style() -> str:
     return f".rbpsym.rbpsym.rbpsym{{{sheet}&{{max-width:none;padding:0 .5rem;margin:0;font-size:1rem}}}}"
 
 
-def fragment(
-    blocks: Iterable[Block], notation: Notation = DEFAULT, title: Inlines = (), language: str = "en"
-) -> Bundle:
+def fragment(blocks: Iterable[Block], notation: Notation = DEFAULT, title: Inlines = ()) -> Bundle:
     """Blocks as a document without headings."""
-    return of_document(Document(title, (Section((), tuple(blocks), level=4),), language=language, notation=notation))
+    return of_document(Document(title, (Section((), tuple(blocks), level=4),), language=spoken(), notation=notation))
 
 
-def verdict_words(verdict: Verdict, language: str = "en") -> Inlines:
+def verdict_words(verdict: Verdict) -> Inlines:
     """ "proved" in bold, and why."""
     told = str(verdict).partition(": ")[2]
-    word = phrase(f"verdict.{verdict.kind}", language)
+    word = phrase(f"verdict.{verdict.kind}", spoken())
     return (Strong(word), *words(f": {told}" if told else ""))
 
 
@@ -87,32 +88,33 @@ def step_blocks(step: Step, label: str = "") -> tuple[Block, ...]:
     return (shown,) if step.certificate is None else (shown, Paragraph(checked(step)))
 
 
-def checked(step: Step, language: str = "en") -> Inlines:
+def checked(step: Step) -> Inlines:
     """The verdict on a step and the ways in which it was checked."""
+    language = spoken()
     names = [name for name in step.certificate.checks if has_phrase(f"checked.{name}", language)]
     told = [part for name in names for part in (Text(" "), *phrase(f"checked.{name}", language))]
     verdict = step.certificate.verdict
     if not verdict.is_proved or not told:
-        return verdict_words(verdict, language)
+        return verdict_words(verdict)
     return (Strong(capital(phrase(f"verdict.{verdict.kind}", language))), Text("."), *told)
 
 
 def of_problem(problem: Problem) -> Bundle:
     """The statement in words, with drawing and symbols."""
     derivation = Derivation(Study(problem), ())
-    said = Words("en", problem)
+    said = Words(spoken(), problem)
     blocks = statement_section(derivation, said, 1).blocks
-    return fragment(blocks, notation_of(derivation), words(said.title(problem.title)))
+    return fragment(blocks, said.notation, words(said.title(problem.title)))
 
 
 def of_derivation(derivation: Derivation) -> Bundle:
     """The results, and what was proved by which roads."""
-    said = words_of(derivation, shown_steps(derivation, "standard"))
+    said = words_of(derivation, shown_steps(derivation, "standard"), spoken())
     results = results_section(derivation, said, 1).blocks
     results = tuple(_without_reasons(block) for block in results)
     checks = checks_section(derivation, said, 1, None).blocks
     problem = derivation.study.problem
-    return fragment((*results, *checks), notation_of(derivation), words(said.title(problem.title)))
+    return fragment((*results, *checks), said.notation, words(said.title(problem.title)))
 
 
 def _without_reasons(block: Block) -> Block:
@@ -123,18 +125,18 @@ def _without_reasons(block: Block) -> Block:
 def of_excerpt(excerpt: Excerpt) -> Bundle:
     """Some steps of a derivation in its notation."""
     blocks = (block for id in excerpt.ids for block in step_blocks(excerpt.derivation.step(id)))
-    return fragment(blocks, notation_of(excerpt.derivation))
+    return fragment(blocks, notation_of(excerpt.derivation, spoken()))
 
 
 def of_lesson(lesson: Lesson) -> Bundle:
     """The steps of a lesson."""
-    notation = notation_for((), lesson.notation)
+    notation = notation_for((), lesson.notation, usual_notation(spoken()))
     return fragment((block for step in lesson.steps for block in step_blocks(step)), notation)
 
 
 def of_course(course: DerivedCourse) -> Bundle:
     """The problems of a course, each with how many of its steps are proved."""
-    said = Words("en")
+    said = Words(spoken())
     lines = []
     for derivation in course.derivations.values():
         counts = derivation.summary()

@@ -7,9 +7,18 @@ from string import Formatter
 
 import pytest
 
+from rbpsym.derive import derive
 from rbpsym.document.language import part_of
+from rbpsym.document.looks import looks
+from rbpsym.document.model import DocumentError
+from rbpsym.document.notes import notes
 from rbpsym.document.phrases import grammar, phrases, plain
+from rbpsym.document.speaking import speak
+from rbpsym.document.writers import writer
 from rbpsym.notation.speech import WORDS
+from rbpsym.notation.tree import Fn, Sym
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.wording import teaching_phrases
 
 ENGLISH, SPANISH = phrases("en"), phrases("es")
@@ -82,3 +91,22 @@ def test_accents_that_are_often_forgotten_are_there() -> None:
              "posicion", "razon", "unico", "numero", "vertice", "circulo", "asi", "solucion", "articulacion"}  # fmt: skip
     assert not plain & set(words)
     assert not [word for word in words if re.fullmatch(r"\w+[cs]ion", word)]
+
+
+def test_values_show_themselves_in_the_language_that_was_chosen() -> None:
+    speak("es")
+    try:
+        shown = looks(load_problem(problem_files()["sliding-ladder"]))["text/plain"]
+        assert "la escalera" in shown
+        assert looks(Fn("sin", Sym("theta")))["text/plain"] == "sen θ"
+        with pytest.raises(DocumentError, match="xx"):
+            speak("xx")
+    finally:
+        speak("en")
+
+
+def test_a_notebook_speaks_its_language() -> None:
+    derivation = derive(load_problem(problem_files()["rod-pendulum"]), simulation=False)
+    source = writer("ipynb")(notes(derivation, "es"))
+    assert "speak('es')" in source
+    assert "pasos demostrados" in source

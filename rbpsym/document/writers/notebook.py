@@ -80,9 +80,9 @@ def owner(section: Section, live: tuple[Live, ...]) -> Live | None:
 
 def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
     """The cells that build a problem and derive it."""
-    yield Cell(
-        f"from rbpsym import derive, load_text\n\nproblem = load_text({quoted(live.text)}, name={live.name!r})", True
-    )
+    speaks = page.language != "en"
+    head = "from rbpsym import derive, load_text" + (f", speak\n\nspeak({page.language!r})" if speaks else "")
+    yield Cell(f"{head}\n\nproblem = load_text({quoted(live.text)}, name={live.name!r})", True)
     yield Cell(page.word("notebook.derive"))
     yield Cell("derivation = derive(problem)\nderivation", True)
 
@@ -95,11 +95,13 @@ def quoted(text: str) -> str:
 
 def checking(page: MarkdownPage) -> Iterator[Cell]:
     """The cells that ask for the outcome."""
+    counts = {name: f"{{summary[{name!r}]}}" for name in ("proved", "steps")}
+    told = page.word("notebook.proved", **counts)
     yield Cell(page.word("notebook.check"))
     yield Cell(
         "summary = derivation.summary()\n"
         'assert summary["refuted"] == 0 and summary["methods_agree"]\n'
-        "f\"{summary['proved']} of {summary['steps']} steps are proved\"",
+        f"f{told!r}",
         True,
     )
 
