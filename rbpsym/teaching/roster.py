@@ -19,7 +19,8 @@ def load_roster(path: Path) -> tuple[Student, ...]:
     try:
         if path.stat().st_size > MOST_BYTES:
             raise ReadError(f"the roster is larger than {MOST_BYTES} bytes", place=Place(str(path)))
-        text = path.read_bytes().decode("utf-8-sig")
+        data = path.read_bytes()
+        text = data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
     except UnicodeDecodeError:
         raise ReadError(
             "the roster is not UTF-8 text", instead="save it as CSV UTF-8.", place=Place(str(path))
