@@ -34,6 +34,7 @@ def write(draft: Draft) -> None:
     _define_tied(draft)
     for element in draft.study.problem.constraints:
         _geometric(draft, element, given)
+        _kept_angle(draft, element)
         SPEEDS.get(element.kind, _nothing)(draft, element, given)
     found_spins(draft, given)
     tied(draft)
@@ -79,6 +80,23 @@ def _geometric(draft: Draft, element: Element, given: Given) -> None:
         points=_labels(element),
         count=len(_labels(element)),
         body=BodyRef(body) if isinstance(body, str) else PhraseRef("kinematics.nothing"),
+    )
+
+
+def _kept_angle(draft: Draft, element: Element) -> None:
+    """A slider does not let its body turn."""
+    found = [c.value for c in draft.study.system.conditions if c.constraint == element.name and c.what == "angle"]
+    if element.kind != "slider" or not found or is_zero(found[0]):
+        return
+    shown = draft.show(found[0])
+    draft.add(
+        f"kept_angle.{element.name}",
+        "constraint",
+        t.equation(shown.arg if isinstance(shown, t.Neg) else shown, t.ZERO),
+        "kinematics.condition.kept_angle",
+        level=STANDARD,
+        force=t.Vec(element.name),
+        body=BodyRef(element["point"].body),
     )
 
 
