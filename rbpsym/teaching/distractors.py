@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import atoms
@@ -16,9 +17,10 @@ from rbpsym.algebra.effort import at_most, spend
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
-from rbpsym.equality.decide import scalars_equal
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.decide import FIRST_POINTS, find_witness, scalars_equal
 from rbpsym.equality.dimensions import dimension_of
-from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import TIME, Dimension
@@ -142,12 +144,22 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
     for place, value, formula in _candidates(pool, target, right):
         if len(kept) == MOST:
             break
-        if all(scalars_equal(value, other, study.assumptions).is_refuted for other in known):
+        if all(is_refuted(value, other, study.assumptions) for other in known):
             known.append(value)
             wrong = pool.wrongs[place].study
             along = bounded(pool, place, lambda wrong=wrong: target.along(wrong))
             kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
+
+
+def is_refuted(a: Scalar, b: Scalar, assumptions: Assumptions) -> bool:
+    """Whether two values are REFUTED to be equal: by a witness among the first points, else by the whole decision."""
+    if a == b:
+        return False
+    with suppress(LimitError, Undecided, ZeroDivisionError):
+        if find_witness(a, b, assumptions, most=FIRST_POINTS) is not None:
+            return True
+    return scalars_equal(a, b, assumptions).is_refuted
 
 
 def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Scalar, t.Node]]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.model import Block, Inlines, Math, Table, words
+from rbpsym.document.model import Block, Inlines, Math, Paragraph, Table, words
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.words import Words
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.model import Measure
@@ -18,8 +20,21 @@ from rbpsym.teaching.wording import spoken
 
 def statement_blocks(derivation: Derivation, said: Words) -> tuple[Block, ...]:
     """What the system is and how it starts, its figure and the conventions; without the table of symbols."""
-    section = statement_section(derivation, said, 2)
-    return tuple(block for block in section.blocks if not isinstance(block, Table))
+    first = _without_phases(derivation)
+    section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
+    blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
+    names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[:1]]
+    return (*blocks, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
+
+
+def _without_phases(derivation: Derivation) -> Derivation:
+    """The first phase as a motion of its own: tasks are about this one."""
+    study = derivation.study
+    if not study.problem.phases:
+        return derivation
+    first = Study(replace(study.problem, phases=()))
+    first.__dict__.update({name: part for name, part in study.__dict__.items() if name != "problem"})
+    return replace(derivation, study=first, phases=())
 
 
 def given_table(derivation: Derivation, situation: Situation, said: Words) -> tuple[Block, ...]:

@@ -12,7 +12,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.distractors import size
-from rbpsym.teaching.lines import lines_to, piece
+from rbpsym.teaching.lines import lines_to, piece, precedence
 from rbpsym.teaching.misconceptions.change import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
@@ -88,7 +88,16 @@ def _with_slip(bench: Bench, target: Target, place: int) -> Told | None:
     first = next((k for k, (a, b) in enumerate(zip(lines, right, strict=True)) if a.statement != b.statement), None)
     if first is None or lines[-1].statement == right[-1].statement or not _reads_well(lines[first], right[first]):
         return None
-    return Told(bench.pool.slip(place), lines, right, first)
+    told = Told(bench.pool.slip(place), lines, right, first)
+    return told if _is_the_only_one(bench, told) else None
+
+
+def _is_the_only_one(bench: Bench, told: Told) -> bool:
+    """Whether every later line that is wrong follows from the first wrong one, by the graph of the derivation."""
+    follows = precedence(bench, [step.id for step in told.right])
+    pairs = zip(told.lines, told.right, strict=True)
+    wrong = [place for place, (line, right) in enumerate(pairs) if line.statement != right.statement]
+    return all((told.first, place) in follows for place in wrong if place != told.first)
 
 
 def _has_negative_moment(study: Study) -> bool:
