@@ -154,18 +154,20 @@ def _primed(base: Glyph, subs: list[Glyph], labels: list[str]) -> Glyph:
 
 def _subscript(subs: list[Glyph], labels: list[str], part: str) -> None:
     """Append a subscript, or nest it in the one before (T, N, w -> T and N_w)."""
-    if labels and _nests(labels[-1], part):
+    if labels and _nests(labels, part):
         subs[-1] = replace(subs[-1], subs=(*subs[-1].subs, _base(part)))
     else:
         subs.append(_base(part))
     labels.append(part)
 
 
-def _nests(before: str, part: str) -> bool:
-    """Is `part` the subscript of `before`: of a force or point (N_w, A_1, W_rod, f_N)?"""
-    if before == "f" and part[0].isupper():
-        return True  # friction at the contact N: f_N
-    owner = len(before) == 1 and before.isupper() and before not in _POINTLESS
+def _nests(labels: list[str], part: str) -> bool:
+    """Is `part` the subscript of the label before it: of a force or point (N_w, A_1, W_rod, f_N)?"""
+    before, is_first = labels[-1], len(labels) == 1
+    if before == "f" and (part[0].isupper() or (part.isdigit() and not is_first)):
+        return True  # friction at the contact N: f_N; the second of several: f_2
+    is_kind = before in _POINTLESS and (is_first or before == "O")  # W_{T,1}, but W_{T,T_1}
+    owner = len(before) == 1 and before.isupper() and not is_kind
     return (owner or before == "tau") and not part[0].isupper() and part not in _AXES
 
 
