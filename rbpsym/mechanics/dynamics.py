@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from math import prod
 
 from rbpsym.algebra.calculus import derivative, names_in, substitute
+from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, total
@@ -32,7 +33,10 @@ from rbpsym.mechanics.elimination import (
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.mechanics.unsolvable import asking, contradictory, indistinct, is_nonzero, massless, unheld
 
-LARGEST_BLOCK = 3
+LARGEST_BLOCK = 3  # coupled coordinates whose accelerations are always solved for
+LARGEST_TRIED = 6  # up to so many they are where the formulas stay short
+LONGEST = 60  # terms of a numerator that somebody may still read
+FEW_PRODUCTS = 60_000
 LARGEST_REACTION = 10_000  # products to multiply out: beyond, nobody reads the formula
 
 
@@ -158,16 +162,30 @@ def _carried_power(system: System, carried, name: str) -> Scalar:
     return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in forces), NOTHING)
 
 
+def _solved_block(part: Matrix, forces: list[Scalar]) -> tuple[Scalar, ...] | None:
+    """None where the formulas would be too long to be read."""
+    if len(part) <= LARGEST_BLOCK:
+        return solve_matrix(part, forces)
+    if len(part) > LARGEST_TRIED:
+        return None
+    try:
+        with at_most(FEW_PRODUCTS):
+            values = solve_matrix(part, forces)
+    except LimitError:
+        return None
+    return None if any(len(value.num) > LONGEST for value in values) else values
+
+
 def _accelerations(system: System, mass: Matrix, forcing: tuple[Scalar, ...]) -> dict[str, Scalar] | None:
     found: dict[str, Scalar] = {}
     for block in blocks(mass):
-        if len(block) > LARGEST_BLOCK:
-            return None
         part = tuple(tuple(mass[i][j] for j in block) for i in block)
         try:
-            values = solve_matrix(part, [forcing[i] for i in block])
+            values = _solved_block(part, [forcing[i] for i in block])
         except ZeroDivisionError:
             raise massless(system, block) from None
+        if values is None:
+            return None
         found |= {system.accelerations[i]: value for i, value in zip(block, values, strict=True)}
     return {name: found[name] for name in system.accelerations}
 

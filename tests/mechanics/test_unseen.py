@@ -222,3 +222,30 @@ def test_the_time_goes_on_through_the_phases() -> None:
     found = derive(load_problem(problem_files()["cylinder-on-belt"]))
     assert found.summary()["proved"] == found.summary()["steps"]
     assert found.summary()["simulation"]["max_relative_error"] < 1e-8
+
+
+def _train(count: int) -> str:
+    """A cart that is pulled, with blocks on springs whose places are told from the cart: all are coupled."""
+    blocks = range(count)
+    lines = ['[parameters]\nm = "mass"\nM = "mass"\nk = "stiffness"\nF = "force"']
+    lines += [f'[coordinates.{name}]\ndimension = "length"\nstart = "0"' for name in ("x", *(f"u_{i}" for i in blocks))]
+    lines += ['[bodies.cart]\nshape = "particle"\nmass = "M"\ncenter = ["x", "0"]']
+    lines += [f'[bodies.b{i}]\nshape = "particle"\nmass = "m"\ncenter = ["x + u_{i}", "0"]' for i in blocks]
+    lines += [
+        f'[interactions.S_{i}]\ntype = "spring"\nbetween = ["cart.center", "b{i}.center"]\nstiffness = "k"'
+        for i in blocks
+    ]
+    return "\n".join([*lines, '[interactions.Q]\ntype = "force"\non = "cart.center"\nforce = ["F", "0"]\n'])
+
+
+def test_more_than_three_coupled_coordinates_are_solved_for_where_that_is_short() -> None:
+    system = Textbook(
+        "train",
+        _train(4),
+        {
+            "accelerations/x": "(F + k*(u_0 + u_1 + u_2 + u_3))/M",
+            "accelerations/u_0": "-k*u_0/m - (F + k*(u_0 + u_1 + u_2 + u_3))/M",
+        },
+    )
+    assert differences(system) == []
+    assert complaints(system.text) == []
