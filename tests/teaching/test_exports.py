@@ -8,6 +8,8 @@ import io
 import json
 import re
 import zipfile
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from xml.etree import ElementTree as Tree
 
@@ -254,6 +256,21 @@ def test_gift_is_read_by_gift_pegjs(exported: dict[str, Exported], tmp_path: Pat
     number = next(q for q in found if q["type"] == "Numerical")
     assert number["choices"][0]["text"]["number"] == pytest.approx(-5.118, abs=1e-3)
     assert number["choices"][1]["weight"] == 0
+
+
+@pytest.mark.parametrize("factor", [1e-6, 1e-9, 1e8])
+def test_gift_has_no_powers_of_ten(factor: float, tmp_path: Path) -> None:
+    """Small and large numbers are written out: GIFT does not know 7e-05."""
+    (part,) = SHEETS[0].parts
+    item = next(item for item in part.items if item.id == "2")
+    (slip,) = item.key.anticipated
+    tiny = replace(slip, number=replace(slip.number, value=slip.number.value * Fraction(factor)))
+    changed = replace(item, key=replace(item.key, exact=item.key.exact * factor, anticipated=(tiny,)))
+    sheet = replace(SHEETS[0], parts=(replace(part, items=(changed,)),))
+    file = tmp_path / "questions.gift"
+    file.write_text(exporter("gift")((sheet,), Options()).files["questions.gift"], encoding="utf-8")
+    (number,) = (q for q in by_gift_pegjs(file) if q["type"] == "Numerical")
+    assert number["choices"][0]["text"]["number"] == pytest.approx(-5.118 * factor, rel=1e-3)
 
 
 # --- PrairieLearn

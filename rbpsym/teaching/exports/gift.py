@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from decimal import Decimal
 
 from rbpsym.document.model import FigureBlock, Math, Text
 from rbpsym.teaching.exports.bench import Desk, orders
@@ -77,17 +78,27 @@ def _choice(item: Item, desk: Desk) -> Pair:
     return "", _options(desk, item.key.options, item.key.right)
 
 
+def plain(value: float) -> str:
+    """A number without a power of ten, which GIFT does not know: 0.0000715.
+
+    >>> plain(7.15e-5), plain(1.2e12), plain(-0.1)
+    ('0.0000715', '1200000000000', '-0.1')
+    """
+    return format(Decimal(f"{value:.10g}"), "f")
+
+
 def _number(item: Item, desk: Desk) -> Pair:
     key: NumberKey = item.key
     desk.lacks(item, "the unit is printed in the question; unit and significant figures are not marked")
     if key.follows:
         desk.lacks(item, "an error carried forward from an earlier answer is not recognised")
     exact, reach = key.exact / read_unit(key.measure.unit).factor, float(key.tolerance.relative)
-    lines = [f"={exact:.10g}:{abs(exact) * reach:.6g}#{escaped(desk.word('right'))}"]
+    lines = [f"={plain(exact)}:{plain(abs(exact) * reach)}#{escaped(desk.word('right'))}"]
     for known in key.anticipated:
         if known.number is not None:
             value = float(known.number.value)
-            lines.append(f"=%0%{value:.10g}:{abs(value) * reach / 4:.6g}#{escaped(desk.feedback(known.slip))}")
+            near = plain(abs(value) * reach / 4)
+            lines.append(f"=%0%{plain(value)}:{near}#{escaped(desk.feedback(known.slip))}")
     unit = f"<p>[{desk.word('unit')}: {unit_text(key.measure.unit)}]</p>" if key.measure.unit else ""
     return unit, "#\n" + "\n".join(lines) + "\n"
 
