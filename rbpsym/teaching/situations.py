@@ -102,7 +102,7 @@ class Scenery:
         if not math.isfinite(start) or not math.isfinite(way):
             return "way"
         reason = "way"
-        for measure in self._places(draws, start, way):
+        for measure in self._places(draws, start, way, numbers):
             reason = self._obstacle(numbers, start, si(measure), way)
             if not reason:
                 return self.coordinate, measure
@@ -118,7 +118,7 @@ class Scenery:
                     return what
         return ""
 
-    def _places(self, draws: Draws, start: float, way: float) -> Iterator[Measure]:
+    def _places(self, draws: Draws, start: float, way: float, numbers: Mapping[str, float]) -> Iterator[Measure]:
         """Where it may be looked at: as wished, or a part of the room that there is, halved again and again."""
         if self.wished is not None:
             yield self.wished.draw(draws)
@@ -126,16 +126,16 @@ class Scenery:
         coordinate = next(c for c in self.study.problem.coordinates if c.name == self.coordinate)
         share = (20 + draws.below(61)) / 100
         is_angle = coordinate.quantity.dimension == NUMBER
-        whole = share * (min(1.9, self._room(coordinate, start, way)) if is_angle else 2.0)
-        for halvings in range(HALVINGS):
+        whole = share * min(1.9 if is_angle else 2.0, self._room(coordinate, start, way, numbers))
+        for halvings in range(HALVINGS if whole > SMALLEST else 0):
             yield _measure_near(start, way * whole / 2**halvings, is_angle)
 
-    def _room(self, coordinate: Coordinate, start: float, way: float) -> float:
+    def _room(self, coordinate: Coordinate, start: float, way: float, numbers: Mapping[str, float]) -> float:
         """How far the declared range lets it go."""
         bound = coordinate.upper if way > 0 else coordinate.lower
         if bound is None:
             return math.inf
-        [end] = compiled([scalar(bound)])({})
+        [end] = compiled([scalar(bound)])(numbers)
         return abs(end - start) if math.isfinite(end) else math.inf
 
 
