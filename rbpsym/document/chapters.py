@@ -8,9 +8,10 @@ from itertools import groupby
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
+from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
-from rbpsym.document.tables import done_table, forces_table, works_table
-from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, joined
+from rbpsym.document.tables import done_table, forces_table, in_one_table, works_table
+from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, is_constant, joined
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
@@ -26,7 +27,6 @@ ORDER = (
     "contact",
     "oscillations",
 )
-TOO_WIDE = 75.0  # em: a table that is wider could not be read
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 
 
@@ -78,6 +78,8 @@ def _title(name: str, derivation: Derivation) -> str:
     """The chapter on contacts is about forces along the motion where none is lost; energy need not be conserved."""
     if name == "energy" and not any(step.id == "energy" for step in derivation.steps):
         return "energy_changes"
+    if name == "contact" and is_still(derivation):
+        return "friction"
     lost = any(step.rule == "vanishing" for step in derivation.steps)
     return name if name != "contact" or lost else "along"
 
@@ -128,7 +130,8 @@ def manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """Positions, velocities and speeds of all bodies together, then how they turn."""
     teller = Teller(said)
-    yield from _intro("kinematics", derivation, said)
+    if not is_still(derivation):
+        yield from _intro("kinematics", derivation, said)
     kinds = ("dependent", "tied_speed", "position", "velocity", "speed", "orbit", "turning")
     found = [step for step in steps if step.phrase == "kinematics.turning.found"]
     others, *groups = by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
@@ -144,9 +147,9 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
         "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
     )
     yield free_bodies_figure(derivation, said)
-    notation = said.notation
-    long = [s for s in steps if table_width(forces_table([s], derivation, said), notation) > TOO_WIDE]
-    yield forces_table([step for step in steps if step not in long], derivation, said)
+    short = in_one_table(steps, derivation, said)
+    long = [step for step in steps if step not in short]
+    yield forces_table(short, derivation, said)
     if long:
         yield Paragraph(said.say("forces.long", forces=[step.slots["force"] for step in long]))
         yield from (joined([step], said) for step in long)
@@ -166,7 +169,9 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
     yield from _intro(_manner_of_motion(derivation, said), derivation, said)
     others, reactions = by_kind(steps, ("newton_euler.reaction",))
     yield from teller.steps(others)
-    yield from teller.together(reactions, "newton_euler.reactions")
+    yield from teller.together(
+        reactions, "newton_euler.reactions_rest" if is_still(derivation) else "newton_euler.reactions"
+    )
 
 
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -243,7 +248,7 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     teller = Teller(said)
     others, along = by_kind(steps, ("contact.along",))
     sources = [source for step in along for source in step.slots.get("sources", ())]
-    still = [step for step in along if _is_constant(step, derivation)]
+    still = [step for step in along if is_constant(step, derivation)]
     if still:
         forces = [step.slots["force"] for step in still]
         yield Paragraph(said.say("contact.constant", forces=forces, count=len(still)))
@@ -258,14 +263,6 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     yield from teller.steps(same[:first])
     yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
     yield from teller.steps(same[first:])
-
-
-def _is_constant(step: Step, derivation: Derivation) -> bool:
-    """Is a force the same all along the motion?"""
-    used = t.names(step.statement)
-    return not derivation.study.system.has_clock and used.isdisjoint(
-        c.name for c in derivation.study.problem.coordinates
-    )
 
 
 def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -10,9 +10,24 @@ def needless(derivation: Derivation) -> frozenset[str]:
     """Ids of steps that tell a reader nothing.
 
     Newton's and Euler's equations of each body where no force is unknown and the accelerations are known already;
-    the square of a speed that is zero all the time.
+    the square of a speed that is zero all the time; velocities where nothing can move.
     """
-    return frozenset(step.id for step in derivation.steps if _repeats_motion(step, derivation) or _is_rest(step))
+    still = is_still(derivation)
+    return frozenset(
+        step.id
+        for step in derivation.steps
+        if _repeats_motion(step, derivation) or _is_rest(step) or (still and _is_velocity(step))
+    )
+
+
+def is_still(derivation: Derivation) -> bool:
+    """Can nothing move?"""
+    system = derivation.study.system
+    return not system.independent and not system.has_clock
+
+
+def _is_velocity(step: Step) -> bool:
+    return step.chapter == "kinematics" and step.rule in ("differentiation", "identity")
 
 
 def _repeats_motion(step: Step, derivation: Derivation) -> bool:

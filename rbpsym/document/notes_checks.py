@@ -9,6 +9,7 @@ from math import floor, log10
 
 from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
+from rbpsym.document.needless import is_still
 from rbpsym.document.words import Words, sentences
 from rbpsym.notation.tree import Node, Num, Pow
 
@@ -54,17 +55,16 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     intro = said.say(key, table=Ref(table or own.label), **counts)
     items = [
         *_methods(summary, said),
-        *_oracles(summary, said),
+        *(() if is_still(derivation) else _oracles(summary, said)),
     ]
-    skipped = [left_out(found, said) for found in derivation.skipped]
+    skipped = [left_out(found, said) for found in derivation.skipped if not is_still(derivation)]
     if said.is_brief:
         told = Paragraph(sentences([intro, *items]))
         return Section(said.say("section.checks"), (told,), said.prefix + "section.checks", level)
     blocks: tuple[Block, ...] = (
         Paragraph(intro),
         *((own,) if table == "" or (not whole and not table) else ()),
-        Paragraph(said.say("checks.roads")),
-        ItemList(tuple(items)),
+        *((Paragraph(said.say("checks.roads")), ItemList(tuple(items))) if items else ()),
         *((Paragraph(sentences(skipped)),) if skipped else ()),
     )
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)

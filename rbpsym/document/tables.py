@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.derivation.step import BodyRef, Derivation, Step
+from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Inlines, Math, Table
 from rbpsym.document.places import point_name
 from rbpsym.document.pose import DrawnPose
@@ -12,6 +13,7 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import PointRef
 
+TOO_WIDE = 51.0  # em: a table that is wider could not be read
 PARTIES = ("earth", "ground", "agent", "string", "link", "spring", "damper")
 
 
@@ -30,6 +32,18 @@ def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Tabl
     return Table(
         tuple(header), rows, said.say("caption.forces"), "lp" + "c" * (1 + len(origins)), said.prefix + "table.forces"
     )
+
+
+def in_one_table(steps: list[Step], derivation: Derivation, said: Words) -> list[Step]:
+    """The forces that have room in one table: those with the longest formulas are left out."""
+
+    def width(rows: list[Step]) -> float:
+        return table_width(forces_table(rows, derivation, said), said.notation)
+
+    kept = list(steps)
+    while len(kept) > 1 and width(kept) > TOO_WIDE:
+        kept.remove(max(kept, key=lambda step: width([step])))
+    return kept
 
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rbpsym.derivation.step import Step, StepRef
+from rbpsym.derivation.step import Derivation, Step, StepRef
 from rbpsym.document.breaking import lines
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Text
 from rbpsym.document.words import Words
@@ -100,3 +100,11 @@ def by_kind(steps: Iterable[Step], kinds: Sequence[str]) -> list[list[Step]]:
         place = next(found, 0)
         groups[place].append(step)
     return groups
+
+
+def is_constant(step: Step, derivation: Derivation) -> bool:
+    """Is a force the same all along the motion?"""
+    used = t.names(step.statement)
+    return not derivation.study.system.has_clock and used.isdisjoint(
+        c.name for c in derivation.study.problem.coordinates
+    )

@@ -8,8 +8,11 @@ import pytest
 
 import rbpsym
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Text
+from rbpsym.document.breaking import table_width
+from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Table, Text
+from rbpsym.document.notes import plain
 from rbpsym.document.numbering import numbered, once_each, parts
+from rbpsym.document.tables import TOO_WIDE
 from rbpsym.notation import tree as t
 
 NAMES = ("rod-struck-off-center", "ball-slipping-to-rolling", "yo-yo", "spool-pulled-at-angle")
@@ -135,3 +138,28 @@ def test_brief_notes_say_what_every_letter_of_the_statement_means(name: str) -> 
 def test_brief_notes_keep_what_ties_the_coordinates() -> None:
     assert any("does not stretch" in text_of(p) for p in parts(page("yo-yo", "brief").sections) if type(p) is Paragraph)
     assert {"phi_dot", "y_dot"} <= {name for shown in displays(page("yo-yo", "brief")) for name in t.names(shown.node)}
+
+
+def test_where_nothing_can_move_nothing_is_said_of_motion() -> None:
+    still = page("ladder-with-friction")
+    said = text(still)
+    for words_ in ("how it moves", "does not turn", "position and speed", "Nothing is free to move", "accelerations"):
+        assert words_ not in said
+    titles = [plain(found.title) for found in still.sections]
+    assert "Static friction" in titles and "The forces along the motion" not in titles
+    forces = next(shown for shown in displays(still) if shown.boxed)
+    assert {row.items[0].name for row in forces.node.rows} == set(derived("ladder-with-friction").study.system.unknowns)
+
+
+def test_where_the_motion_is_given_the_forces_are_the_results() -> None:
+    driven = derived("slider-crank")
+    boxed = [shown.node.items[0] for shown in displays(page("slider-crank")) if shown.boxed]
+    assert {t.Sym(name) for name in driven.study.system.unknowns} <= set(boxed)
+
+
+def test_a_ledger_is_never_set_in_tiny_letters() -> None:
+    for name in ("slider-crank", "ladder-with-friction"):
+        document = page(name)
+        ledgers = [part for part in parts(document.sections) if isinstance(part, Table) and "forces" in part.label]
+        assert all(table_width(ledger, document.notation) <= TOO_WIDE for ledger in ledgers)
+        assert ledgers
