@@ -58,5 +58,9 @@ def positive_first(nodes: list[t.Node]) -> list[t.Node]:
     """The terms of a sum, one that is not taken off at the beginning."""
     if not nodes:
         return nodes
-    first = next((k for k, node in enumerate(nodes) if not t.is_negative(node)), 0)
+    first = next((k for k, node in enumerate(nodes) if not _begins_negative(node)), 0)
     return [nodes[first], *nodes[:first], *nodes[first + 1 :]]
+
+
+def _begins_negative(node: t.Node) -> bool:
+    return t.is_negative(node.terms[0] if isinstance(node, t.Add) else node)
