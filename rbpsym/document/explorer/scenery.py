@@ -139,12 +139,13 @@ def touched(seen: Scenery, element: Element) -> list[int]:
 
 
 def circles(seen: Scenery) -> Iterator[Part]:
-    """Fixed circles that are touched, and those that strings slide round."""
+    """Fixed circles that are touched (a wire has no normal), and those that strings slide round."""
     for element in seen.study.problem.constraints:
         centre = element.values.get("circle")
         if centre is not None and centre.body is None:
-            radius = seen.node(element["radius"])
-            yield {"at": seen.at(seen.geometry.where(centre)), "r": radius, "through": touched(seen, element)}
+            radius, at = seen.node(element["radius"]), seen.at(seen.geometry.where(centre))
+            normal = None if element.kind == "guide" else seen.at(meeting(element, seen.geometry).normal)
+            yield {"at": at, "r": radius, "through": touched(seen, element), "normal": normal}
     for element in seen.elements("string"):
         for turn in element["path"]:
             if turn.body is None and turn.sense:

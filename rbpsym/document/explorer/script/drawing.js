@@ -75,7 +75,7 @@ class Drawing {
     this.thin = [...(data.cords || []), ...(data.links || [])].map((one) => one.ends.map((pair) => pick(pair, out)));
     this.scale.look(data.bodies, out);
     this.grounds = [];
-    parts.push(...(data.circles || []).map((circle) => this.circle(circle)));
+    parts.push(...(data.circles || []).flatMap((circle) => this.circle(circle)));
     parts.push(...(data.lines || []).flatMap((line) => this.line(line, data)));
     parts.push(...(data.cords || []).map((cord, k) => this.cord(cord, data.cords[k + 1])));
     parts.push(...(data.links || []).map((link) => this.link(link)));
@@ -156,9 +156,17 @@ class Drawing {
     return piece;
   }
 
+  /** A fixed circle, hatched on the side where nothing moves. */
   circle(circle) {
-    const [x, y] = this.scale.point(pick(circle.at, this.out));
-    return make("circle", { cx: fixed(x), cy: fixed(y), r: fixed(this.out[circle.r] * this.scale.factor), class: "track" });
+    const out = this.out, at = pick(circle.at, out), [x, y] = this.scale.point(at), r = out[circle.r] * this.scale.factor;
+    const track = make("circle", { cx: fixed(x), cy: fixed(y), r: fixed(r), class: "track" });
+    if (!circle.normal || !(r > 12)) return [track];
+    const [u, v] = pick(circle.through, out), [p, q] = pick(circle.normal, out), side = (u - at[0]) * p + (v - at[1]) * q < 0 ? 1 : -1;
+    const count = Math.round((TURN * r) / 8), strokes = Array.from({ length: count }, (_, k) => {
+      const a = (k * TURN) / count, b = a + 5 / r;
+      return path([[x + r * Math.cos(a), y + r * Math.sin(a)], [x + (r + 7 * side) * Math.cos(b), y + (r + 7 * side) * Math.sin(b)]]);
+    });
+    return [make("path", { d: strokes.join(""), class: "hatch" }), track];
   }
 
   cord(cord, next) {
