@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -10,7 +11,7 @@ from rbpsym.document.figures import placing
 from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.outlines import OUTLINES
-from rbpsym.document.figures.scene import STYLES, Label, Line, Scene
+from rbpsym.document.figures.scene import COLORS, STYLES, Label, Line, Scene
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
 from rbpsym.document.figures.solid_lines import solid_line
@@ -125,3 +126,27 @@ def test_scaling_does_not_change_the_drawing() -> None:
     for one, two in zip(small.items, large.items, strict=True):
         assert one.style == two.style
     assert math.isclose(small.items[0].radius, large.items[0].radius)
+
+
+def luminance(color: str) -> float:
+    """The relative luminance of WCAG 2."""
+    parts = [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize("name", sorted(set(COLORS) - {"paper", "body", "ground"}))
+@pytest.mark.parametrize("place", [0, 1], ids=["light", "dark"])
+def test_what_is_written_or_drawn_stands_out(name: str, place: int) -> None:
+    """A contrast of 4.5 to the paper (WCAG AA for text), of 3 to the bodies on which it may lie."""
+    one = luminance(COLORS[name][place])
+    for under, least in (("paper", 4.5), ("body", 3.0)):
+        other = luminance(COLORS[under][place])
+        assert (max(one, other) + 0.05) / (min(one, other) + 0.05) >= least, under
+
+
+def test_curves_differ_by_more_than_their_colour() -> None:
+    """Neighbours in a panel have another dash or width; each has its name beside it."""
+    looks = [(STYLES[f"curve {k}"].dash, STYLES[f"curve {k}"].width) for k in range(1, 7)]
+    assert all(one != other for one, other in pairwise(looks))
+    assert STYLES["curve sum"].width > max(width for _, width in looks)
