@@ -13,7 +13,6 @@ from rbpsym.teaching.grading.dialects import latex, without_unit
 from rbpsym.teaching.grading.standard import EULER, MADE, mapped, standard
 from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
 
-Read = t.Node
 _HINT = "Enter one formula, for example with * for products and sqrt( ) for roots."
 
 

@@ -14,7 +14,6 @@ from math import pi
 from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
-from rbpsym.quantities import Dimension
 from rbpsym.teaching.grading.unit_words import in_signs, unprefixed
 
 Powers = tuple[tuple[str, Fraction], ...]
@@ -225,9 +224,3 @@ def _exponent(tokens: Tokens) -> tuple[str | None, Tokens]:
     if bracket and texts[end - 1 : end] != [")"]:
         return None, tokens
     return sign + tokens[start][1], tokens[end:]
-
-
-def dimension_powers(dimension: Dimension) -> Powers:
-    """A dimension of mechanics as powers of base units."""
-    pairs = (("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time))
-    return tuple(sorted((name, Fraction(power)) for name, power in pairs if power))
