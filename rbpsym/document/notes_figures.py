@@ -7,7 +7,6 @@ from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch
-from rbpsym.document.language import problem_notation  # noqa: F401
 from rbpsym.document.model import FigureBlock, Text
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words

@@ -178,7 +178,9 @@ def joined(items: list[Inlines], language: str) -> Inlines:
 
 def has_decimal_comma(item: Inlines) -> bool:
     """Is there a number in it with a decimal comma, which a comma behind would be taken for?"""
-    texts = (part.text for inline in item if isinstance(inline, Math) for part in walk(inline.node) if isinstance(part, Word))
+    texts = (
+        part.text for inline in item if isinstance(inline, Math) for part in walk(inline.node) if isinstance(part, Word)
+    )
     return any(DECIMAL_COMMA.search(text) for text in texts)
 
 

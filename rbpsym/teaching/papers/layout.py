@@ -228,7 +228,9 @@ KEYS: Mapping[type, Area] = {
 
 
 def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> Inlines:
-    points = say("paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal))
+    points = say(
+        "paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal)
+    )
     return (Strong(points), Text(" "), *criterion.text)
 
 
