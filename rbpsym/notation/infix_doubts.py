@@ -47,4 +47,5 @@ def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node
 
 
 def is_call(reader: Reader) -> bool:
+    """Does the name of a function follow?"""
     return function_named(reader.token, reader) is not None
