@@ -113,9 +113,7 @@ def _attribute(inlines: Inlines, desk: Desk) -> str:
 def _options(item: Item, desk: Desk, options: tuple[Option, ...], right: int) -> Made:
     lines = []
     for place, option in enumerate(options):
-        told = (
-            "" if place == right else f' feedback="{_attribute(feedback(option.slip, desk.worksheet), desk)}"'
-        )
+        told = "" if place == right else f' feedback="{_attribute(feedback(option.slip, desk.worksheet), desk)}"'
         truth = "true" if place == right else "false"
         lines.append(f'  <pl-answer correct="{truth}"{told}>{desk.inlines(option.content)}</pl-answer>')
     return Made(
