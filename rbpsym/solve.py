@@ -10,6 +10,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.balance import Balance
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.work import Work
 from rbpsym.notation.machine import to_machine
@@ -145,14 +146,21 @@ def _balance(study: Study) -> dict[str, Any] | None:
     item = study.open_balance
     if item is None:
         return None
-    square = item.frequency_squared
     return {
         "coordinate": item.name,
         "vanishes": text(item.force, study),
         "stable": item.stable,
-        "place": item.place,
-        "frequency_squared": None if square is None else text(square, study),
+        "frequency_squared": text(_there(item), study),
     }
+
+
+def _there(item: Balance) -> Scalar | None:
+    """The square of the frequency, in the coordinate of the place."""
+    from rbpsym.algebra.calculus import substitute
+    from rbpsym.algebra.scalar import symbol
+
+    square = item.frequency_squared
+    return None if square is None else substitute(square, {item.place: symbol(item.name)})
 
 
 def _condition(loss, study: Study) -> dict[str, Any]:

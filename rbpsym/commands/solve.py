@@ -150,9 +150,8 @@ def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
         return
     yield click.style("equilibrium (no closed form)", dim=True)
     square = item["frequency_squared"]
-    told = f"; square of the frequency: {drawn.formula(square)}" if square else ""
-    place, name, force = (drawn.formula(item[key]) for key in ("place", "coordinate", "vanishes"))
-    yield f"  {name} = {place} where {force} = 0: {STABLE[item['stable']]}{told}"
+    told = f"; square of the frequency there: {drawn.formula(square)}" if square else ""
+    yield f"  where {drawn.formula(item['vanishes'])} = 0: {STABLE[item['stable']]}{told}"
 
 
 def _stability(item: Mapping[str, Any], drawn: Drawn) -> str:
