@@ -30,6 +30,7 @@ from rbpsym.teaching.wording import spoken
 
 ASKED = ("frequency", "speed", "acceleration")
 FIRST, SECOND, SAME = 0, 1, 2
+MOST_STEPS = 20  # of the way to a quantity that are looked through for what was changed
 
 
 @dataclass(frozen=True)
@@ -56,8 +57,17 @@ def _decided(bench: Bench, target: Target) -> Iterator[tuple[Variant, int, Scala
     for variant in variants(bench):
         value = _tried(variant, bench, target)
         answer = None if value is None else _answer(right, value, bench.study)
-        if answer is not None:
+        if answer is not None and (answer != SAME or _is_involved(bench, target, variant)):
             yield variant, answer, value
+
+
+def _is_involved(bench: Bench, target: Target, variant: Variant) -> bool:
+    """Whether what is changed stands on the way to the target at all: only then it is worth asking that it drops out."""
+    way = bench.way_to(target.step, MOST_STEPS) if target.step else ()
+    if "name" in variant.slots:
+        return any(variant.slots["name"].name in t.names(step.statement) for step in way)
+    body = variant.slots["body"].name
+    return len(bench.study.system.bodies) == 1 or any(body in step.id.split(".") for step in way)
 
 
 def _tried(variant: Variant, bench: Bench, target: Target) -> Scalar | None:
