@@ -115,7 +115,9 @@ def test_defaults(section: str, kind: Kind) -> None:
     assert set(element.values) == {field.name for field in kind.fields}
 
 
-AT = {"pivot": {"at": ["0", "0"]}} | {name: {"line": "x = ell", **OWN[name]} for name in OWN if name != "prescribed-angle"}
+AT = {"pivot": {"at": ["0", "0"]}} | {
+    name: {"line": "x = ell", **OWN[name]} for name in OWN if name != "prescribed-angle"
+}
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))
