@@ -251,7 +251,12 @@ def test_breaking_loses_no_term() -> None:
             for column in (8.0, 15.0, 30.0):
                 found = breaking.lines(part.node, sample().notation, column)
                 text = "".join(latex.render(line.left) + latex.render(line.right) for line in found)
-                assert letters(text, "tex") == letters(whole, "tex")
+                assert without_bars(letters(text, "tex")) == without_bars(letters(whole, "tex"))
+
+
+def without_bars(text: str) -> str:
+    """Without what makes a fraction: one that is too wide for its line is written with a stroke."""
+    return re.sub(r"frac|[{}()\[\]/]", "", text)
 
 
 def test_the_sample_has_every_sketch() -> None:
