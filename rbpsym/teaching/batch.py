@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Sequence
@@ -52,8 +53,11 @@ class Paper:
 
 @lru_cache(maxsize=4)
 def known_plan(source: str) -> Plan:
-    """The plan of a source, made once in each process."""
-    return plan_of(source)
+    """The plan of a source, made once in each process; it is not searched for garbage again and again."""
+    found = plan_of(source)
+    gc.collect()
+    gc.freeze()
+    return found
 
 
 def papers(
