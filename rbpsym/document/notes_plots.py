@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 from rbpsym.derivation.step import Derivation
@@ -10,14 +9,13 @@ from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.following import REASONS
 from rbpsym.document.plots.motion import Motion, motion
-from rbpsym.document.plots.panel import Curve, Mark, Panel, has_jump, scene
-from rbpsym.document.plots.scales import Scale, told_numbers
+from rbpsym.document.plots.panel import Panel, has_jump, scene
+from rbpsym.document.plots.scales import told_numbers
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.document.plots.telling import described
 from rbpsym.document.words import Words
 from rbpsym.errors import NotApplicable
 from rbpsym.notation import tree as t
-from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.speech import to_speech
 
 IN_A_ROW = 2
 Panels = list[Panel]
@@ -116,34 +114,3 @@ def numbers(moving: Motion, said: Words) -> Inlines:
         return said.say("plots.numbers", numbers=told)
     base = [t.Sym(quantity.name) for quantity in moving.scales.base]
     return said.say("plots.unit_numbers", base=base, numbers=told) if told else said.say("plots.unit", base=base)
-
-
-def described(panel: Panel, notation: Notation, said: Words) -> str:
-    """What a panel shows, for those who do not see it."""
-    curves = [line for curve in panel.curves if (line := told_curve(curve, panel.up_scale, notation, said))]
-    across = to_speech(panel.across, notation)
-    curves += [told_mark(mark, panel.across_scale, notation, said) for mark in panel.marks if mark.name]
-    return plain("plots.alt", said.language, across=across, curves=" ".join(curves))
-
-
-def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
-    """Where something happens, and what."""
-    name = said.named(mark.name) if isinstance(mark.name, str) else to_speech(mark.name, notation)
-    return plain("plots.alt_mark", said.language, place=amount(mark.place, scale, notation), name=name)
-
-
-def amount(value: float, scale: Scale, notation: Notation) -> str:
-    """A number with its unit, as it is read out."""
-    unit = scale.sign or (f" {to_speech(scale.node, notation)}" if scale.node is not None else "")
-    return f"{value:.3g}".replace("-", "−").replace(".", notation.decimal) + unit
-
-
-def told_curve(curve: Curve, scale: Scale, notation: Notation, said: Words) -> str:
-    """Where a curve begins and ends, and its extremes."""
-    known = [value for value in curve.values if math.isfinite(value)]
-    if not known:
-        return ""
-    values = {"first": known[0], "last": known[-1], "low": min(known), "high": max(known)}
-    slots = {name: amount(value, scale, notation) for name, value in values.items()}
-    name = curve.name if isinstance(curve.name, str) else to_speech(curve.name, notation)
-    return plain("plots.alt_curve", said.language, name=name, **slots)

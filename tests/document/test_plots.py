@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 from itertools import pairwise
 
@@ -214,7 +215,9 @@ def test_the_notes_have_the_plots_only_if_they_are_wanted() -> None:
     figures = [p for p in parts(drawn.sections) if isinstance(p, FigureBlock) and p.label.startswith("figure.")]
     assert {f.label for f in figures} >= {"figure.works", "figure.energies", "figure.forces"}
     for figure in figures[2:]:
-        assert "from" in figure.alt and "between" in figure.alt
+        assert re.search("A plot over .* from .* to .*", figure.alt)
+        assert re.search(" (stays at|rises from|falls from|varies between) ", figure.alt)
+        assert "capital" not in figure.alt and "e−" not in figure.alt
     section = plots_section(derived("sliding-ladder"), Words("en", derived("sliding-ladder").study.problem), 1)
     told = [part.node for part in parts(section) if isinstance(part, Math)]
     assert t.equation(t.Sym("M"), t.Word("10 kg")) in told
@@ -228,3 +231,12 @@ def test_plots_are_files(tmp_path) -> None:
     names = {path.name for path in tmp_path.iterdir()}
     parts_ = ("works", "energies", "forces")
     assert names == {f"sliding-ladder-{part}.{kind}" for part in parts_ for kind in ("svg", "pdf", "png")}
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_a_listener_hears_how_each_curve_goes(language) -> None:
+    """The energy of a conservative motion stays; no number has figures that no one hears out."""
+    drawn = notes(derived("sliding-ladder"), language, plots=True)
+    [alt] = [p.alt for p in parts(drawn.sections) if isinstance(p, FigureBlock) and p.label == "figure.energies"]
+    assert {"en": "E stays at 184.", "es": "E se mantiene en 184."}[language] in alt
+    assert {"en": "U_W falls from 184 to 121.", "es": "U_W baja de 184 a 121."}[language] in alt
