@@ -18,7 +18,7 @@ from rbpsym.document.figures.sketch import (
 )
 from rbpsym.document.phrases import has_phrase, plain
 from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
-from rbpsym.notation.text import to_text
+from rbpsym.notation.plain_letters import plain_letters
 
 
 def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:
@@ -69,7 +69,7 @@ def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
 
 def named(label: Caption, notation: Notation) -> str:
     """The label as text, "" for none."""
-    return "" if label is None else label if isinstance(label, str) else to_text(label, notation)
+    return "" if label is None else label if isinstance(label, str) else plain_letters(label, notation)
 
 
 def place(point: Point, language: str = "en", notation: Notation = DEFAULT) -> str:

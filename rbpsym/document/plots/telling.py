@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from itertools import pairwise
-from unicodedata import normalize
 
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.panel import Curve, Mark, Panel
@@ -14,7 +12,7 @@ from rbpsym.document.plots.scales import Scale
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.text import to_text
+from rbpsym.notation.plain_letters import plain_letters
 
 FLAT = 1e-4  # of the height of a panel: less is no rise
 
@@ -39,10 +37,8 @@ def _height(panel: Panel) -> float:
 
 
 def name_of(name: t.Node | str, notation: Notation) -> str:
-    """A formula in letters that are read out: no script letters, no small subscripts, no brackets around these."""
-    return (
-        name if isinstance(name, str) else re.sub(r"_\(([^()]*)\)", r"_\1", normalize("NFKC", to_text(name, notation)))
-    )
+    """A name or a formula in letters that are read out."""
+    return name if isinstance(name, str) else plain_letters(name, notation)
 
 
 def unit_of(scale: Scale, notation: Notation) -> str:
