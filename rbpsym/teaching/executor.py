@@ -119,7 +119,7 @@ def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> C
     threads = 1 if sys.version_info >= (3, 12) else 2  # the second is the clock of the progress bar
     forks = sys.platform == "linux" and threading.active_count() <= threads
     context = get_context("fork" if forks else "spawn")
-    pool = ProcessPoolExecutor(_count(who), mp_context=context, initializer=_leave_interrupts)
+    pool = ProcessPoolExecutor(_count(who), mp_context=context, initializer=_begin_work)
     try:
         futures = {pool.submit(work, tuple(jobs[place] for place in part)): part for part in parts}
         for future in as_completed(list(futures)):
@@ -132,9 +132,13 @@ def _by_processes(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> C
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _leave_interrupts() -> None:
-    """An interrupt from the keyboard reaches all processes; the first of them deals with it."""
+def _begin_work() -> None:
+    """An interrupt from the keyboard reaches all processes; the first of them deals with it.
+
+    Typst sets a page with as many threads as there are cores; with a process on each core they would wait for each other.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.environ.setdefault("RAYON_NUM_THREADS", "1")
 
 
 def _by_dask(work: Work, jobs: Sequence[Job], parts: Parts, who: Crew) -> Coming:
