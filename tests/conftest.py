@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Generator
 
@@ -16,3 +17,13 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
         report.outcome = "failed"
         report.longrepr = f"{item.nodeid} was skipped, but RBPSYM_REQUIRE_TOOLS is set: {report.longrepr}"
     return report
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _quiet_collector() -> None:
+    """What earlier modules keep (derivations of the whole library) is no more looked through by the garbage collector.
+
+    Otherwise a collection of seconds may fall into any test, also into one with a bound of time.
+    """
+    gc.collect()
+    gc.freeze()
