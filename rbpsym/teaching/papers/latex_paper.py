@@ -97,7 +97,7 @@ def form(block: Form, page: Page) -> str:
 def marked(block: Marked, page: Page) -> str:
     """Formulas with their marks."""
     rows = [rf"  \item[\textbf{{{mark}}}] ${formula(node, page)}$" for mark, node in block.lines]
-    return "\\begin{list}{}{\\leftmargin3em\\itemsep6pt}\n" + "\n".join(rows) + "\n\\end{list}"
+    return "\\begin{list}{}{\\leftmargin3em\\itemsep14pt}\n" + "\n".join(rows) + "\n\\end{list}"
 
 
 def formula(node: Node, page: Page) -> str:

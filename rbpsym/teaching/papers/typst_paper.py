@@ -76,7 +76,7 @@ def cells(row: tuple, page: Page) -> str:
 
 def marked(block: Marked, page: Page) -> str:
     """Formulas with their marks."""
-    items = ", ".join(f"([{mark}], {formula(node, page)})" for mark, node in block.lines)
+    items = ", ".join(f"([{mark}], {formula(node, page)}, {first_row(node, page)})" for mark, node in block.lines)
     return f"#marked({items},)"
 
 
@@ -87,6 +87,12 @@ def formula(node: Node, page: Page) -> str:
         return f"math.equation(alt: {spoken(node, page)}, math.display(${to_typst(node, page.notation)}$))"
     rows = " \\ ".join(f"{render(line.left)} & {'wide ' if line.indent else ''}{render(line.right)}" for line in lines)
     return f"math.equation(alt: {spoken(node, page)}, math.display(${rows}$))"
+
+
+def first_row(node: Node, page: Page) -> str:
+    """The first row of such a formula, to be measured only."""
+    line = breaking.lines(node, page.notation, page.column - 4)[0]
+    return f"$ {render(line.left)} {render(line.right)} $"
 
 
 def rules(block: Rules, page: Page) -> str:
