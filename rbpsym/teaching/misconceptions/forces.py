@@ -36,11 +36,16 @@ def _force_sign(study: Study) -> Iterator[Site]:
     for element in study.problem.interactions:
         name = element.name
         yield Site(
-            {"force": t.Vec(name)},
+            {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"},
             lambda name=name: with_forces(
                 study, lambda f: replace(f, vector=-f.vector, couple=-f.couple) if f.name == name else f
             ),
         )
+
+
+def _is_couple(study: Study, name: str) -> bool:
+    """Does an interaction only turn, and neither push nor pull?"""
+    return not any(f.vector for f in study.system.forces if f.name == name)
 
 
 def _one_torque_sign(study: Study) -> Iterator[Site]:
