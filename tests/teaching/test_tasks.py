@@ -243,3 +243,10 @@ def test_rounding_does_not_make_a_difference() -> None:
     assert without_noise([0.0, -6.81, -3.64e-16, math.nan])[:3] == [0.0, -6.81, 0.0]
     assert without_noise([3e-14, 2e-15]) == [0.0, 0.0]
     assert without_noise([3e-7, 2e-7]) == [3e-7, 2e-7]
+
+
+@pytest.mark.parametrize("name", ["disk-on-incline", "rod-and-disk-fixed"])
+def test_sentences_speak_of_no_equation_without_a_number(name: str) -> None:
+    items = plan(name).worksheet(Student("s1"), "secret").parts[0].items
+    assert {"fill-in", "explain"} <= {item.kind for item in items}
+    assert "found before" not in repr(items)
