@@ -5,18 +5,25 @@ from __future__ import annotations
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.notation import tree as t
 
+AT_ONCE = "at once"
+ALONG_MOTION = ("first_integral", "substitution", "stays", "work_done")
+
 
 def needless(derivation: Derivation) -> frozenset[str]:
     """Ids of steps that tell a reader nothing.
 
     Newton's and Euler's equations of each body where no force is unknown and the accelerations are known already;
-    the square of a speed that is zero all the time; velocities where nothing can move.
+    the square of a speed that is zero all the time; velocities where nothing can move; what holds along a motion
+    that ends before it begins, because of a blow at the start.
     """
-    still = is_still(derivation)
+    still, struck = is_still(derivation), _is_struck(derivation)
     return frozenset(
         step.id
         for step in derivation.steps
-        if _repeats_motion(step, derivation) or _is_rest(step) or (still and _is_velocity(step))
+        if _repeats_motion(step, derivation)
+        or _is_rest(step)
+        or (still and _is_velocity(step))
+        or (struck and _is_along_motion(step))
     )
 
 
@@ -28,6 +35,16 @@ def is_still(derivation: Derivation) -> bool:
 
 def _is_velocity(step: Step) -> bool:
     return step.chapter == "kinematics" and step.rule in ("differentiation", "identity")
+
+
+def _is_struck(derivation: Derivation) -> bool:
+    """Does the next phase begin where this one does?"""
+    phases = derivation.study.problem.phases
+    return bool(phases) and phases[0].event == AT_ONCE
+
+
+def _is_along_motion(step: Step) -> bool:
+    return step.rule in ALONG_MOTION or step.chapter == "contact"
 
 
 def _repeats_motion(step: Step, derivation: Derivation) -> bool:

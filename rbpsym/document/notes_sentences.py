@@ -50,7 +50,7 @@ def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
     toucher = point_in_words(what, pose, said) if isinstance(what, PointRef) else said.the(str(what))
     slots: Slots = {"point": toucher, "line": _curve(element, pose, said)}
     if element.values.get("friction"):
-        slots["friction"] = t.Sym(str(element["friction"]))
+        slots["friction"] = t.Vec(str(element["friction"]))
     if element.values.get("coefficient") is not None:
         slots |= {"coefficient": element["coefficient"], "key": f"statement.{element.kind}_rough"}
     if isinstance(what, PointRef) and what.body is None and element.values.get("of"):
