@@ -7,9 +7,11 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import islice
 
+from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import Bench, Prepared
+from rbpsym.teaching.distractors import size
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content
@@ -17,6 +19,8 @@ from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 
 TRIES = 4  # quantities of one pattern that are tried
+WRITTEN = ("formula", "number", "choose")  # kinds of tasks whose answers are written or read as one formula
+LONGEST = 250  # parts of such a formula: about two lines in print
 
 # kind, what to ask about (the first that can be asked is), level: from much help to little, as a lesson goes
 LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
@@ -69,8 +73,16 @@ def _possible(bench: Bench, scenery: Scenery, kind: str, patterns, level: int) -
         for options in (4, 3) if kind == "choose" else (4,):
             wish = Wish(kind, (pattern,) if pattern else (), level=level, options=options)
             for task in _made(bench, scenery, wish):
+                if kind in WRITTEN and _is_long(bench, task):
+                    continue
                 about = wish.about if task.target is None else (task.target.id,)
                 yield replace(wish, about=about), task.content
+
+
+def _is_long(bench: Bench, task: Prepared) -> bool:
+    """Is the answer a formula that no one would write by hand?"""
+    value = task.target and task.target.value(bench.study)
+    return value is not None and size(present(value, bench.study.style)) > LONGEST
 
 
 def _made(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:

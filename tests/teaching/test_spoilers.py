@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.notation import tree as t
+from rbpsym.teaching.distractors import size
 from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.rubrics import shares
 from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.standard_sheet import LONGEST
 
 M, G, A = (t.Sym(name) for name in ("m", "g", "a"))
 WEIGHT, OTHER = claims([t.equation(A, t.Mul((M, G)))]), claims([t.equation(A, t.Mul((M, A)))])
@@ -63,3 +65,11 @@ def test_points_go_by_weight_in_halves() -> None:
             order = sorted(range(len(weights)), key=lambda k: weights[k])
             assert all(found[a] <= found[b] for a, b in zip(order, order[1:], strict=False) if weights[a] < weights[b])
     assert sum(shares(Fraction(1, 3), [1, 2])) == Fraction(1, 3)
+
+
+def test_no_one_is_asked_to_write_a_formula_of_half_a_page() -> None:
+    """The forces at the hinge of this system are some 600 parts long."""
+    sheet = plan_of("rod-with-spring").worksheet(Student("a"))
+    keys = [item.key.value for item in sheet.items if isinstance(item.key, FormulaKey)]
+    assert all(size(key) <= LONGEST for key in keys)
+    assert "number" in {item.kind for item in sheet.items}
