@@ -20,7 +20,7 @@ from rbpsym.teaching.tasks.wish import Wish
 
 TRIES = 4  # quantities of one pattern that are tried
 WRITTEN = ("formula", "number", "choose")  # kinds of tasks whose answers are written or read as one formula
-LONGEST = 250  # parts of such a formula: about two lines in print
+LONGEST = 100  # parts of such a formula: about one line in print
 
 # kind, what to ask about (the first that can be asked is), level: from much help to little, as a lesson goes
 LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (

@@ -159,3 +159,20 @@ def test_more_detail_shows_more():
     counts = [len(formulas(document("rod-and-disk-free", detail))) for detail in DETAILS]
     assert counts == sorted(counts)
     assert len(set(counts)) == 3
+
+
+def test_a_motion_that_a_blow_ends_at_its_start_has_no_speed_along_it():
+    """The square of the speed in a phase of no duration is below zero; that of the phase after the blow stays."""
+    derivation = derived("center-of-percussion")
+    shown = shown_steps(derivation, "full")
+    left_out = {step.rule for step in derivation.steps if step.id not in shown}
+    assert {"first_integral", "substitution"} <= left_out
+    squares = [step for step in derivation.steps if step.rule == "first_integral"]
+    printed = [part.node for part in parts(document("center-of-percussion").sections) if isinstance(part, Display)]
+    assert squares and all(step.statement not in printed for step in squares)
+    assert any(isinstance(node, t.Chain) and node.items[0] == squares[0].statement.items[0] for node in printed)
+
+
+def test_the_friction_of_a_contact_is_a_vector_in_the_statement_as_everywhere():
+    told = [part.node for part in parts(document("disk-on-incline").sections[:1]) if isinstance(part, Math)]
+    assert t.Vec("f") in told and t.Sym("f") not in told

@@ -251,7 +251,8 @@ def test_breaking_loses_no_term() -> None:
             for column in (8.0, 15.0, 30.0):
                 found = breaking.lines(part.node, sample().notation, column)
                 text = "".join(latex.render(line.left) + latex.render(line.right) for line in found)
-                assert without_bars(letters(text, "tex")) == without_bars(letters(whole, "tex"))
+                see = without_bars if "/" in text and "/" not in whole else str
+                assert see(letters(text, "tex")) == see(letters(whole, "tex"))
 
 
 def without_bars(text: str) -> str:
