@@ -3,10 +3,9 @@
 import pytest
 
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_cache import Certificates
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import check_claims
+from tests.library.derived import checked_claims
 from tests.notation.paper import equations
 
 FILES = sorted((library_folder() / "claims").glob("*.toml"))
@@ -15,12 +14,12 @@ PAPER = library_folder() / "claims" / "paper.toml"
 
 @pytest.fixture(scope="module")
 def results():
-    return {result.id: result for result in check_claims(load_claims(PAPER), Certificates(None))}
+    return {result.id: result for result in checked_claims(PAPER)}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_all_claims_are_as_expected(path):
-    found = list(check_claims(load_claims(path), Certificates(None)))
+    found = checked_claims(path)
     wrong = [(result.id, str(result.outcome), result.detail) for result in found if not result.expected]
     assert found and not wrong
 
