@@ -11,6 +11,8 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.balance import Balance
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.work import Work
 from rbpsym.notation.machine import to_machine
@@ -63,6 +65,7 @@ def results(study: Study) -> dict[str, Any]:
         "speed_squared": _table(study.squares, study) or None,
         "reactions_along_motion": _table(study.reactions_along_motion, study) if study.squares else None,
         "angular_momentum": _momenta(study),
+        "forces": _forces(study),
         "works": _works(study),
         "equilibria": _equilibria(study),
         "balance": _balance(study),
@@ -106,6 +109,22 @@ def _momenta(study: Study) -> dict[str, Any]:
         }
         for name, origin in study.origins.items()
     }
+
+
+def _forces(study: Study) -> dict[str, dict[str, Any]]:
+    """The ledger: the torque of a force about the centre of mass, and the couples, which are entries of their own."""
+    found: dict[str, dict[str, Any]] = {}
+    for item in study.works:
+        state = study.system.bodies[item.on]
+        forces = [f for f in study.system.on(item.on) if f.name == item.force]
+        values = {
+            "x": sum((f.vector.x for f in forces), NOTHING),
+            "y": sum((f.vector.y for f in forces), NOTHING),
+            "couple": sum((f.couple for f in forces), NOTHING),
+            "torque_about_center": sum((torque_about_center(f, state) for f in forces), NOTHING),
+        }
+        found.setdefault(item.force, {})[item.on] = {key: text(short(v), study) for key, v in values.items()}
+    return found
 
 
 def _works(study: Study) -> dict[str, Any]:

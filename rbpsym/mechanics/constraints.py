@@ -9,10 +9,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import EX, EY, ORIGIN, Vector
+from rbpsym.algebra.scalar import UNITY, Scalar, symbol
+from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.contacts import holding_forces, meeting, meshing_force, normal_forces
+from rbpsym.mechanics.contacts import couples, holding_forces, meeting, meshing_force, normal_forces
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
@@ -79,7 +79,7 @@ def _pivot_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     return (Force(element.name, ref.body, "ground", geometry.where(ref), vector, unknowns=names, where=ref.label),)
 
 
-def _pair_of_forces(element: Element, geometry: Geometry, couple: Scalar, more: tuple[str, ...]) -> tuple[Force, ...]:
+def _pair_of_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """The force on the second body, and its reaction on the first if that is a body.
 
     Each acts at the body's own point: where the condition is not an identity of the poses, the two
@@ -87,33 +87,20 @@ def _pair_of_forces(element: Element, geometry: Geometry, couple: Scalar, more: 
     """
     first, second = element["points"]
     vector, names = unknown(element)
-    names += more
     if second.body is None:
         first, second = second, first
-    forces = [
-        Force(
-            element.name,
-            second.body,
-            first.body or "ground",
-            geometry.where(second),
-            vector,
-            couple,
-            names,
-            where=second.label,
-        )
-    ]
+    name, at = element.name, geometry.where
+    forces = [Force(name, second.body, first.body or "ground", at(second), vector, unknowns=names, where=second.label)]
     if first.body is not None:
-        forces.append(
-            Force(
-                element.name, first.body, second.body, geometry.where(first), -vector, -couple, names, where=first.label
-            )
-        )
+        forces.append(Force(name, first.body, second.body, at(first), -vector, unknowns=names, where=first.label))
     return tuple(forces)
 
 
 def _weld_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    name = element["couple"]
-    return _pair_of_forces(element, geometry, symbol(name), (name,))
+    """The force where the bodies meet, and beside it the couple that keeps one from turning against the other."""
+    first, second = (ref.body for ref in element["points"])
+    first, second = (first, second) if second is not None else (second, first)
+    return (*_pair_of_forces(element, geometry), *couples(element["couple"], second, first, "ground", geometry))
 
 
 def _weld_angles(element: Element) -> tuple[AngleJoin, ...]:
@@ -167,19 +154,12 @@ def _driven_angles(element: Element) -> tuple[AngleJoin, ...]:
 
 def _driving_couple(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """On the body that is turned; the opposite one on the body that turns it, if one does."""
-    turned, by = element["body"], element["of"]
-    ends = ((turned, by or "agent", 1), (by, turned, -1))
-    name, couple = element.name, symbol(element.name)
-    return tuple(
-        Force(name, on, other, geometry.center(on), ORIGIN, couple * way, (name,), where=f"{on}.cm")
-        for on, other, way in ends
-        if on
-    )
+    return couples(element.name, element["body"], element["of"], "agent", geometry)
 
 
 JOINTS: Mapping[str, Joint] = {
     "pivot": Joint(_pivot_forces, joins=lambda e: ((_fixed(e), e["point"]),)),
-    "pin": Joint(lambda e, geometry: _pair_of_forces(e, geometry, NOTHING, ()), joins=lambda e: (tuple(e["points"]),)),
+    "pin": Joint(_pair_of_forces, joins=lambda e: (tuple(e["points"]),)),
     "weld": Joint(_weld_forces, joins=lambda e: (tuple(e["points"]),), angles=_weld_angles),
     "contact": Joint(normal_forces, touches=_touches, gaps=_curve_gaps, is_one_sided=True),
     "guide": Joint(normal_forces, touches=_touches, gaps=_curve_gaps),

@@ -133,30 +133,40 @@ def _side_of_circle(element: Element, geometry: Geometry, middle: Vector) -> int
 # --- forces
 
 
-def _pair(
-    element: Element, name: str, met: Meeting, vector: Vector, couple: Scalar, unknowns: tuple[str, ...]
-) -> tuple[Force, ...]:
+def _pair(element: Element, name: str, met: Meeting, vector: Vector, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
     """The force on what touches, and the opposite one on the body of the curve."""
-    ends = ((met.on, met.by, vector, couple), (met.by, met.on, -vector, -couple))
+    ends = ((met.on, met.by, vector), (met.by, met.on, -vector))
     label = touching_point(element).label if "point" in element.values else element["body"]
     return tuple(
-        Force(name, on, by or "ground", met.place, push, turn, unknowns, where=label)
-        for on, by, push, turn in ends
+        Force(name, on, by or "ground", met.place, push, unknowns=unknowns, where=label)
+        for on, by, push in ends
         if on is not None
+    )
+
+
+def couples(name: str, on: str | None, by: str | None, outer: str, geometry: Geometry) -> tuple[Force, ...]:
+    """The unknown couple `name` on a body and the opposite one on the other; `outer` exerts it where that is none.
+
+    It is an entry of its own: the force that acts beside it has its torque, and its work, for itself.
+    """
+    ends = ((on, by, symbol(name)), (by, on, -symbol(name)))
+    return tuple(
+        Force(name, body, other or outer, geometry.center(body), couple=turn, unknowns=(name,), where=f"{body}.cm")
+        for body, other, turn in ends
+        if body is not None
     )
 
 
 def normal_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """N along the normal; with kinetic friction against the slip if there is a coefficient."""
     met, name = meeting(element, geometry), element.name
-    turn, names = NOTHING, (name,)
+    found = _pair(element, name, met, met.normal * symbol(name), (name,))
     if "couple" in element.values:
-        turn, names = symbol(element["couple"]), (name, element["couple"])
-    found = _pair(element, name, met, met.normal * symbol(name), turn, names)
+        found = (*found, *couples(element["couple"], met.on, met.by, "ground", geometry))
     if element.values.get("coefficient") is None:
         return found
     drag = met.forward * (scalar(element["coefficient"]) * symbol(name) * -slip_sense(element, geometry, met))
-    return (*found, *_pair(element, element["friction"], met, drag, NOTHING, (name,)))
+    return (*found, *_pair(element, element["friction"], met, drag, (name,)))
 
 
 def slip_sense(element: Element, geometry: Geometry, met: Meeting) -> int:
@@ -186,15 +196,15 @@ def holding_forces(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     along = met.forward * _uphill(element, geometry, met)
     grip = element["friction"]
     return (
-        *_pair(element, name, met, met.normal * symbol(name), NOTHING, (name,)),
-        *_pair(element, grip, met, along * symbol(grip), NOTHING, (grip,)),
+        *_pair(element, name, met, met.normal * symbol(name), (name,)),
+        *_pair(element, grip, met, along * symbol(grip), (grip,)),
     )
 
 
 def meshing_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     """The unknown force of teeth along the tangent, forward positive."""
     met, name = meeting(element, geometry), element.name
-    return _pair(element, name, met, met.forward * symbol(name), NOTHING, (name,))
+    return _pair(element, name, met, met.forward * symbol(name), (name,))
 
 
 def _uphill(element: Element, geometry: Geometry, met: Meeting) -> int:

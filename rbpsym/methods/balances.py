@@ -145,7 +145,7 @@ def _keeps_distance(study: Study, state: BodyState, point: Vector) -> bool:
 def _joint_points(study: Study, bodies: tuple[str, ...]) -> Iterator[tuple[str, Vector]]:
     """Points that move, where an unknown force acts on the set from outside."""
     for force in outer_forces(study.system, bodies):
-        if force.unknowns and not any(_same(force.point, place) for place in study.origins.values()):
+        if force.unknowns and force.vector and not any(_same(force.point, place) for place in study.origins.values()):
             yield force.where, force.point
 
 

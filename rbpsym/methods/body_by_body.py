@@ -11,6 +11,7 @@ from rbpsym.derivation.chapters.forces import is_reaction
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.system import Force
 from rbpsym.methods.balances import Balance
 from rbpsym.notation import tree as t
 
@@ -51,15 +52,22 @@ def _inner(draft: Draft, balance: Balance) -> list:
 
 def _inner_names(draft: Draft, balance: Balance) -> list[str]:
     inner = [f for f in _inner(draft, balance) if f.unknowns]
-    return [draft.free(f"tau_{name}") for name in dict.fromkeys(f.name for f in inner)]
+    return list(dict.fromkeys(_letter(draft, f) for f in inner))
+
+
+def _letter(draft: Draft, force: Force) -> str:
+    """τ_N for the torque of the force N; an unknown couple keeps its own letter."""
+    return draft.free(f"tau_{force.name}") if force.vector or not force.unknowns else force.name
 
 
 def _name_inner_torques(draft: Draft, balance: Balance) -> None:
     for force in _inner(draft, balance):
         if not is_reaction(draft, force):
             value = short((force.point - balance.where).cross(force.vector) + force.couple)
-            letter = draft.define(draft.free(f"tau_{force.name}"), value)
-            draft.context.vectors[letter.name] = Space(z=value)
+            letter = _letter(draft, force)
+            if letter != force.name:
+                draft.define(letter, value)
+            draft.context.vectors[letter] = Space(z=value)
 
 
 def _of_one(draft: Draft, balance: Balance, name: str, settled: Mapping[str, Step]) -> Step:
@@ -98,7 +106,7 @@ def _outer_torque(draft: Draft, balance: Balance, name: str) -> Scalar:
 def _inner_torques(draft: Draft, balance: Balance, name: str, letter: type[t.Sym | t.Vec]) -> list[t.Node]:
     """Those of the forces between the bodies of the set, as symbols or as vectors."""
     inner = [f for f in draft.study.system.on(name) if f.by in balance.bodies]
-    symbols = [(f, letter(draft.free(f"tau_{f.name}"))) for f in inner]
+    symbols = [(f, letter(_letter(draft, f))) for f in inner]
     return [t.neg(node) if is_reaction(draft, force) else node for force, node in symbols]
 
 

@@ -184,7 +184,7 @@ def _conserved(draft: Draft) -> None:
     )
     whole = "energy.conserved" if draft.study.potential is not None else "energy.effective"
     phrase = "energy.relative" if draft.study.system.has_clock else whole
-    ideal = list(dict.fromkeys(force.name for force in draft.study.system.forces if force.unknowns))
+    ideal = {force.name: force_node(draft, force) for force in reversed(draft.study.system.forces) if force.unknowns}
     none = "none" if draft.study.system.forces else "free"
     draft.add(
         "energy",
@@ -194,7 +194,7 @@ def _conserved(draft: Draft) -> None:
         is_result=True,
         premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
         data={"value": value},
-        ideal=[t.Vec(name) for name in ideal],
+        ideal=list(reversed(ideal.values())),
         variant={0: none, 1: "one"}.get(len(ideal), "many"),
     )
 

@@ -82,7 +82,8 @@ def net_power(draft: Draft, name: str) -> Scalar:
 def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.Sym]) -> None:
     """The sum of all works vanishes although the single ones don't."""
     bodies = list(dict.fromkeys(item.on for item in items))
-    manner = _manner(draft.study.system.element(name), name)
+    force = forces_of(draft, name)[0]
+    manner = _manner(draft.study.system.element(name), name) if force.vector else "couple"
     opposite = manner == "grip" and len(terms) == 2 and len(bodies) == 1
     statement = t.equation(terms[0], t.neg(terms[1])) if opposite else t.equation(t.add(*terms), t.ZERO)
     draft.add(
@@ -91,7 +92,7 @@ def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
         statement,
         f"work.cancels.{manner}",
         premises=[f"work.{i.force}.{i.on}" for i in items],
-        force=t.Vec(name),
+        force=force_node(draft, force),
         works=terms,
         bodies=[BodyRef(body) for body in bodies],
         variant="one" if len(bodies) == 1 else "many",

@@ -115,7 +115,10 @@ def _torque(world: ProblemWorld, names: str, on: str, about: str | None) -> Boun
 
 
 def _couple(world: ProblemWorld, names: str, on: str) -> Bound:
-    return axial(sum((force.couple for force in world.forces(names, on)), NOTHING))
+    element = world.study.system.element
+    joints = {element(force.name).name for force in world.forces(names, on)}  # the couple of a weld N has its own name
+    found = (f.couple for f in world.forces("net", on) if element(f.name).name in joints)
+    return axial(sum(found, NOTHING))
 
 
 def _power(world: ProblemWorld, forces: Iterable[Force], part: str | None) -> Scalar:

@@ -37,7 +37,7 @@ class Drag:
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A scalar condition of the constraint `name` that the force or couple `multiplier` keeps.
+    """A scalar condition that the `multiplier` of the force (or couple) `name` keeps.
 
     `is_place`: whether it is one for the position (else for the speeds alone, its value 0).
     """
@@ -76,7 +76,7 @@ def turning(first: int, second: int, offset: float, element: Element) -> Kept:
         value = sum(sign * where[3 * k + 2] for k, sign in ends) - offset
         return Row(value, [(3 * k + 2, sign) for k, sign in ends], 0.0)
 
-    return Kept(element.name, element["couple"], row)
+    return Kept(element["couple"], element["couple"], row)
 
 
 def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:

@@ -145,7 +145,7 @@ def test_block_on_a_sliding_wedge():
             "N": "M*m*g*cos(beta)/(M + m*sin(beta)**2)",
         },
     )
-    assert study.dynamics.workless == {"S": True, "N": True}
+    assert study.dynamics.workless == {"S": True, "tau_S": True, "N": True}
 
 
 def test_ladder_on_a_rough_floor_sticks():
