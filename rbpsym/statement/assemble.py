@@ -12,9 +12,10 @@ from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.model import Pair, PointRef, Problem
+from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
 from rbpsym.statement.names import check_name
 from rbpsym.statement.phases import read_phases
+from rbpsym.statement.premises import declared
 from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
@@ -54,7 +55,7 @@ def assemble(table: Table, name: str) -> Problem:
     reader = CoordinateReader(table, scope)
     coordinates = tuple(reader.read())
     parameters = (*parameters, *reader.implicit.values())
-    scope = replace(_scope_of(parameters), coordinates=reader.dimensions)
+    scope = replace(_scope_of(parameters, coordinates), coordinates=reader.dimensions)
     scope = replace(scope, points=_points(table, scope))
     bodies = read_bodies(table, scope)
     around = Surroundings(scope, bodies)
@@ -96,11 +97,8 @@ def _about(table: Table, name: str) -> dict[str, object]:
     }
 
 
-def _scope_of(parameters: tuple[Quantity, ...]) -> Scope:
-    return Scope(
-        {quantity.name: quantity.dimension for quantity in parameters},
-        signs={quantity.name: quantity.sign for quantity in parameters},
-    )
+def _scope_of(parameters: tuple[Quantity, ...], coordinates: tuple[Coordinate, ...] = ()) -> Scope:
+    return Scope({q.name: q.dimension for q in parameters}, given=declared(parameters, coordinates))
 
 
 def _points(table: Table, scope: Scope) -> dict[str, Pair]:

@@ -14,7 +14,7 @@ from rbpsym.statement.hints import in_radians, unit_example
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
-from rbpsym.statement.signs import compare_numbers
+from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.source import Table, did_you_mean
 from rbpsym.statement.units import unit_named
 
@@ -88,22 +88,24 @@ def _unknown_names(problem: Problem, table: Table) -> None:
 
 
 def _ranges(problem: Problem, table: Table) -> None:
+    given = declared(problem.parameters)
     for coordinate in problem.coordinates:
         section = table.table("coordinates", "coordinates").table(coordinate.name, coordinate.name)
-        _check_range(coordinate, section)
-        _check_start(coordinate, section)
+        _check_range(coordinate, section, given)
+        if getattr(coordinate.start, "name", None) not in problem.implicit:  # a constant of its own lies in the range
+            _check_start(coordinate, section, given)
 
 
-def _check_range(coordinate: Coordinate, section: Table) -> None:
-    if _compare(coordinate.lower, coordinate.upper) in (0, 1):
+def _check_range(coordinate: Coordinate, section: Table, given: Declared) -> None:
+    if surely_above(coordinate.lower, coordinate.upper, given, or_equal=True):
         raise section.value_error(
             "range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first."
         )
 
 
-def _check_start(coordinate: Coordinate, section: Table) -> None:
-    below = _compare(coordinate.start, coordinate.lower) == -1
-    above = _compare(coordinate.start, coordinate.upper) == 1
+def _check_start(coordinate: Coordinate, section: Table, given: Declared) -> None:
+    below = surely_above(coordinate.lower, coordinate.start, given)
+    above = surely_above(coordinate.start, coordinate.upper, given)
     if below or above:
         bounds = section.data["range"]
         raise section.value_error(
@@ -116,10 +118,6 @@ def _check_start(coordinate: Coordinate, section: Table) -> None:
 def _radians(coordinate: Coordinate) -> str:
     start = coordinate.start
     return in_radians(float(start.value), coordinate.quantity.dimension) if isinstance(start, Num) else ""
-
-
-def _compare(left: Node | None, right: Node | None) -> int | None:
-    return None if left is None or right is None else compare_numbers(left, right)
 
 
 def _coordinates_used(problem: Problem, table: Table) -> None:

@@ -6,11 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.errors import StatementError
-from rbpsym.notation.tree import add, neg
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import round_size, runs
+from rbpsym.statement.premises import sign_of, surely_above
 from rbpsym.statement.scope import Scope
-from rbpsym.statement.signs import sign_of
 
 _SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
 _SOLID = ("disk", "cylinder", "ball", "sphere")
@@ -63,7 +62,7 @@ def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     own = round_size(bodies[circle.body]) if circle.body and circle.point in ("center", "cm") else None
     if element["radius"] is None and own is None:
         raise _error(element, f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
-    if element["radius"] is not None and "rim" not in element.values and sign_of(element["radius"], scope.signs) == 0:
+    if element["radius"] is not None and "rim" not in element.values and sign_of(element["radius"], scope.given) == "zero":
         cure = "to hold it at that place, write a pivot; for a corner that touches a round body, name the corner as "
         raise _error(element, "touches a circle of radius 0", cure + 'its point and circle = "wheel.center".')
     return element if element["radius"] is not None else _with(element, radius=own)
@@ -110,8 +109,7 @@ def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """Inside a circle there is room for smaller bodies only."""
     if element.values.get("circle") is None or element["side"] != "inside":
         return element
-    left = sign_of(add(element["radius"], neg(element["rim"])), scope.signs)
-    if left in (0, -1) or element["radius"] == element["rim"]:
+    if surely_above(element["rim"], element["radius"], scope.given, or_equal=True):
         raise _error(
             element, "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
         )

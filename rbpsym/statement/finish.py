@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from rbpsym.errors import StatementError
-from rbpsym.notation.tree import ZERO, names
+from rbpsym.notation.tree import ONE, TWO, ZERO, Neg, Pow, add, names, neg
 from rbpsym.statement.curves import CURVE_RULES
 from rbpsym.statement.model import Body, Element, Pair, PointRef
+from rbpsym.statement.premises import sign_of
 from rbpsym.statement.scope import Scope
-from rbpsym.statement.signs import multiple_of_pi
 
 
 def finish(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -135,10 +135,13 @@ def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     return element if known or element["angle"] is not None else _with(element, angle=ZERO)
 
 
+DOWN = (ZERO, Neg(ONE))
+
+
 def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
-    """A direction in plain numbers must have the length 1."""
-    parts = [multiple_of_pi(part) for part in element["direction"]]
-    if None not in parts and sum(a * a for a, _ in parts) != 1:
+    """A direction has the length 1 (for numbers that are not all known, it may have it)."""
+    squares = (Pow(part, TWO) for part in element["direction"])
+    if element["direction"] != DOWN and sign_of(add(*squares, neg(ONE)), scope.given) in ("positive", "negative", "nonzero"):
         raise _error(element, "has a direction that is no unit vector", 'write direction = ["0", "-1"]')
     return element
 

@@ -14,15 +14,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rbpsym.notation.tree import ONE, ZERO, Node
+from rbpsym.notation.tree import ONE, Node
 from rbpsym.quantities import DIMENSIONS, NUMBER
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.kinds import Field, Kind, registry
 from rbpsym.statement.model import Element, Phase, Problem
+from rbpsym.statement.premises import Declared, sign_of, surely_above
 from rbpsym.statement.scope import read_expression
-from rbpsym.statement.signs import compare_numbers, multiple_of_pi
 from rbpsym.statement.source import Table, did_you_mean, kind_of
 
 _IMPULSE = DIMENSIONS["impulse"]
@@ -84,7 +84,7 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         constraints = tuple(
             finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
         )
-        impulses = tuple(_checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around))
+        impulses = tuple(_checked(e, row, names, around.scope.given) for e in read_elements("impulses", row, IMPULSES, around))
         found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
     return tuple(found)
 
@@ -154,26 +154,26 @@ def _merged(old: Mapping[str, object], new: Table) -> dict[str, object]:
     return {**{key: value for key, value in old.items() if key in keys}, **new.data}
 
 
-def _checked(element: Element, row: Table, names: Mapping[str, str]) -> Element:
-    _IMPULSE_CHECKS[element.kind](element, row)
+def _checked(element: Element, row: Table, names: Mapping[str, str], given: Declared) -> Element:
+    _IMPULSE_CHECKS[element.kind](element, row, given)
     if element.name in names:
         raise row.error(f"“{element.name}” is {names[element.name]} and an impulse", "rename one.", "impulses")
     return element
 
 
-def _check_blow(element: Element, row: Table) -> None:
+def _check_blow(element: Element, row: Table, given: Declared) -> None:
     if element["on"].body is None:
         raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
-    if all(multiple_of_pi(part) == (0, 0) for part in element["impulse"]):
+    if all(sign_of(part) == "zero" for part in element["impulse"]):
         raise row.error(f"the blow “{element.name}” has no impulse at all", 'write impulse = ["J", "0"]', "impulses")
 
 
-def _check_collision(element: Element, row: Table) -> None:
+def _check_collision(element: Element, row: Table, given: Declared) -> None:
     first, second = (ref.body for ref in element["points"])
     if first == second:
         raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
     restitution = element["restitution"]
-    if compare_numbers(restitution, ZERO) == -1 or compare_numbers(restitution, ONE) == 1:
+    if sign_of(restitution, given) == "negative" or surely_above(restitution, ONE, given):
         raise row.error(
             f"the restitution of the collision “{element.name}” must be between 0 and 1",
             "0: they part with one speed, 1: no energy is lost.",

@@ -189,7 +189,7 @@ class CoordinateReader:
 
     def _scope(self) -> Scope:
         implicit = {name: quantity.dimension for name, quantity in self.implicit.items()}
-        return Scope({**self.scope.parameters, **implicit}, self.dimensions, self.scope.signs)
+        return Scope({**self.scope.parameters, **implicit}, self.dimensions, self.scope.given)
 
     def _range(self, table: Table, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
         if "range" not in table:

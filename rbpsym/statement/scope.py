@@ -9,11 +9,11 @@ from dataclasses import dataclass, field, replace
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.notation.infix import read_infix
-from rbpsym.notation.tree import Add, Div, Node, Num, Sym, walk
+from rbpsym.notation.tree import Add, Node, Num, Sym, walk
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
-from rbpsym.statement.signs import sign_of
+from rbpsym.statement.premises import NOTHING_DECLARED, Declared, contradicts, without_value
 from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
 
 ORIGIN: Pair = (Num(0), Num(0))
@@ -22,7 +22,7 @@ CLOCK = "t"
 
 @dataclass(frozen=True)
 class Scope:
-    """The quantities of a problem: dimensions and signs of its parameters, its coordinates.
+    """The quantities of a problem: dimensions of its parameters and coordinates, and what is `given` of their signs.
 
     `variables` are names that only one expression knows (s in a rod's density, x and y in a
     line); they hide quantities of the same name. `points` are the fixed points.
@@ -30,7 +30,7 @@ class Scope:
 
     parameters: Mapping[str, Dimension] = field(default_factory=dict)
     coordinates: Mapping[str, Dimension] = field(default_factory=dict)
-    signs: Mapping[str, str] = field(default_factory=dict)
+    given: Declared = NOTHING_DECLARED
     points: Mapping[str, Pair] = field(default_factory=lambda: {"O": ORIGIN})
     variables: Mapping[str, Dimension] = field(default_factory=dict)
 
@@ -102,10 +102,9 @@ def read_text(
     try:
         node = read_infix(text, names)
         _check_names(node, scope, what, may_use)
-        _check_denominators(node, scope, what)
         if dimension is not None:
             _check_dimension(node, scope, dimension, what)
-        _check_sign(node, scope, what, sign)
+        _check_values(node, scope, what, sign)
     except RbpsymError as error:
         _explain(error, text, dimension)
         raise relocate(error, item.source, item.path, text_of(item, what), shift) from None
@@ -154,16 +153,16 @@ def _terms(node: Node) -> tuple[Node, ...]:
     return node.terms if isinstance(node, Add) else (node,)
 
 
-def _check_denominators(node: Node, scope: Scope, what: str) -> None:
-    for part in walk(node):
-        if isinstance(part, Div) and sign_of(part.den, scope.signs) == 0:
-            raise _at(part, f"{what} divides by zero")
+def _check_values(node: Node, scope: Scope, what: str, sign: str) -> None:
+    """What has no value, or not the sign that is needed, whatever the declared numbers are."""
+    given = scope.given.without(scope.variables)
+    if found := without_value(node, given):
+        raise _at(found[0], f"{what} {found[1]}", "write what has a value for the numbers that are declared.")
+    if found := contradicts(node, sign, given):
+        raise _at(node, f"{what} must be {sign}, but this is {found}", SIGNS_ARE_PREMISES)
 
 
-def _check_sign(node: Node, scope: Scope, what: str, sign: str) -> None:
-    found = sign_of(node, scope.signs) if sign else None
-    if found == -1 or (found == 0 and sign == "positive"):
-        raise _at(node, f"{what} must be {sign}, but this is {'zero' if found == 0 else 'negative'}")
+SIGNS_ARE_PREMISES = "it is so for all numbers that the declared signs and ranges allow: write another expression."
 
 
 def _at(node: Node, what: str, instead: str = "") -> StatementError:
