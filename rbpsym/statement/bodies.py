@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import ONE, Node, add, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import Body, Pair, PlacedShape, Shape
 from rbpsym.statement.names import check_name
+from rbpsym.statement.premises import contradicts
 from rbpsym.statement.references import CM
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
@@ -94,8 +95,14 @@ def _shape(table: Table, kind: ShapeKind, scope: Scope, where: str) -> tuple[Sha
 
 def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
     sizes = _sizes(table, kind, scope, where)
+    _check_extent(size_of(kind, sizes) if kind.size else ONE, table, scope, where)
     density = None if mass is not None else _density(table, kind, scope, where)
     return shape_of(kind, sizes, Material(mass, density, frozenset(scope.all))), mass
+
+
+def _check_extent(size: Node, table: Table, scope: Scope, where: str) -> None:
+    if found := contradicts(size, "positive", scope.given):
+        raise table.error(f"{where} has no extent: its size is {found}", "change one of its sizes.", "shape")
 
 
 def _sizes(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Node]:
@@ -131,7 +138,7 @@ def _mass(table: Table, scope: Scope, where: str) -> Node:
 def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
     inner = scope.with_variables({name: _VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
     dimension: Dimension = DENSITY_DIMENSIONS[kind.element.kind]
-    return read_expression(table.item("density"), inner, f"“density” of {where}", dimension)
+    return read_expression(table.item("density"), inner, f"“density” of {where}", dimension, sign="nonnegative")
 
 
 # --- composites
@@ -159,7 +166,10 @@ def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | No
         raise table.error(f"{where} has no part that is left", "not all parts can be removed.", "parts")
     masses = _masses(table, parts, scope, where)
     placed = tuple(_placed_part(part, mass, scope) for part, mass in zip(parts, masses, strict=True))
-    return compose(placed), _mass(table, scope, where) if "mass" in table else total_mass(placed)
+    mass = _mass(table, scope, where) if "mass" in table else total_mass(placed)
+    if mass is not None and (found := contradicts(mass, "nonnegative", scope.given)):
+        raise table.error(f"the mass of {where} is {found}", "what is cut out can't have more mass than the rest.")
+    return compose(placed), mass
 
 
 def _part(table: Table, number: int, where: str) -> _Part:
@@ -201,6 +211,7 @@ def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[
                 "give each part a mass of its own.",
             )
     sizes = [(size_of(part.kind, _sizes(part.table, part.kind, scope, part.where)), part.removed) for part in parts]
+    _check_extent(add(*(neg(size) if removed else size for size, removed in sizes)), table, scope, where)
     return shares(_mass(table, scope, where), sizes)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 
 from rbpsym.errors import StatementError
@@ -10,13 +9,13 @@ from rbpsym.notation.glyphs import MARKS
 from rbpsym.notation.tree import Node, Num, names
 from rbpsym.quantities import FORCE, Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.hints import in_radians, unit_example
+from rbpsym.statement.example import check_example
+from rbpsym.statement.hints import in_radians
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
 from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.source import Table, did_you_mean
-from rbpsym.statement.units import unit_named
 
 MAX_BODIES = 64
 
@@ -152,33 +151,10 @@ def _known_names(problem: Problem, table: Table) -> None:
     _check_names(table.table("notation", "notation"), [*quantities, *MARKS])
     check_marks(table.table("notation", "notation"), problem.notation)
     _check_names(table.table("example", "example"), [*own, *starts, *_rates(problem, "_dot")])
-    _check_units(table.table("example", "example"), problem)
+    check_example(problem, table.table("example", "example"))
     meanings = table.table("meanings", "meanings")
     for language in meanings.names():
         _check_names(meanings.table(language, language), [*quantities, *problem.body_names, *_elements(problem)])
-
-
-def _check_units(section: Table, problem: Problem) -> None:
-    """The numbers of the example have units of the dimensions of what they are for."""
-    for quantity in problem.parameters:
-        text = str(problem.example.get(quantity.name, "")).strip()
-        number, _, unit = text.partition(" ")
-        if not text or (not unit and _is_number(number)):
-            continue  # a plain number is in SI units
-        found = unit_named(unit) if _is_number(number) else None
-        if found is None or found[0] != quantity.dimension:
-            raise section.error(
-                f"“{text}” is no {quantity.dimension}",
-                unit_example(quantity.dimension),
-                quantity.name,
-            )
-
-
-def _is_number(text: str) -> bool:
-    try:
-        return math.isfinite(float(text))
-    except ValueError:
-        return False
 
 
 def _check_names(section: Table, known: list[str]) -> None:

@@ -167,7 +167,14 @@ CONSTRAINTS: dict[str, Kind] = registry(
                 '`{ around = "yoyo", radius = "r", sense = "ccw" }`, round a smooth fixed pulley '
                 '`{ around = "Q", radius = "R", sense = "cw" }`, over a smooth peg `{ around = "Q" }`',
             ),
-            Field("length", "expression", "length between two points; absent: as at the start", LENGTH, default=""),
+            Field(
+                "length",
+                "expression",
+                "length between two points; absent: as at the start",
+                LENGTH,
+                default="",
+                sign="positive",
+            ),
         ),
         aliases=("rope",),
     ),
@@ -176,7 +183,9 @@ CONSTRAINTS: dict[str, Kind] = registry(
         "a light rigid rod between two points: it keeps their distance, and pulls or pushes",
         (
             Field("points", "path", "the two points that it joins"),
-            Field("length", "expression", "its length; absent: as at the start", LENGTH, default=""),
+            Field(
+                "length", "expression", "its length; absent: as at the start", LENGTH, default="", sign="positive"
+            ),
         ),
         aliases=("light-rod",),
         read_as="string",

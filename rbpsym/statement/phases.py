@@ -114,8 +114,12 @@ def _value(row: Table, name: str, event: str, subject: str | None, around: Surro
         _needless(row, name, event, ("at",))
         return None
     row.require("at", f"the phase “{name}”", f'add at = "0": the value that {subject} reaches.')
-    dimension = around.scope.coordinates[subject]
-    return read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", dimension)
+    dimension, given = around.scope.coordinates[subject], around.scope.given
+    value = read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", dimension)
+    lower, upper = given.bounds.get(subject, (None, None))
+    if surely_above(lower, value, given) or surely_above(value, upper, given):
+        raise row.value_error("at", f"the phase “{name}”: “{subject}” can't reach this value: it is outside its range")
+    return value
 
 
 def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:

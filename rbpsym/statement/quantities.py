@@ -13,6 +13,7 @@ from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.hints import for_a_dimension
 from rbpsym.statement.model import Coordinate
 from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
+from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.scope import Scope, read_expression, read_text
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 
@@ -32,13 +33,14 @@ def read_parameters(table: Table) -> tuple[Quantity, ...]:
     for name in section.names():
         check_name(name, section, RESERVED | AXES, key=name)
         found[name] = _parameter(name, section)
-    scope = Scope({name: quantity.dimension for name, quantity in found.items()})
+    given = declared(found.values())
+    scope = Scope({name: quantity.dimension for name, quantity in found.items()}, given=given)
     bounded = {name: _bounded(quantity, section, scope) for name, quantity in found.items()}
-    _check_bounds(bounded, section)
+    _check_bounds(bounded, section, given)
     return tuple(bounded.values())
 
 
-def _check_bounds(found: Mapping[str, Quantity], section: Table) -> None:
+def _check_bounds(found: Mapping[str, Quantity], section: Table, given: Declared) -> None:
     """No quantity is its own bound, nor smaller than what is smaller than it."""
     above: dict[str, set[str]] = {name: set() for name in found}  # of each, what is surely greater
     for name, quantity in found.items():
@@ -48,9 +50,18 @@ def _check_bounds(found: Mapping[str, Quantity], section: Table) -> None:
             above[name].add(quantity.upper.name)
         if isinstance(quantity.lower, Sym) and quantity.lower.name in above:
             above[quantity.lower.name].add(name)
+        _check_bounds_of(quantity, section, given)
     for name in found:
         if name in _reached(name, above):
             raise section.error(f"the bounds of “{name}” contradict each other", "turn one of them round.", name)
+
+
+def _check_bounds_of(quantity: Quantity, section: Table, given: Declared) -> None:
+    """There is a number between the bounds, and of the sign that is declared."""
+    floor = ZERO if quantity.sign in ("positive", "nonnegative") else None
+    if any(surely_above(low, quantity.upper, given, or_equal=True) for low in (quantity.lower, floor)):
+        what = f"no number between the bounds of “{quantity.name}” is {quantity.sign}"
+        raise section.value_error(quantity.name, what, "change a bound, or the sign: it is positive unless said otherwise.")
 
 
 def _reached(name: str, above: Mapping[str, set[str]]) -> set[str]:
