@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
-from types import ModuleType
+from types import FunctionType, ModuleType
 
 __version__ = "0.1.0"
 
@@ -50,6 +50,8 @@ def __getattr__(name: str) -> object:
     if name.startswith("_") or (home == _MAKERS and name not in import_module(_MAKERS).__all__):
         raise AttributeError(f"module “rbpsym” has no attribute “{name}”")
     value = getattr(import_module(home), name)
+    if home != _MAKERS and isinstance(value, FunctionType):
+        value = import_module("rbpsym.facade").opened(value)
     globals()[name] = value
     return value
 

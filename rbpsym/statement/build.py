@@ -29,14 +29,20 @@ from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.kinds import Kind, known_names
 from rbpsym.statement.model import Problem
 from rbpsym.statement.shapes import SHAPES
-from rbpsym.statement.source import Source, Table
+from rbpsym.statement.source import Source, Table, check_characters, kind_of
 
 Stated = dict[str, object]
 
 
 def problem(name: str, **sections: object) -> Problem:
     """The problem called `name`; `sections` are those of a file (see `assemble.SECTIONS`)."""
-    return assemble(Table(Source(name), (), {"name": name, **sections}), name)
+    if not isinstance(name, str):
+        raise StatementError(
+            f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)'
+        )
+    table = Table(Source(name), (), {"name": name, **sections})
+    check_characters(table)
+    return assemble(table, name)
 
 
 def parameter(dimension: str, meaning: str = "", sign: str = "positive", glyph: str = "") -> Stated:

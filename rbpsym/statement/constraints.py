@@ -183,9 +183,7 @@ CONSTRAINTS: dict[str, Kind] = registry(
         "a light rigid rod between two points: it keeps their distance, and pulls or pushes",
         (
             Field("points", "path", "the two points that it joins"),
-            Field(
-                "length", "expression", "its length; absent: as at the start", LENGTH, default="", sign="positive"
-            ),
+            Field("length", "expression", "its length; absent: as at the start", LENGTH, default="", sign="positive"),
         ),
         aliases=("light-rod",),
         read_as="string",

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 
-from rbpsym.errors import Place, StatementError
+from rbpsym.errors import Place, ReadError, StatementError
 from rbpsym.statement.checks import check_marks
+from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
-from rbpsym.statement.source import Table
+from rbpsym.statement.source import Table, kind_of
 from rbpsym.statement.worded import strings, worded
 
 DETAILS = ("brief", "standard", "full")
@@ -74,8 +76,10 @@ OWN_WORDS = (
 
 
 def load_course(file: Path) -> Course:
-    """A course from a TOML file. Raises ReadError or StatementError with the place of what is wrong."""
-    table = load_table(Path(file))
+    """A course from a TOML file, or the one of that name that ships. Raises an error with the place of what is wrong."""
+    if not isinstance(file, (str, PathLike)):
+        raise ReadError(f"the name of a course is a text or a path, not {kind_of(file)}", instead="name its file.")
+    table = load_table(course_files().get(str(file), Path(file)))
     _check_shape(table)
     notation = strings(table, "notation")
     check_marks(table.table("notation", "notation"), notation)

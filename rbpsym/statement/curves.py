@@ -62,7 +62,11 @@ def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     own = round_size(bodies[circle.body]) if circle.body and circle.point in ("center", "cm") else None
     if element["radius"] is None and own is None:
         raise _error(element, f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
-    if element["radius"] is not None and "rim" not in element.values and sign_of(element["radius"], scope.given) == "zero":
+    if (
+        element["radius"] is not None
+        and "rim" not in element.values
+        and sign_of(element["radius"], scope.given) == "zero"
+    ):
         cure = "to hold it at that place, write a pivot; for a corner that touches a round body, name the corner as "
         raise _error(element, "touches a circle of radius 0", cure + 'its point and circle = "wheel.center".')
     return element if element["radius"] is not None else _with(element, radius=own)

@@ -38,7 +38,8 @@ def check_example(problem: Problem, section: Table) -> None:
         value = number_at(node, numbers)
         if value is not None and not _has_sign(value, sign):
             raise section.error(
-                f"with these numbers {what} is {value:.3g}, but must be {sign}", "change one of the numbers it is made of."
+                f"with these numbers {what} is {value:.3g}, but must be {sign}",
+                "change one of the numbers it is made of.",
             )
 
 

@@ -141,7 +141,11 @@ DOWN = (ZERO, Neg(ONE))
 def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """A direction has the length 1 (for numbers that are not all known, it may have it)."""
     squares = (Pow(part, TWO) for part in element["direction"])
-    if element["direction"] != DOWN and sign_of(add(*squares, neg(ONE)), scope.given) in ("positive", "negative", "nonzero"):
+    if element["direction"] != DOWN and sign_of(add(*squares, neg(ONE)), scope.given) in (
+        "positive",
+        "negative",
+        "nonzero",
+    ):
         raise _error(element, "has a direction that is no unit vector", 'write direction = ["0", "-1"]')
     return element
 

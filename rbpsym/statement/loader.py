@@ -10,24 +10,36 @@ import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
+from os import PathLike
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, ReadError
 from rbpsym.statement.assemble import assemble
+from rbpsym.statement.library import problem_files
 from rbpsym.statement.model import Problem
 from rbpsym.statement.positions import index_positions, place_at
-from rbpsym.statement.source import Source, Table
+from rbpsym.statement.source import Source, Table, check_characters, kind_of
 
 MAX_BYTES = 64 * 1024
 MAX_DEPTH = 12
 
 
 def load_problem(path_or_text: str | Path) -> Problem:
-    """The problem in a file, or in a text (a str of more than one line)."""
+    """The problem in a file, in a text (a str of more than one line), or the one of that name that ships."""
     if isinstance(path_or_text, str) and "\n" in path_or_text:
         return load_text(path_or_text)
+    if not isinstance(path_or_text, (str, PathLike)):
+        what = f"the name of a problem is a text or a path, not {kind_of(path_or_text)}"
+        raise ReadError(what, instead='write load_problem("my-problem.toml"), or the name of one that ships.')
     path = Path(path_or_text)
+    if _ships(path):
+        path = problem_files()[str(path_or_text)]
     return load_text(_content(path), file=str(path), name=path.stem)
+
+
+def _ships(path: Path) -> bool:
+    """Whether a bare name is one of the library's, and of no file."""
+    return not path.suffix and len(path.parts) == 1 and not path.exists() and str(path) in problem_files()
 
 
 def load_text(text: str, file: str = "", name: str = "") -> Problem:
@@ -42,7 +54,9 @@ def table_of(text: str, file: str = "") -> Table:
     _check_size(len(text.encode("utf-8", "surrogatepass")), file)
     data = _parse(text, file)
     _check_depth(data, file)
-    return Table(Source(file, index_positions(text)), (), data)
+    table = Table(Source(file, index_positions(text)), (), data)
+    check_characters(table)
+    return table
 
 
 def load_table(path: Path) -> Table:

@@ -84,7 +84,9 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         constraints = tuple(
             finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
         )
-        impulses = tuple(_checked(e, row, names, around.scope.given) for e in read_elements("impulses", row, IMPULSES, around))
+        impulses = tuple(
+            _checked(e, row, names, around.scope.given) for e in read_elements("impulses", row, IMPULSES, around)
+        )
         found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
     return tuple(found)
 

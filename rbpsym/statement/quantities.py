@@ -61,7 +61,9 @@ def _check_bounds_of(quantity: Quantity, section: Table, given: Declared) -> Non
     floor = ZERO if quantity.sign in ("positive", "nonnegative") else None
     if any(surely_above(low, quantity.upper, given, or_equal=True) for low in (quantity.lower, floor)):
         what = f"no number between the bounds of “{quantity.name}” is {quantity.sign}"
-        raise section.value_error(quantity.name, what, "change a bound, or the sign: it is positive unless said otherwise.")
+        raise section.value_error(
+            quantity.name, what, "change a bound, or the sign: it is positive unless said otherwise."
+        )
 
 
 def _reached(name: str, above: Mapping[str, set[str]]) -> set[str]:

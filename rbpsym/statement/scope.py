@@ -14,7 +14,7 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
 from rbpsym.statement.premises import NOTHING_DECLARED, Declared, contradicts, without_value
-from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate
+from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate, written
 
 ORIGIN: Pair = (Num(0), Num(0))
 CLOCK = "t"
@@ -68,8 +68,8 @@ def text_of(item: Item, what: str) -> str:
     value = item.value
     if isinstance(value, str) and value.strip():
         return value
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
-        return str(value)
+    if (text := written(value)) is not None:
+        return text
     found = "an empty text" if isinstance(value, str) else kind_of(value)
     raise item.error(f"{what} must be an expression in quotes, not {found}", 'write it as "2*ell"')
 

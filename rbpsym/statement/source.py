@@ -8,7 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from datetime import date, datetime, time
+from decimal import Decimal
 from difflib import get_close_matches
+from fractions import Fraction
+from unicodedata import category
 
 from rbpsym.errors import Place, RbpsymError, StatementError
 from rbpsym.statement.hints import other_word
@@ -150,12 +154,49 @@ def did_you_mean(word: str, known: Iterable[str], what: str = "known") -> str:
     return f"{what}: {', '.join(known)}." if known else ""
 
 
-_KINDS = {bool: "true or false", int: "a number", float: "a number", str: "a text", list: "a list", tuple: "a list"}
+_KINDS = {
+    bool: "true or false", int: "a number", float: "a number", str: "a text", list: "a list", tuple: "a list",
+    type(None): "nothing", **dict.fromkeys((date, time, datetime), "a date or time"),
+}  # fmt: skip
 
 
 def kind_of(value: object) -> str:
     """What a value of a statement is, in words."""
-    return "a table" if isinstance(value, Mapping) else _KINDS.get(type(value), "a date or time")
+    return (
+        "a table" if isinstance(value, Mapping) else _KINDS.get(type(value), f"a value of type {type(value).__name__}")
+    )
+
+
+def written(value: object) -> str | None:
+    """A number, or an expression of a computer algebra system, as the text that it writes of itself; None for others."""
+    is_number = isinstance(value, (int, float, Fraction, Decimal)) and not isinstance(value, bool)
+    return str(value) if is_number or hasattr(value, "free_symbols") else None
+
+
+HARMLESS = "\n\t"
+HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")  # Unicode's control, format and unassigned characters
+
+
+def check_characters(table: Table) -> None:
+    """Refuse a text or name that holds a character which is not seen, or turns the writing round."""
+    for item in _texts(Item(table.source, table.path, table.data)):
+        for column, char in enumerate(item.value, 1):
+            if category(char) in HIDDEN and char not in HARMLESS:
+                raise item.error_inside(
+                    f"the character U+{ord(char):04X} can't stand in a text: it is not seen", "remove it.", column, 1
+                )
+
+
+def _texts(item: Item) -> Iterator[Item]:
+    if isinstance(item.value, str):
+        yield item
+    elif isinstance(item.value, Mapping):
+        for key, part in item.value.items():
+            yield from _texts(Item(item.source, (*item.path, key), str(key)))
+            yield from _texts(Item(item.source, (*item.path, key), part))
+    elif isinstance(item.value, (list, tuple)):
+        for part in item.items():
+            yield from _texts(part)
 
 
 def relocate(error: RbpsymError, source: Source, path: Path, text: str, shift: int = 0) -> RbpsymError:

@@ -32,7 +32,7 @@ def load_roster(path: Path) -> tuple[Student, ...]:
 
 
 def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
-    """The students in a CSV text; a first line without a known heading is a student already."""
+    """The students in a CSV text, whose first line names its columns."""
     rows = _rows(text, file)
     if not rows:
         raise ReadError("the roster is empty", instead="write a line for each student: id,name", place=Place(file))
@@ -40,10 +40,17 @@ def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
     key = next((heading.index(name) for name in IDS if name in heading), None)
     name = next((heading.index(n) for n in NAMES if n in heading), None)
     if key is None and name is None:
-        key, name = 0, 1
-    else:
-        rows = rows[1:]
-    return _students(rows, key if key is not None else name, name, file)
+        known = ", ".join((*IDS, *NAMES))
+        raise ReadError(
+            "the first line of the roster names no column that is known",
+            instead=f"begin it with a line of headings, “id,name” say; known: {known}.",
+            place=Place(file, rows[0][0]),
+        )
+    if not rows[1:]:
+        raise ReadError(
+            "the roster has headings, but no student", instead="write a line for each below them.", place=Place(file, 1)
+        )
+    return _students(rows[1:], key if key is not None else name, name, file)
 
 
 def _rows(text: str, file: str) -> list[tuple[int, list[str]]]:

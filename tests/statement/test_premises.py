@@ -105,4 +105,6 @@ def test_refused_at_its_place(old: str, new: str, says: str) -> None:
     assert says in found.value.what
     assert found.value.instead
     place = found.value.place
-    assert text.split("\n")[place.line - 1][place.column - 1 :][: place.width] == new[new.index("«") + 1 : new.index("»")]
+    assert (
+        text.split("\n")[place.line - 1][place.column - 1 :][: place.width] == new[new.index("«") + 1 : new.index("»")]
+    )

@@ -16,6 +16,7 @@ from xml.etree import ElementTree as Tree
 import pytest
 
 from rbpsym.algebra.evaluate import value
+from rbpsym.document.model import Paragraph, words
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.teaching.exports.bench import free_pairs, nearest_pairs, orders
@@ -117,6 +118,19 @@ def test_moodle_cloze_fields(exported: dict[str, Exported]) -> None:
         for field in fields:
             options = re.split(r"(?<!\\)~", field)
             assert len(options) == 3 and sum(option.startswith("=") for option in options) == 1
+
+
+def test_an_author_makes_no_moodle_fields(exported: dict[str, Exported]) -> None:
+    sheet = SHEETS[0]
+    written = Paragraph(words("{1:SHORTANSWER:=x} and {=y}"))
+    parts = tuple(replace(part, statement=(written, *part.statement)) for part in sheet.parts)
+    hostile = exporter("moodle")((replace(sheet, parts=parts),), Options())
+    plain = exporter("moodle")((sheet,), Options())
+    fields = re.compile(r"\{(?:\d*:)?[A-Z_]+:")
+    for one, other in zip(*(of_type(quiz({"moodle": each}), "cloze") for each in (hostile, plain)), strict=True):
+        text = one.findtext("questiontext/text")
+        assert "&#123;1:SHORTANSWER:=x}" in text
+        assert len(fields.findall(text)) == len(fields.findall(other.findtext("questiontext/text")))
 
 
 def test_stack_trees_follow_their_own_tests(exported: dict[str, Exported]) -> None:

@@ -358,9 +358,12 @@ def test_numbers_that_can_not_be_are_told() -> None:
 def test_rosters() -> None:
     assert roster_of("id,name\na1,Ana\nb2,Ben\n") == (Student("a1", "Ana"), Student("b2", "Ben"))
     assert roster_of("Nombre;Correo\nAna;a@x.mx\n") == (Student("a@x.mx", "Ana"),)
-    assert roster_of("a1\nb2\n")[1] == Student("b2", "b2")
+    assert roster_of("id\na1\nb2\n")[1] == Student("b2", "b2")
     for text, what in (
         ("", "empty"),
+        ("a1\nb2\n", "names no column"),  # a paper for the student “a1”, where “foo” was meant to be a heading
+        ("foo,bar\n1,2\n", "names no column"),
+        ("id,name\n", "no student"),
         ("id\na\na\n", "twice"),
         ("id,name\n,Ana\n", "without a key"),
         ("id\n" + "x" * 300, "printed"),

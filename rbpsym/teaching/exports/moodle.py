@@ -35,6 +35,7 @@ from rbpsym.teaching.model import (
 from rbpsym.teaching.units import unit_text
 
 FOLDER = "@@PLUGINFILE@@/"
+FIELD = "\ue000"  # marks our own fields until the text is written; no text of an author holds it
 
 
 def export_moodle(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
@@ -62,11 +63,18 @@ def _category(item: Item, desk: Desk) -> Element:
 def question(item: Item, desk: Desk) -> Element:
     """The question of one item, with its name, text, points and pictures."""
     made = KINDS[type(item.key)](item, desk)
+    if made.get("type") == "cloze":
+        _hide_braces(made.find("questiontext/text"))
     text = made.find("questiontext")
     for name, data in desk.paper.pictures.items():
         encoded = base64.b64encode(data).decode()
         text.append(element("file", encoded, name=name, path="/", encoding="base64"))
     return made
+
+
+def _hide_braces(text: Element) -> None:
+    """Only our own fields are fields, whatever an author wrote."""
+    text.text = re.sub(r"\{(?!" + FIELD + ")", "&#123;", text.text).replace(FIELD, "")
 
 
 def start(kind: str, item: Item, desk: Desk, more: str = "") -> Element:
@@ -180,7 +188,7 @@ def cloze(options: Mapping[str, bool], feedback: str = "") -> str:
     parts = (
         ("=" if right else "") + cloze_text(text) + _cloze_feedback(feedback, right) for text, right in options.items()
     )
-    return "{1:MULTICHOICE:" + "~".join(parts) + "}"
+    return "{" + FIELD + "1:MULTICHOICE:" + "~".join(parts) + "}"
 
 
 def _cloze_feedback(feedback: str, right: bool) -> str:

@@ -1,0 +1,109 @@
+"""The public functions as a user calls them: a name of what ships, a file or a text where its value is meant.
+
+What fits no argument is told in a sentence. Within the package the functions are called as they are.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from functools import wraps
+from inspect import signature
+
+from rbpsym.errors import StatementError
+
+WORD = re.compile(r"[A-Za-z]\w*")
+
+
+def opened(function: Callable) -> Callable:
+    """The function with its arguments read by `READERS`, told by their annotations."""
+    shape = signature(function)
+    readers = {name: READERS[p.annotation] for name, p in shape.parameters.items() if p.annotation in READERS}
+
+    @wraps(function)
+    def called(*args: object, **keys: object) -> object:
+        bound = shape.bind(*args, **keys)
+        for name, read in readers.items():
+            if name in bound.arguments:
+                bound.arguments[name] = read(bound.arguments[name], f"“{name}” of {function.__name__}()")
+        return function(*bound.args, **bound.kwargs)
+
+    called.__module__, called.__qualname__ = "rbpsym", function.__name__  # by which it is pickled
+    return called if readers else function
+
+
+def _wrong(value: object, what: str, wanted: str) -> StatementError:
+    from rbpsym.statement.source import kind_of
+
+    return StatementError(f"{what} is {kind_of(value)}", instead=f"give {wanted}.")
+
+
+def _problem(value: object, what: str) -> object:
+    from rbpsym.mechanics.study import Study
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.statement.model import Problem
+
+    if isinstance(value, (Problem, Study)):
+        return value
+    if isinstance(value, (str, os.PathLike)):
+        return load_problem(value)
+    raise _wrong(value, what, "a problem, the name of one that ships, a file or a text")
+
+
+def _derivation(value: object, what: str) -> object:
+    from rbpsym.derivation.step import Derivation
+    from rbpsym.derive import derive
+
+    return value if isinstance(value, Derivation) else derive(_problem(value, what))
+
+
+def _course(value: object, what: str) -> object:
+    from rbpsym.statement.course import Course, load_course
+
+    if isinstance(value, (str, os.PathLike)):
+        return load_course(value)
+    if isinstance(value, Course):
+        return value
+    raise _wrong(value, what, "a course, the name of one that ships, or its file")
+
+
+def _derived_course(value: object, what: str) -> object:
+    from rbpsym.courses import derive_course
+    from rbpsym.derivation.step import DerivedCourse
+
+    return value if isinstance(value, DerivedCourse) else derive_course(_course(value, what))
+
+
+def _formula(value: object, what: str) -> object:
+    from rbpsym.notation.infix import FUNCTIONS, read_infix
+    from rbpsym.notation.tree import Node
+    from rbpsym.statement.source import written
+
+    text = value if isinstance(value, str) else written(value)
+    if isinstance(value, Node):
+        return value
+    if text is None:
+        raise _wrong(value, what, 'a formula as text, "2*a"')
+    return read_infix(text, set(WORD.findall(text)) - set(FUNCTIONS))
+
+
+def _assumptions(value: object, what: str) -> object:
+    from rbpsym.equality.assumptions import SIGNS, Assumptions
+
+    if isinstance(value, Mapping) and all(sign in SIGNS for sign in value.values()):
+        return Assumptions(dict(value))
+    if isinstance(value, Assumptions):
+        return value
+    raise _wrong(value, what, f'Assumptions, or signs by name, {{"a": "positive"}}: {", ".join(SIGNS)}')
+
+
+READERS: Mapping[str, Callable[[object, str], object]] = {
+    "Problem": _problem,
+    "Problem | Study": _problem,
+    "Derivation": _derivation,
+    "Course": _course,
+    "DerivedCourse": _derived_course,
+    "Node": _formula,
+    "Assumptions": _assumptions,
+}
