@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
+from rbpsym.notation.latex_calls import operand
 from rbpsym.notation.latex_grammar import (
     argument,
     between,
     expression,
-    factor,
     multiplied,
 )
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
@@ -40,7 +40,7 @@ def _derivative(reader: Reader, start: int) -> t.Node | None:
     reader.expect("}", opening)
     wrt = _below(reader, order)
     if of is None:
-        of = factor(reader)
+        of = operand(reader)
     return reader.spanned(t.Deriv(of, wrt, order, partial), start)
 
 

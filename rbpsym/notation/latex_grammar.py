@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction as Rational
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_names import begins_name, read_name
+from rbpsym.notation.latex_names import begins_name
+from rbpsym.notation.latex_rows import OPEN
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
 from rbpsym.notation.limits import MAX_EXPONENT, check_exponent, number_of
 from rbpsym.notation.symbol_table import equally
@@ -22,7 +24,7 @@ def expression(reader: Reader) -> t.Node:
     start = reader.token.start
     with reader.deeper():
         terms = [_term(reader)]
-        while reader.sees_sign("+", "-"):
+        while goes_on(reader, "-") or reader.sees_sign("+", "-"):
             sign = reader.take()
             term = _term(reader)
             terms.append(reader.spanned(t.Neg(term), sign.start) if sign.text == "-" else term)
@@ -42,14 +44,14 @@ def multiplied(reader: Reader) -> t.Node:
     """Products joined by a dot or cross; between vectors these are Dot and Cross."""
     start = reader.token.start
     node = _product(reader)
-    while reader.sees_sign(r"\cdot", r"\times", "*") and not _ends_integrand(reader):
+    while reader.sees_sign(r"\cdot", r"\times", "*") and not ends_integrand(reader):
         sign = reader.take()
         right = _signed_product(reader)
         node = reader.spanned(_joined(node, right, sign.text), start)
     return node
 
 
-def _ends_integrand(reader: Reader) -> bool:
+def ends_integrand(reader: Reader) -> bool:
     """Does `\\cdot d\\vec R` follow, which belongs to the integral around?"""
     return bool(reader.integrals) and reader.sees_differential(1)
 
@@ -90,11 +92,24 @@ def _product(reader: Reader) -> t.Node:
     while True:
         if reader.sees_sign("/"):
             factors = [_slash(reader, _one(reader, factors, start), start)]
-        elif begins_factor(reader):
-            _refuse_number(reader)
+        elif goes_on(reader) or begins_factor(reader):
+            refuse_number(reader)
             factors.append(factor(reader))
         else:
             return _one(reader, factors, start)
+
+
+def goes_on(reader: Reader, sign: str = "") -> bool:
+    """Does a sum (with this sign) or product go on where rows or gaps may part two relations? The parting is passed then."""
+    token, place = reader.token, reader.position
+    if token.kind != "row" or token.text != OPEN or (reader.ahead().text == "-") != bool(sign):
+        return False
+    question, hint = "is this one formula, or are these two?", "Write a comma between two relations."
+    if reader.decide(question, hint, no=int(not sign)):
+        reader.position += 1
+        return True
+    reader.tokens = (*reader.tokens[:place], replace(token, text=""), *reader.tokens[place + 1 :])
+    return False
 
 
 def _one(reader: Reader, factors: list[t.Node], start: int) -> t.Node:
@@ -109,7 +124,7 @@ def _slash(reader: Reader, num: t.Node, start: int) -> t.Node:
     closed, begin = reader.sees_sign("(", "[", "{", r"\{"), reader.token.start
     below = [factor(reader)]
     while not closed and begins_factor(reader):
-        _refuse_number(reader)
+        refuse_number(reader)
         if not _is_below(reader, num, below):
             break
         below.append(factor(reader))
@@ -151,7 +166,7 @@ def _sees_derivative(reader: Reader) -> bool:
         reader.position = position
 
 
-def _refuse_number(reader: Reader) -> None:
+def refuse_number(reader: Reader) -> None:
     """Raise ReadError for 2 3."""
     if reader.token.kind == "digit":
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
@@ -191,7 +206,7 @@ def atom(reader: Reader) -> t.Node:
         if (power := _exponential(reader)) is not None:
             return power
         if begins_name(token):
-            return read_name(reader)
+            return COMMANDS["f()"](reader)
     raise _missing(reader)
 
 
@@ -219,10 +234,14 @@ def _missing(reader: Reader) -> RbpsymError:
 
 def _number(reader: Reader) -> t.Node:
     """A number of adjacent digits, with perhaps a decimal mark."""
-    start, digits = reader.token.start, ""
+    start, digits, commas = reader.token.start, "", 0
     while reader.token.kind == "digit" or (reader.sees_sign(".", "{,}") and _in_number(reader)):
         token = reader.take()
         digits += token.text if token.kind == "digit" else "."
+        commas += token.text == "{,}"
+    if commas and not reader.table.comma and len(digits.partition(".")[2]) % 3 == 0:
+        what = "is this comma a decimal mark, or does it group thousands?"
+        raise reader.source.error(what, start, reader.previous_end, "Write a point, as in 1.500, or no mark, as in 1500.")
     if len(digits) > 30 or digits.count(".") > 1:
         what = "a number of more than 30 digits" if len(digits) > 30 else "two decimal marks"
         raise reader.source.limit(what, start, reader.previous_end)

@@ -1,6 +1,6 @@
-"""LaTeX -> tokens. Spacing, `\\left`, `\\right` and `\\nonumber` mean nothing and make no token;
+"""LaTeX -> tokens. Thin spaces, `\\left`, `\\right` and `\\nonumber` mean nothing and make no token;
 
-every other character makes one, or an error that names it.
+every other character makes one, or an error that names it. Gaps make one where rows are laid out.
 """
 
 from __future__ import annotations
@@ -24,24 +24,28 @@ FUNCTION_WORDS = {
     "arcsen": "asin", "arctg": "atan", **{name: name for name in HYPERBOLIC},
 }  # fmt: skip
 _SILENT = (
-    r"\\(?:,|;|:|!|>| |\n)|~"
-    r"|\\(?:quad|qquad|nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
+    r"\\(?:,|:|!|>)"
+    r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
     r"|left|right|bigl|bigr|Bigl|Bigr|big|Big|middle)(?![A-Za-z])"
-    r"|\\hspace\*?\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}"
+    r"|\\label\s*\{[^{}]*\}"
 )
+_GAP = r"\\(?:;| |\n)|~|\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\s*\{[^{}]*\}"
+PUNCTUATION = (",", ".", ";")
+CONDITION = "if"  # the text of a row token behind which a condition stands
 _PATTERNS = re.compile(
     r"(?P<blank>\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
     r"|(?P<bar>\\(?:left|right|bigl|bigr|big|Big)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
+    rf"|(?P<gap>{_GAP})"
     r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
-    r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\{[lcr]*\})?)"
+    r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\[[tbc]\])?(?:\{(?:[lcr|]*|\d+)\})?)"
     r"|(?P<row>\\\\(?:\[[^\]]*\])?)"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
-    r"|(?P<sign>[-+*/=<>()\[\]{}|_^',.&])"
+    r"|(?P<sign>[-+*/=<>()\[\]{}|_^',.;&])"
 )
 _ALIASES = {
     r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
@@ -55,6 +59,9 @@ _ALIASES = {
 JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
     "y", "de modo que", "luego", "por tanto", "por lo tanto", "con", "donde", "es decir", "entonces", "o sea",
+})  # fmt: skip
+CONDITIONAL = frozenset({
+    "for", "if", "when", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
 })  # fmt: skip
 _ENVIRONMENTS = frozenset({
     "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
@@ -72,14 +79,15 @@ class Token:
     end: int
 
 
-def tokenize(source: Source) -> tuple[Token, ...]:
-    """The tokens of a LaTeX formula, with an end token. Raises ReadError, LimitError."""
+def tokenize(source: Source, *, gaps: bool = False) -> tuple[Token, ...]:
+    """The tokens of a LaTeX formula, with an end token; `gaps`: with wide spaces too. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
         raise LimitError(
             f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
             instead="Split it into smaller parts.",
         )
-    return (*_tokens(source), Token("end", "", len(source.text), len(source.text)))
+    found = (token for token in _tokens(source) if gaps or token.kind != "gap")
+    return (*found, Token("end", "", len(source.text), len(source.text)))
 
 
 def _tokens(source: Source) -> Iterator[Token]:
@@ -119,8 +127,10 @@ def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     word = re.search(r"\{(?:\s*\\rm)?([^{}]*)\}", text)[1].strip()
     if word in FUNCTION_WORDS and text.startswith((r"\mathrm", r"\operatorname", r"\rm", "{")):
         return Token("command", rf"\{word}", start, end)
-    joins = word.strip(" ,;:.") in JOINING and not text.startswith((r"\mathrm", r"\operatorname"))
-    return Token("row" if joins else "text", word, start, end)
+    plain = "" if text.startswith((r"\mathrm", r"\operatorname")) else word.strip(" ,;:.")
+    if plain in CONDITIONAL:
+        return Token("row", CONDITION, start, end)
+    return Token("row" if plain in JOINING else "text", word, start, end)
 
 
 def _differential(source: Source, kind: str, text: str, start: int, end: int) -> Token:
@@ -149,7 +159,7 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
     if name not in _ENVIRONMENTS:
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
-    return Token("begin", "begin" if text.startswith(r"\begin") else "end", start, end)
+    return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
 
 
 _MAKERS = {

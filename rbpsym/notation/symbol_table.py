@@ -30,12 +30,15 @@ class SymbolTable:
     """Names by their drawn form, and names by a row of tokens (`spellings`).
 
     `faults` counts where the dimensions of a formula do not fit; by it a reader chooses between two readings
-    (None: it refuses what can be read in two ways).
+    (None: it refuses what can be read in two ways). `varies` says whether a name is no constant, and so may be a
+    function: in x(t), V(θ) (None: nothing is known). `comma`: in 1{,}470 it is declared to be the decimal mark.
     """
 
     names: Mapping[Drawn, tuple[str, ...]]
     spellings: Mapping[tuple[str, ...], str] = field(default_factory=lambda: MappingProxyType({}))
     faults: Callable[[Node], int] | None = None
+    varies: Callable[[str], bool] | None = None
+    comma: bool = False
 
     @property
     def has_d(self) -> bool:
@@ -89,7 +92,7 @@ def symbol_table(
         for drawing in dict.fromkeys((notation.glyph(name), glyph(name))):
             _enter(found, drawn_glyph(drawing), name, notation.aliases)
     spelled = {spelling(tokenize(Source(latex))[:-1]): name for latex, name in spellings.items()}
-    return SymbolTable(MappingProxyType(found), MappingProxyType(spelled), faults)
+    return SymbolTable(MappingProxyType(found), MappingProxyType(spelled), faults, comma=notation.decimal == ",")
 
 
 def _enter(found: dict[Drawn, tuple[str, ...]], drawn: Drawn, name: str, aliases: Mapping[str, str]) -> None:

@@ -232,9 +232,10 @@ class Chain(Node):
 
 @dataclass(frozen=True, slots=True)
 class System(Node):
-    """Several relations shown under each other (an aligned block), all asserted."""
+    """Several relations shown under each other (an aligned block), all asserted, perhaps under conditions."""
 
     rows: tuple[Node, ...]
+    conditions: tuple[Node, ...] = ()
 
 
 ZERO, ONE, TWO, HALF = Num(0), Num(1), Num(2), Num(Fraction(1, 2))

@@ -32,7 +32,7 @@ READERS = (
     *(HOUSE / "notation" / f"{name}.py" for name in ("cursor", "limits", "source")),
     *(
         HOUSE / "notation" / f"latex_{name}.py"
-        for name in ("calculus", "functions", "grammar", "names", "reader", "table", "tokens")
+        for name in ("calculus", "calls", "functions", "grammar", "names", "reader", "rows", "table", "tokens")
     ),
     *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "standard", "typed", "units")),
 )
@@ -40,7 +40,8 @@ FOREIGN = tuple(language for language in languages() if language != "en")
 SENTENCE = re.compile(r"[A-Za-z]{2,}'? [A-Za-z“{*\\0-9<(\]]|[”}] [a-z]|^[A-Z][a-z]+ ")
 PATTERN = re.compile(r"\(\?|\\s|\\w|%|\[\^")
 NO_SENTENCES = frozenset({"so that", "that is", "de modo que", "por tanto", "por lo tanto", "es decir", "o sea", "i.e",
-                          "control character", "The symbols are: ", "read as"})  # fmt: skip
+                          "as long as",
+                          "provided that", "siempre que", "control character", "The symbols are: ", "read as"})  # fmt: skip
 
 
 def sentences(file: Path) -> Iterator[str]:

@@ -90,4 +90,6 @@ def _table(
         for primes, rate in ((1, f"{name}_dot"), (2, f"{name}_ddot")):
             if rate in names:
                 others[replace(drawn_glyph(glyph(name)), primes=primes)] = (rate,)
-    return SymbolTable(MappingProxyType({**others, **own.names}), own.spellings)
+    rated = {name.removesuffix(tail) for name in names for tail in ("_dot", "_ddot") if name.endswith(tail)}
+    moving = rated | {f"{name}{tail}" for name in rated for tail in ("_dot", "_ddot")}
+    return SymbolTable(MappingProxyType({**others, **own.names}), own.spellings, varies=moving.__contains__)

@@ -1,0 +1,241 @@
+"""The rows of a display: what goes on is joined, what stands side by side is parted, what is neither is refused.
+
+This is the one place where tokens are taken out before a formula is read: alignment, ends of rows, gaps, punctuation
+between relations, delimiters that are cut at the end of a row. What parts two relations becomes one token "row".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.latex_tokens import CONDITION, PUNCTUATION, Token
+from rbpsym.notation.source import Source
+
+OPEN = "?"  # the text of a row token where a sum or product may go on
+GAP = "gap"  # the text of a row token made by a wide gap, behind which a condition may stand
+RELATIONS = frozenset(("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\to"))
+_JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which nothing begins
+_SIGNS = frozenset((*RELATIONS, *_JOINING, "-"))
+_CUT = (r"\left.", r"\right.")
+_HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
+_DEEPER, _HIGHER = frozenset("([{") | {r"\{"}, frozenset(")]}") | {r"\}"}
+_CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
+
+
+def laid_out(source: Source, tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """The tokens of the relations, with a token "row" between two of them. Raises ReadError for what can't be joined."""
+    return _Layout(source, tokens).tokens()
+
+
+class _Layout:
+    """One pass over the tokens of a display."""
+
+    def __init__(self, source: Source, tokens: tuple[Token, ...]) -> None:
+        self.source, self.all = source, tokens
+        self.depth = self.cut = 0
+        self.related = False  # was there a relation sign since the last parting?
+        self.parted = 0  # relations side by side in this row
+
+    def tokens(self) -> tuple[Token, ...]:
+        """What is read: things and signs, and what parts relations."""
+        found: list[Token] = []
+        for k, token in enumerate(self.all):
+            self.depth += (token.text in _DEEPER) - (token.text in _HIGHER) if token.kind == "sign" else 0
+            self.related |= self.depth == 0 and _is_relation(token)
+            kept = self._kept(k, token)
+            if kept is None or (kept.kind == "row" and kept.text != CONDITION and not found):
+                continue
+            if kept.kind == "row":
+                self.related = False
+                while found and found[-1].kind == "row":
+                    kept = _both(found.pop(), kept)
+            found.append(kept)
+        last = found.pop()
+        while found and found[-1].kind == "row" and found[-1].text != CONDITION:
+            found.pop()
+        return (*found, last)
+
+    def _kept(self, k: int, token: Token) -> Token | None:
+        """The token, a token that parts two relations, or None where it only forms the page."""
+        if token.text in PUNCTUATION and token.kind == "sign":
+            return self._punctuation(k, token)
+        rule = _RULES.get(token.kind if token.kind != "sign" else token.text)
+        return rule(self, k, token) if rule else token
+
+    # --- what stands around
+
+    def _near(self, k: int, step: int) -> Token | None:
+        """The next thing or sign before or behind; None at the edge of the formula."""
+        k += step
+        while 0 <= k < len(self.all) - 1 and (_is_blank(self.all[k]) or self._is_empty(k)):
+            k += step
+        return self.all[k] if 0 <= k < len(self.all) - 1 else None
+
+    def _is_empty(self, k: int) -> bool:
+        """Is it a brace of {}?"""
+        one, other = (k, k + 1) if self.all[k].text == "{" else (k - 1, k)
+        return one >= 0 and (self.all[one].text, self.all[other].text) == ("{", "}")
+
+    def _at_edge(self, k: int, step: int) -> bool:
+        """Does a row (or the formula) begin or end here, but for what only forms the page?"""
+        k += step
+        while 0 <= k < len(self.all) - 1 and _is_blank(self.all[k]) and self.all[k].kind != "row":
+            k += step
+        return not 0 <= k < len(self.all) - 1 or self.all[k].kind == "row"
+
+    def _row_behind(self, k: int) -> list[int]:
+        """Where the tokens up to the next end of a row or parting stand, on this level."""
+        places, depth = [], 0
+        for place in range(k + 1, len(self.all) - 1):
+            token = self.all[place]
+            depth += (token.text in _DEEPER) - (token.text in _HIGHER) if token.kind == "sign" else 0
+            if depth == 0 and places and (token.kind == "row" or token.text in PUNCTUATION):
+                break
+            places += [place] if depth == 0 and token.kind != "row" else []
+        return places
+
+    def _relates(self, k: int) -> bool:
+        """Does a relation sign follow in this row?"""
+        return any(_is_relation(self.all[place]) for place in self._row_behind(k))
+
+    # --- rules
+
+    def _row(self, k: int, token: Token) -> Token | None:
+        """The end of a row, or a word that joins relations."""
+        before, behind = self._near(k, -1), self._near(k, 1)
+        if not token.text.startswith("\\"):
+            return self._part(token, token.text if token.text == CONDITION else "")
+        several, self.parted = self.parted, 0
+        if before is None or behind is None:
+            return None
+        if before.text in "+-" and behind.text in "+-":
+            raise self._error(token, "a sign ends this row, and a sign begins the next", "Write it once.")
+        if before.text in _SIGNS or behind.text in _JOINING:
+            return None
+        if self.depth:
+            if behind.text in (*_SIGNS, *_HELD) or before.text in PUNCTUATION:
+                return None
+            raise self._error(token, "does this go on with a product?", "Begin the row with the sign.")
+        if _is_relation(behind):
+            if several:
+                raise self._error(token, "which relation of the row above goes on here?", "Write its left side again.")
+            return None
+        return self._minus(k, token) if behind.text == "-" else replace(token, text="")
+
+    def _minus(self, k: int, token: Token) -> Token | None:
+        """A row that begins with a minus goes on where its first cell is empty or it is no relation."""
+        row = self._row_behind(k)
+        first = next((place for place in row if not _is_blank(self.all[place])), k)
+        if any(self.all[place].text == "&" for place in row if place < first):
+            return None
+        sign = next((place for place in row if _is_relation(self.all[place])), None)
+        if sign is None or not self.related:
+            return None
+        aligned = "&" in (self.all[sign - 1].text, self.all[sign + 1].text)
+        return replace(token, text="" if aligned else OPEN)
+
+    def _gap(self, k: int, token: Token) -> Token | None:
+        """A gap in a row parts two relations, and never stands in a product within one."""
+        if self.depth or (k and self.all[k - 1].kind == "gap") or self._at_edge(k, -1) or self._at_edge(k, 1):
+            return None
+        before, behind, last = self._near(k, -1), self._near(k, 1), k
+        while self.all[last + 1].kind == "gap":
+            last += 1
+        if before.text in PUNCTUATION:
+            return replace(token, kind="row", text=GAP)
+        if before.text in _SIGNS or behind.text in (*_JOINING, *RELATIONS, *_HELD, *PUNCTUATION):
+            return None
+        related = self.related + self._relates(k)
+        wide = last > k or token.text.startswith((r"\q", r"\enspace"))
+        if behind.text == "-" or not wide:
+            return self._part(token, OPEN) if related == 2 else None
+        return self._part(token, GAP) if related else None
+
+    def _part(self, token: Token, text: str) -> Token:
+        self.parted += 1
+        return replace(token, kind="row", text=text)
+
+    def _cell(self, k: int, token: Token) -> Token | None:
+        """A & that aligns rows, or that parts two relations of a row; any other is left to be refused."""
+        if self._at_edge(k, -1) or self._at_edge(k, 1):
+            return None
+        near = [found.text for found in (self._near(k, -1), self._near(k, 1)) if found]
+        if self.depth or RELATIONS.intersection(near):
+            return token if self.depth else None
+        used = any(self.all[place].text == "&" for place in self._row_before(k))
+        if self.related and self._relates(k) and (used or not _SIGNS.intersection(near)):
+            return self._part(token, "")
+        return None if {"+", "-"}.intersection(near) and (self.related or self._relates(k)) else token
+
+    def _row_before(self, k: int) -> Iterator[int]:
+        """Where the tokens of this row before stand."""
+        while k > 0 and self.all[k - 1].kind != "row":
+            k -= 1
+            yield k
+
+    def _environment(self, k: int, token: Token) -> Token | None:
+        """An environment that stands alone, or at the right side of a relation."""
+        begins, name = token.text.startswith(r"\begin"), token.text.partition("{")[2].partition("}")[0]
+        step = -1 if begins else 1
+        near, beside = self._near(k, step), self.all[k + step]
+        alone = self._at_edge(k, step) or beside.kind == "gap" or near.text in PUNCTUATION
+        if self.depth or not (alone or (_is_relation(near) and name not in _CELLED)):
+            raise self._error(token, f"an environment “{name}” within a formula can't be read", "Write it alone.")
+        return None
+
+    def _cut_delimiter(self, k: int, token: Token) -> Token | None:
+        """\\right. at the end of a row, and the \\left. that opens the same parenthesis again."""
+        if token.text == r"\left.":
+            again, self.cut = self.cut > 0, max(self.cut - 1, 0)
+            return None if again else token
+        cut = self._at_edge(k, 1) and self._near(k, 1) is not None
+        self.cut += cut
+        return None if cut else token
+
+    def _brace(self, k: int, token: Token) -> Token | None:
+        """{} beside a sign is a space."""
+        if not self._is_empty(k):
+            return token
+        near = (self._near(k, -1), self._near(k, 1))
+        return None if any(found is None or found.text in _SIGNS for found in near) else token
+
+    def _punctuation(self, k: int, token: Token) -> Token | None:
+        """A comma between relations, or at the end of a row that goes on."""
+        before, behind = self.all[k - 1] if k else None, self.all[k + 1]
+        if self.depth or before is None:
+            return token
+        if before.kind == behind.kind == "digit" and before.end == token.start and token.end == behind.start:
+            if token.text == ".":
+                return token
+            raise self._error(token, "is this a decimal comma, or the end of a formula?", "Write 1.5, or a blank.")
+        goes_on = self._near(k, 1)
+        rows = any(found.kind == "row" for found in self.all[k + 1 : k + 4])
+        if goes_on is not None and rows and goes_on.text in _SIGNS:
+            return None
+        return self._part(token, "")
+
+    def _error(self, token: Token, what: str, instead: str) -> RbpsymError:
+        return self.source.error(what, token.start, token.end, instead)
+
+
+_RULES = {
+    "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
+    r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter, "{": _Layout._brace, "}": _Layout._brace,
+}  # fmt: skip
+
+
+def _is_relation(token: Token) -> bool:
+    return token.text in RELATIONS and token.kind in ("sign", "command")
+
+
+def _is_blank(token: Token) -> bool:
+    return token.kind in ("gap", "begin", "row") or token.text == "&" or token.text in _CUT
+
+
+def _both(one: Token, other: Token) -> Token:
+    """Two partings in a row are one: the clearest of them."""
+    texts = (one.text, other.text)
+    text = next((text for text in (CONDITION, GAP, "") if text in texts), OPEN)
+    return replace(one, text=text)
