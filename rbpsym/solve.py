@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.balance import Balance
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.linear import conditions, decaying, eigenvalues
+from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.work import Work
 from rbpsym.notation.machine import to_machine
@@ -153,11 +156,42 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
         {
             "at": _table(item.at, study),
             "stable": item.stable,
+            "stability": item.nature.proved,
             "stable_where_positive": text(item.where, study),
-            "frequencies_squared": [text(value, study) for value in item.frequencies_squared],
+            "frequencies_squared": _row(item.frequencies_squared, study),
+            **_damped(item, study),
         }
         for item in study.equilibria
     ]
+
+
+POSITIVE = {"positive": True, "zero": False, "negative": False, "nonpositive": False}
+
+
+def _row(values: Iterable[Scalar], study: Study) -> list[str]:
+    return [text(value, study) for value in values]
+
+
+def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
+    """What is said of small motions in which speeds occur; None where none do."""
+    if not item.linear.is_damped:
+        return dict.fromkeys(("damping", "characteristic_polynomial", "eigenvalues", "routh_hurwitz"))
+    factors = item.linear.factors
+    needed = [value for powers in factors for value in conditions(powers)]
+    roots = [eigenvalues(powers) for powers in factors]
+    return {
+        "damping": [
+            {"decay_rate": text(decay, study), "frequency_squared": text(square - decay * decay, study)}
+            for decay, square in map(decaying, factors)
+            if decay
+        ],
+        "characteristic_polynomial": {"zeros": item.linear.zeros, "factors": [_row(p, study) for p in factors]},
+        "eigenvalues": None if None in roots else [text(v, study) for found in roots for v in found],
+        "routh_hurwitz": [
+            {"value": text(value, study), "positive": POSITIVE.get(sign(value, study.assumptions).kind)}
+            for value in needed
+        ],
+    }
 
 
 def _balance(study: Study) -> dict[str, Any] | None:

@@ -142,6 +142,11 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     for item in answer["equilibria"]:
         squares = ", ".join(drawn.formula(value) for value in item["frequencies_squared"])
         told = f"; squares of frequencies: {squares}" if squares and item["stable"] else ""
+        told += "".join(
+            f"; one mode dies out at the rate {drawn.formula(mode['decay_rate'])}, and swings where this is positive, "
+            f"with the square of the frequency {drawn.formula(mode['frequency_squared'])}"
+            for mode in item["damping"] or ()
+        )
         yield f"  {_places(item['at'], drawn)}: {_stability(item, drawn)}{told}"
 
 
@@ -157,7 +162,7 @@ def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
 def _stability(item: Mapping[str, Any], drawn: Drawn) -> str:
     where = item["stable_where_positive"]
     return (
-        STABLE[item["stable"]]
+        ("asymptotically " if item["stability"] == "asymptotic" else "") + STABLE[item["stable"]]
         if where is None
         else f"stable where {drawn.formula(where)} > 0, unstable where it is < 0"
     )

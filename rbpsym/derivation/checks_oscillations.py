@@ -1,24 +1,33 @@
-"""Checks of positions of rest and of small motions about them: everything is differentiated and put in anew."""
+"""Checks of positions of rest and of small motions about them.
+
+The equations of motion are expanded anew, as truncated series in all coordinates and speeds (`expansion`); of the
+characteristic polynomial (by permutations) remainders of divisions and Routh's table are taken.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from itertools import permutations
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import permutations, zip_longest
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.roots import tidied
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.elimination import short
 
 Matrix = list[list[Scalar]]
 
 
-def _still(context: Context, value: Scalar, at: Mapping[str, Scalar]) -> Scalar:
+def still(context: Context, value: Scalar, at: Mapping[str, Scalar]) -> Scalar:
     """A value at rest in a place."""
     return substitute(substitute(value, dict.fromkeys(context.study.system.speeds, NOTHING)), at)
 
@@ -29,7 +38,7 @@ def _forces_at_rest(context: Context) -> list[Scalar]:
     conservative = study.potential is not None and not study.system.has_clock and not study.system.implicit
     names = study.system.independent
     forces = [-derivative(study.potential, n) for n in names] if conservative else list(study.dynamics.forcing)
-    return [_still(context, force, {}) for force in forces]
+    return [still(context, force, {}) for force in forces]
 
 
 def forces_at_rest(context: Context, step: Step) -> Verdict:
@@ -77,11 +86,11 @@ def series_in_balance(context: Context, step: Step) -> Verdict:
     [(_, _, right)] = list(relations(step.statement))
     stated, there = context.value(right), {item.name: symbol(item.place)}
     slope = derivative(stated, item.name)
-    [[mass]] = _inertia(context, there)
+    mass = substitute(context.study.dynamics.mass_matrix[0][0], there)
     pull = substitute(derivative(force, item.name), there)
     zeros = [substitute(stated, there), derivative(slope, item.name)]
     zeros += [
-        _still(context, derivative(context.study.dynamics.forcing[0], s), there) for s in context.study.system.speeds
+        still(context, derivative(context.study.dynamics.forcing[0], s), there) for s in context.study.system.speeds
     ]
     found = [same(context, value, NOTHING) for value in zeros]
     return weakest([*found, same(context, slope * mass, pull)])
@@ -101,88 +110,116 @@ def place_stated(context: Context, step: Step) -> Verdict:
 def at_rest(context: Context, step: Step) -> Verdict:
     """With all speeds zero at the stated place, all generalized forces vanish (`data`: "at")."""
     forcing = context.study.dynamics.forcing
-    return weakest(same(context, _still(context, value, step.data["at"]), NOTHING) for value in forcing)
+    return weakest(same(context, still(context, value, step.data["at"]), NOTHING) for value in forcing)
 
 
 def series(context: Context, step: Step) -> Verdict:
-    """The stated right side is linear in q and q̇, and has the value and the slopes of the acceleration there.
+    """The stated right side is linear, and is the acceleration to first order in all coordinates and speeds.
 
-    `data`: "value" (the acceleration), "name", "at".
+    `data`: "name", "at".
     """
     [(_, _, right)] = list(relations(step.statement))
-    stated, at, name = context.value(right), step.data["at"], step.data["name"]
-    found = [same(context, _still(context, value, at), NOTHING) for value in (stated, step.data["value"])]
-    for variable in (name, f"{name}_dot"):
-        slope = derivative(stated, variable)
-        found.append(same(context, slope, _still(context, derivative(step.data["value"], variable), at)))
-    return weakest(found)
+    study, at = context.study, step.data["at"]
+    row = context.value(right) - study.on_motion(symbol(f"{step.data['name']}_ddot"))
+    apart = nearby((row,), (), study.system.independent, at, {})
+    found = [same(context, value, NOTHING) for value in (*apart.rest, *apart.drag[0], *apart.pull[0])]
+    return weakest([*found, _is_linear(context, context.value(right), step)])
 
 
-def _stiffness(context: Context, at: Mapping[str, Scalar]) -> Matrix:
-    """-∂Q_i/∂q_j at a place."""
-    names, forces = context.study.system.independent, context.study.dynamics.forcing
-    return [[_still(context, -derivative(force, name), at) for name in names] for force in forces]
+def _is_linear(context: Context, value: Scalar, step: Step) -> Verdict:
+    """Whether a value is its own expansion, in displacements, speeds and accelerations."""
+    names, at = context.study.system.independent, step.data["at"]
+    [mass], [drag], [pull] = (lambda n: (n.mass, n.drag, n.pull))(nearby((value,), (), names, at, {}))
+    parts = [m * symbol(f"{n}_ddot") + c * symbol(f"{n}_dot") for n, m, c in zip(names, mass, drag, strict=True)]
+    parts += [k * (symbol(n) - at[n]) for n, k in zip(names, pull, strict=True) if n in at]
+    return same(context, value, total(parts))
 
 
-def _inertia(context: Context, at: Mapping[str, Scalar]) -> Matrix:
-    return [[substitute(entry, at) for entry in row] for row in context.study.dynamics.mass_matrix]
+def near_place(context: Context, step: Step) -> Nearby:
+    """The equations of motion to first order (`data`: "at", and "tied" where coordinates are tied)."""
+    study, at, tied = context.study, step.data["at"], step.data.get("tied", {})
+    return nearby(study.motion_rows, [tie.value for tie in study.ties], study.system.independent, at, tied)
 
 
 def linear_rows(context: Context, step: Step) -> Verdict:
-    """Row by row: the coefficients of the accelerations and of the displacements are those at the place (`data`: "at")."""
-    names, at = context.study.system.independent, step.data["at"]
-    found = []
-    rows = zip(relations(step.statement), _inertia(context, at), _stiffness(context, at), strict=True)
-    for (left, _, right), masses, springs in rows:
-        a, b = context.value(left), context.value(right)
-        found.append(same(context, substitute(b, at), NOTHING))
-        for name, mass, spring in zip(names, masses, springs, strict=True):
-            found += [same(context, derivative(a, f"{name}_ddot"), mass), same(context, derivative(b, name), -spring)]
-        found.append(same(context, substitute(a, dict.fromkeys(context.study.system.accelerations, NOTHING)), NOTHING))
-    return weakest(found)
+    """Row by row: what is stated is linear, and is the equation of motion to first order (`data`: "at", "tied")."""
+    study, at, near = context.study, step.data["at"], near_place(context, step)
+    stated = [context.value(left) - context.value(right) for left, _, right in relations(step.statement)]
+    own = nearby(stated, (), study.system.independent, at, {})
+    found = [same(context, value, NOTHING) for value in (*near.rest, *near.ties, *own.rest)]
+    for mine, there in ((own.mass, near.mass), (own.drag, near.drag), (own.pull, near.pull)):
+        pairs = (pair for a, b in zip(mine, there, strict=True) for pair in zip(a, b, strict=True))
+        found += [same(context, a, b) for a, b in pairs]
+    return weakest([*found, *(_is_linear(context, value, step) for value in stated)])
+
+
+def held(context: Context, step: Step, matrix: Matrix) -> Matrix:
+    """Over the coordinates that are not arbitrary."""
+    kept = [k for k, name in enumerate(context.study.system.independent) if name in step.data["at"]]
+    return [[matrix[i][j] for j in kept] for i in kept]
+
+
+def minors(matrix: Matrix) -> list[Scalar]:
+    """The leading minors."""
+    return [_leibniz([row[:size] for row in matrix[:size]]) for size in range(1, len(matrix) + 1)]
 
 
 def positive_minors(context: Context, step: Step) -> Verdict:
     """The stated values are the leading minors of the stiffness, and positive (`data`: "at")."""
-    kept = [k for k, name in enumerate(context.study.system.independent) if name in step.data["at"]]
-    whole = _stiffness(context, step.data["at"])
     found = []
-    for size, (left, _, right) in enumerate(relations(step.statement), 1):
-        minor = _leibniz([[whole[i][j] for j in kept[:size]] for i in kept[:size]])
+    expected = minors(held(context, step, near_place(context, step).pull))
+    for (left, _, right), minor in zip(relations(step.statement), expected, strict=True):
         value = context.value(left)
-        found += [same(context, value, minor), compare(context.value(right), value, context.assumptions, strict=True)]
+        found += [same(context, value, minor), is_positive(context, value - context.value(right))]
     return weakest(found)
+
+
+def is_positive(context: Context, value: Scalar) -> Verdict:
+    """Whether it is, for all declared signs and ranges; √(h²) is h where h is positive, which is proved."""
+    given = context.assumptions
+    plain = tidied(value, lambda name: given.sign_of(name) == "positive", lambda total: False)
+    return weakest([same(context, plain, value), compare(NOTHING, plain, given, strict=True)])
 
 
 def _leibniz(matrix: Matrix) -> Scalar:
     """The determinant as the sum over all permutations."""
-    total, size = NOTHING, len(matrix)
+    found, size = NOTHING, len(matrix)
     for order in permutations(range(size)):
         swaps = sum(a > b for k, a in enumerate(order) for b in order[k + 1 :])
         product = UNITY if swaps % 2 == 0 else -UNITY
         for row, column in enumerate(order):
             product = product * matrix[row][column]
-        total = total + product
-    return total
+        found = found + product
+    return found
 
 
-def _shifted(context: Context, at: Mapping[str, Scalar], square: Scalar) -> Matrix:
-    rows = zip(_stiffness(context, at), _inertia(context, at), strict=True)
+def singular(near: Nearby, rate: Scalar) -> Scalar:
+    """det(M λ² + C λ + K)."""
+    size = range(len(near.mass))
+    matrix = [[(near.mass[i][j] * rate + near.drag[i][j]) * rate + near.pull[i][j] for j in size] for i in size]
+    return _leibniz(matrix)
+
+
+def _shifted(near: Nearby, square: Scalar) -> Matrix:
+    rows = zip(near.pull, near.mass, strict=True)
     return [[k - square * m for k, m in zip(a, b, strict=True)] for a, b in rows]
 
 
 def secular(context: Context, step: Step) -> Verdict:
-    """The left side is det(K - λ M), by permutations (`data`: "at")."""
+    """The left side is det(K - λ M), by permutations (`data`: "at"; no speeds occur)."""
     [(left, _, right)] = list(relations(step.statement))
-    expected = _leibniz(_shifted(context, step.data["at"], symbol("lamda")))
-    return same(context, context.value(left) - context.value(right), expected)
+    near = near_place(context, step)
+    undamped = [same(context, value, NOTHING) for row in near.drag for value in row]
+    expected = _leibniz(_shifted(near, symbol(step.slots["letter"].name)))
+    return weakest([*undamped, same(context, context.value(left) - context.value(right), expected)])
 
 
 def characteristic(context: Context, step: Step) -> Verdict:
-    """Each stated λ makes K - λ M singular (`data`: "item")."""
-    found = []
+    """Each stated λ makes K - λ M singular (`data`: "at"; no speeds occur)."""
+    near = near_place(context, step)
+    found = [same(context, value, NOTHING) for row in near.drag for value in row]
     for _, _, right in relations(step.statement):
-        found.append(same(context, _leibniz(_shifted(context, step.data["item"].at, context.value(right))), NOTHING))
+        found.append(same(context, _leibniz(_shifted(near, context.value(right))), NOTHING))
     return weakest(found)
 
 
@@ -190,5 +227,97 @@ def mode_shape(context: Context, step: Step) -> Verdict:
     """(K - λ M) A = 0 for the amplitudes in the stated ratio (`data`: "at", "square")."""
     [(_, _, right)] = list(relations(step.statement))
     ratio = context.value(right)
-    rows = _shifted(context, step.data["at"], step.data["square"])
+    rows = _shifted(near_place(context, step), step.data["square"])
     return weakest(same(context, row[0] + row[1] * ratio, NOTHING) for row in rows)
+
+
+# --- motions in which speeds occur
+
+RATE = "rate away"  # λ, a name that no user can write
+
+
+def coefficients(value: Scalar) -> list[Scalar]:
+    """Of a polynomial in λ, that of the highest power first."""
+    parts = value.num.by_power(atoms.intern("symbol", RATE))
+    return [Scalar(parts.get(k, Poly({}))) / Scalar(value.den) for k in range(max(parts), -1, -1)]
+
+
+def _remainder(whole: Sequence[Scalar], divisor: Sequence[Scalar]) -> list[Scalar]:
+    """What long division of polynomials leaves."""
+    left = list(whole)
+    while len(left) >= len(divisor):
+        ratio = left[0] / divisor[0]
+        left = [a - ratio * b for a, b in zip_longest(left, divisor, fillvalue=NOTHING)][1:]
+    return left
+
+
+def divides(context: Context, near: Nearby, powers: Sequence[Scalar]) -> Verdict:
+    """Whether a polynomial in λ divides det(M λ² + C λ + K)."""
+    left = _remainder(coefficients(singular(near, symbol(RATE))), powers)
+    return weakest([same(context, value, NOTHING) for value in left])
+
+
+def polynomial(context: Context, step: Step) -> Verdict:
+    """The left side is det(M λ² + C λ + K) but for a factor that does not vanish and is free of λ (`data`: "at")."""
+    [(left, _, _)] = list(relations(step.statement))
+    letter = symbol(step.slots["letter"].name)
+    stated, whole = context.value(left), singular(near_place(context, step), letter)
+    factor = short(whole / stated)
+    if depends_on(factor, step.slots["letter"].name) or not sign(factor, context.assumptions).is_nonzero:
+        return same(context, whole, stated)
+    return same(context, whole, stated * factor)
+
+
+def motion_of_mode(context: Context, step: Step) -> Verdict:
+    """λ² + 2γλ + ϑ² divides det(M λ² + C λ + K); for "undamped" data without C (`data`: "at", "decay", "square")."""
+    near = near_place(context, step)
+    if step.data.get("undamped"):
+        near = replace(near, drag=[[NOTHING] * len(row) for row in near.drag])
+    decay, square = step.data["decay"], step.data["square"]
+    return divides(context, near, (UNITY, decay * 2, square))
+
+
+def critical(context: Context, step: Step) -> Verdict:
+    """(2γ)² - 4ϑ² = b² (c² - c_crit²) with b free of c, and c_crit > 0: the damping is weak below c_crit and nowhere else
+    (`data`: "name" of c, "damping" 2γ, "square" ϑ²)."""
+    [(left, _, _)] = list(relations(step.statement))
+    name, damping, value = step.data["name"], step.data["damping"], context.value(left)
+    each = damping / symbol(name)
+    if depends_on(each, name) or depends_on(value, name):
+        return Verdict(UNDECIDED, reason="the damping is not proportional to the parameter")
+    spread = damping * damping - step.data["square"] * 4
+    found = same(context, spread, each * each * (symbol(name) * symbol(name) - value * value))
+    return weakest([found, is_positive(context, value)])
+
+
+def rate_of_mode(context: Context, step: Step) -> Verdict:
+    """The stated λ = -(rate) makes M λ² + C λ + K singular (`data`: "at")."""
+    [(_, _, right)] = list(relations(step.statement))
+    return same(context, singular(near_place(context, step), -context.value(right)), NOTHING)
+
+
+def _routh(powers: Sequence[Scalar]) -> list[Scalar]:
+    """Hurwitz's determinants Δ₁, Δ₂, …: products of the first column of Routh's table."""
+    above, row, found = list(powers[::2]), list(powers[1::2]), []
+    while row:
+        found.append(row[0] * (found[-1] if found else UNITY))
+        paired = list(zip_longest(above[1:], row[1:], fillvalue=NOTHING))
+        above, row = row, [(row[0] * a - above[0] * b) / row[0] for a, b in paired]
+    return [short(value) for value in found]
+
+
+def routh_conditions(powers: Sequence[Scalar]) -> list[Scalar]:
+    """Coefficients and every other determinant from the last but one (Liénard and Chipart)."""
+    return [*powers[1:], *_routh(powers)[len(powers) - 3 : 0 : -2]]
+
+
+def hurwitz(context: Context, step: Step) -> Verdict:
+    """What is stated are the conditions for a factor of the polynomial: those that are positive, and by name those that
+    are where one of the open "conditions" is, from which it differs by a positive factor (`data`: "at", "powers")."""
+    powers, given = step.data["powers"], step.data["conditions"]
+    found = [divides(context, near_place(context, step), powers), is_positive(context, powers[0])]
+    for (left, op, right), value in zip(relations(step.statement), routh_conditions(powers), strict=True):
+        found.append(same(context, context.value(right if op == "=" else left), value))
+        if op == "=" and not any(is_positive(context, value / condition).is_proved for condition in given):
+            found.append(Verdict(UNDECIDED, reason="none of the named conditions says that this is positive"))
+    return weakest(found)

@@ -11,6 +11,7 @@ from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_phases as p
+from rbpsym.derivation import checks_stability as s
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
 
@@ -46,7 +47,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "substitution": (c.along_motion,),
     "stays": (c.along_motion,),
     "rest": (o.forces_at_rest,),
-    "equilibrium": (o.place_stated, o.at_rest),
+    "equilibrium": (o.place_stated, o.at_rest, s.stability_said),
     "linearization": (o.series,),
     "open_balance": (o.force_vanishes,),
     "open_ends": (c.identity, o.force_at_ends),
@@ -56,6 +57,11 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "secular": (o.secular,),
     "normal_modes": (c.identity, o.characteristic),
     "mode_shape": (c.identity, o.mode_shape),
+    "polynomial": (o.polynomial,),
+    "rate_of_mode": (c.identity, o.rate_of_mode),
+    "motion_of_mode": (c.identity, o.motion_of_mode),
+    "critical": (c.identity, o.critical),
+    "hurwitz": (c.identity, o.hurwitz),
     "vanishing": (c.vanishing, c.holds_there),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),

@@ -1,9 +1,8 @@
 """Equilibria, their stability, and the frequencies of small oscillations about them.
 
-At rest the generalized forces Q(q) vanish. About an equilibrium, M q̈ = -K δq with K = -∂Q/∂q; the
-squares of the angular frequencies are the roots of det(K - λ M). An equilibrium of conservative
-forces is stable if K is positive definite (Lagrange-Dirichlet); a direction with negative
-curvature makes it unstable.
+At rest the generalized forces Q(q) vanish. What is said of the motion close to such a place follows from the linear
+equations there (`linear`): where no speed occurs in them, the squares of the angular frequencies are the roots of
+det(K - λ M).
 """
 
 from __future__ import annotations
@@ -21,26 +20,39 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.linear import LAMBDA, Linear, Nature, gains_nothing, is_symmetric, linearized, nature
 from rbpsym.mechanics.numbers import number, sample, samples
 from rbpsym.mechanics.roots import common_zeros, numerator_factors
-from rbpsym.mechanics.stability import is_stable, stable_where
+from rbpsym.mechanics.stability import stable_where
 from rbpsym.mechanics.system import System
-
-LAMBDA = "lambda_"
-
 
 @dataclass(frozen=True, slots=True)
 class Equilibrium:
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
-    normal modes that have a closed form, the slowest first; `stable` None if it can't be decided: then it is stable
-    `where` this is positive and unstable where it is negative (None: no such formula)."""
+    normal modes that have a closed form, the slowest first (none where speeds damp the motion); `nature` what is
+    proved of its stability; where that is open, it is stable `where` this is positive and unstable where it is
+    negative (None: no such formula)."""
 
     at: Mapping[str, Scalar]
-    stable: bool | None
     frequencies_squared: tuple[Scalar, ...]
-    stiffness: Matrix = ()
-    inertia: Matrix = ()
+    linear: Linear
+    nature: Nature
     where: Scalar | None = None
+
+    @property
+    def stable(self) -> bool | None:
+        """None if it is not decided."""
+        return self.nature.stable
+
+    @property
+    def stiffness(self) -> Matrix:
+        """K."""
+        return self.linear.stiffness
+
+    @property
+    def inertia(self) -> Matrix:
+        """M."""
+        return self.linear.inertia
 
 
 def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
@@ -66,7 +78,7 @@ def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> 
         return ()
     places = common_zeros(forces, names) or _all_zero(forces, names, assumptions)
     kept = (at for at in places if _within(system, at) and _is_regular(dynamics.mass_matrix, at))
-    return tuple(_describe(system, dynamics, forces, at, assumptions) for at in kept)
+    return tuple(_describe(system, dynamics, at, assumptions) for at in kept)
 
 
 def _is_regular(mass: Matrix, at: Mapping[str, Scalar]) -> bool:
@@ -127,24 +139,23 @@ def _number(node, numbers) -> float:
     return number(scalar(node), numbers)
 
 
-def _describe(system: System, dynamics: Dynamics, forces, at, assumptions: Assumptions) -> Equilibrium:
+def _describe(system: System, dynamics: Dynamics, at, assumptions: Assumptions) -> Equilibrium:
     names = system.independent
 
-    def there(value: Scalar) -> Scalar:
-        return _without_roots(substitute(value, at), assumptions)
+    still = dict.fromkeys(system.speeds, NOTHING)
 
-    stiffness = tuple(tuple(there(-derivative(force, n)) for n in names) for force in forces)
-    inertia = tuple(tuple(there(entry) for entry in row) for row in dynamics.mass_matrix)
-    held = _held(stiffness, names, at)
-    stable = is_stable(held, assumptions)
-    return Equilibrium(
-        at,
-        stable,
-        _slowest_first(_frequencies(stiffness, inertia, assumptions), system),
-        stiffness,
-        inertia,
-        stable_where(held, assumptions) if stable is None else None,
-    )
+    def there(value: Scalar) -> Scalar:
+        return _without_roots(substitute(substitute(value, still), at), assumptions)
+
+    linear = linearized(system, dynamics, assumptions, there)
+    held = _held(linear.stiffness, names, at)
+    found = nature(system, dynamics, linear, held, assumptions)
+    where = None
+    if found.proved == "open":
+        is_kept = is_symmetric(held) and gains_nothing(system, dynamics, assumptions)
+        where = stable_where(held, assumptions) if is_kept else found.conditions[0] if len(found.conditions) == 1 else None
+    squares = () if linear.is_damped else _frequencies(linear.stiffness, linear.inertia, assumptions)
+    return Equilibrium(at, _slowest_first(squares, system), linear, found, where)
 
 
 def _held(stiffness: Matrix, names, at) -> Matrix:

@@ -27,19 +27,19 @@ def stable_where(matrix: Matrix, assumptions: Assumptions) -> Scalar | None:
     open_ones = [minor for minor in _minors(matrix) if sign(minor, assumptions).kind != "positive"]
     if len(open_ones) != 1:
         return None
-    try:
-        return _essential(open_ones[0], assumptions)
-    except RbpsymError:
-        return None
+    return essential(open_ones[0], assumptions)
 
 
 def _minors(matrix: Matrix) -> list[Scalar]:
     return [determinant(tuple(row[:k] for row in matrix[:k])) for k in range(1, len(matrix) + 1)]
 
 
-def _essential(value: Scalar, assumptions: Assumptions) -> Scalar:
-    """The value without factors whose signs are known."""
-    factors = [Scalar(factor) for factor in numerator_factors(value)]
+def essential(value: Scalar, assumptions: Assumptions) -> Scalar:
+    """The value without factors whose signs are known, as far as it can be factored."""
+    try:
+        factors = [Scalar(factor) for factor in numerator_factors(value)]
+    except RbpsymError:
+        return value
     product = UNITY
     for factor in factors:
         if sign(factor, assumptions).kind not in ("positive", "negative"):

@@ -1,17 +1,18 @@
 """Normal modes about a stable position of rest: linear equations, characteristic equation, frequencies, shapes.
 
-M q̈ = -K (q - q₀) with K = -∂Q/∂q; q - q₀ = A cos ϑt solves it if det(K - λ M) = 0 with λ = ϑ², and then
-(K - λ M) A = 0. Meriam & Kraige, Dynamics, 8; Goldstein, 6.2.
+M q̈ = -C q̇ - K (q - q₀). Where no speeds occur, q - q₀ = A cos ϑt solves it if det(K - λ M) = 0 with λ = ϑ², and
+then (K - λ M) A = 0; else see `decay`. Meriam & Kraige, Dynamics, 8; Goldstein, 6.2.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import derivative, root, substitute
+from rbpsym.algebra.calculus import root
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.elimination import determinant, short
@@ -24,32 +25,28 @@ LONGEST, LONGEST_RATIO = 120, 30
 
 
 def write(draft: Draft, item: Equilibrium, place: int) -> None:
-    """The steps for one stable place; nothing where speeds act on each other there (dampers, turning frames)."""
-    if _has_drag(draft, item):
-        return
+    """The steps for one place of rest."""
     _equations(draft, item, place)
-    _stability(draft, item, place)
-    if item.frequencies_squared:
+    if item.nature.proved == "minimum":
+        _stability(draft, item, place)
+    if item.linear.is_damped:
+        decay.write(draft, item, place)
+    elif item.frequencies_squared:
         _characteristic(draft, item, place)
         _frequencies(draft, item, place)
 
 
-def _has_drag(draft: Draft, item: Equilibrium) -> bool:
-    still = dict.fromkeys(draft.study.system.speeds, NOTHING)
-    slopes = (derivative(f, speed) for f in draft.study.dynamics.forcing for speed in draft.study.system.speeds)
-    return any(not is_zero(substitute(substitute(slope, still), item.at)) for slope in slopes if slope)
-
-
 def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
-    """Σ M_ij q̈_j ≈ -Σ K_ij (q_j - q_j0), row by row.
+    """Σ M_ij q̈_j ≈ -Σ C_ij q̇_j - Σ K_ij (q_j - q_j0), row by row.
 
     A coordinate that may have any value in the equilibrium pulls at nothing but through the q_j0 of the others.
     """
-    names, rows = draft.study.system.independent, []
-    for inertias, stiffnesses in zip(item.inertia, item.stiffness, strict=True):
+    names, rows, linear = draft.study.system.independent, [], item.linear
+    for inertias, drags, stiffnesses in zip(linear.inertia, linear.damping, linear.stiffness, strict=True):
         left = [draft.show(m * symbol(f"{n}_ddot")) for n, m in zip(names, inertias, strict=True) if m]
+        right = [draft.show(-(c * symbol(f"{n}_dot"))) for n, c in zip(names, drags, strict=True) if not is_zero(c)]
         pulls = {n: k for n, k in zip(names, stiffnesses, strict=True) if n in item.at and not is_zero(k)}
-        right = [_pull(draft, k, n, item) for n, k in pulls.items()]
+        right += [_pull(draft, k, n, item) for n, k in pulls.items()]
         rows.append(t.relation(t.add(*left), "~", t.add(*right)))
     draft.add(
         f"linear.{place}",
@@ -58,7 +55,7 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
         "oscillations.linear_system",
         level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
         premises=[f"equilibrium.{place}", *(f"motion.{name}" for name in names)],
-        data={"at": item.at},
+        data={"at": item.at, "tied": linear.tied},
     )
 
 
@@ -85,7 +82,7 @@ def _stability(draft: Draft, item: Equilibrium, place: int) -> None:
         level=FULL,
         premises=[f"equilibrium.{place}"],
         count=len(rows),
-        data={"at": item.at},
+        data={"at": item.at, "tied": item.linear.tied},
     )
 
 
@@ -106,7 +103,7 @@ def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
         level=STANDARD if length(shown) <= LONGEST else FULL,
         premises=[f"linear.{place}"],
         letter=t.Sym(LAMBDA),
-        data={"at": item.at},
+        data={"at": item.at, "tied": item.linear.tied},
     )
 
 
@@ -125,7 +122,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         count=len(rows),
         is_result=True,
         premises=[f"characteristic.{place}"],
-        data={"item": item, "squares": tuple(found)},
+        data={"at": item.at, "tied": item.linear.tied},
     )
     ratios = [_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
     if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
@@ -167,5 +164,5 @@ def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, 
         frequency=t.Sym(_name(draft, "vartheta", place, k)),
         first=t.Sym(first),
         second=t.Sym(second),
-        data={"at": item.at, "square": square},
+        data={"at": item.at, "tied": item.linear.tied, "square": square},
     )

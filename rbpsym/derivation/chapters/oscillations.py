@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
+from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.chapters import modes, open_balance
+from rbpsym.derivation.chapters import decay, modes, open_balance
 from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.derivation.step import FULL
 from rbpsym.mechanics.elimination import short
@@ -43,42 +43,50 @@ def _rest(draft: Draft) -> None:
 
 def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
-    verdict = {True: "stable", False: "unstable", None: "unclear"}[item.stable]
     linear = _is_linearized(draft, item)
+    proved, names = item.nature.proved, draft.study.system.independent
+    among = ".among" if any(name not in item.at for name in names) else ".alone"
     draft.add(
         f"equilibrium.{place}",
         "equilibrium",
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
-        f"oscillations.{verdict}",
+        f"oscillations.{NATURES[proved]}" + (among if proved == "asymptotic" else ""),
         level=FULL,
-        premises=["rest"],
+        premises=["rest", *(f"motion.{name}" for name in names)],
         names=[t.Sym(name) for name in item.at],
+        others=[t.Sym(name) for name in names if name not in item.at],
         count=len(rows),
         place=rows,
         told=linear,
-        data={"at": item.at},
+        data={"at": item.at, "proved": proved, "factors": item.linear.factors, "tied": item.linear.tied},
     )
     if linear:
-        _linearized(draft, item, place, f"oscillations.linear.{verdict}", rows)
-    elif item.stable:
+        _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)
+    elif item.stable or (item.linear.is_damped and proved == "open"):
         modes.write(draft, item, place)
+
+
+NATURES = {"minimum": "stable", "asymptotic": "asymptotic", "unstable": "unstable", "open": "unclear"}
+LINEAR = {**NATURES, "asymptotic": "stable"}
 
 
 def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
     """Whether one coordinate and one frequency tell the whole small motion."""
-    single = len(draft.study.system.independent) == 1 or len(item.frequencies_squared) == 1
+    names, linear = draft.study.system.independent, item.linear
+    single = len(names) == 1 or (len(item.frequencies_squared) == 1 and not linear.is_damped)
     known = draft.study.dynamics.accelerations is not None
-    fixed = not any(depends_on(value, n) for value in item.at.values() for n in draft.study.system.independent)
-    return single and known and fixed and bool(item.frequencies_squared) and len(item.at) == 1
+    fixed = not any(depends_on(value, n) for value in item.at.values() for n in names)
+    pulls = bool(item.frequencies_squared) or not is_zero(linear.stiffness[0][0])
+    return single and known and fixed and pulls and not linear.tied and len(item.at) == 1
 
 
 def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
     """q̈ ≈ -ϑ² (q - q₀) - (damping) q̇, and the frequency."""
     [name] = item.at
-    value = draft.study.dynamics.accelerations[f"{name}_ddot"]
-    square = item.frequencies_squared[0]
+    square, damping = _square(item), NOTHING
+    if item.linear.is_damped:
+        damping = short(item.linear.damping[0][0] / item.inertia[0][0])
     shown = _forms(draft, _frequency(draft, item, square), square)
-    damping = _damping(draft, item, value, name)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     pull = _linear(draft, shown[-1], deviation)
     drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
@@ -90,57 +98,36 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
         place=there,
         premises=[f"equilibrium.{place}", f"motion.{name}"],
         coordinate=t.Sym(name),
-        data={"value": value, "name": name, "at": item.at},
+        data={"name": name, "at": item.at},
     )
     if item.stable:
         _frequencies(draft, item, place, shown, damping)
 
 
-def _damping(draft: Draft, item: Equilibrium, value: Scalar, name: str) -> Scalar:
-    """What multiplies -q̇ close to the place."""
-    slope = derivative(value, f"{name}_dot")
-    still = dict.fromkeys(draft.study.system.speeds, NOTHING)
-    return short(-substitute(substitute(slope, still), item.at)) if slope else NOTHING
+def _square(item: Equilibrium) -> Scalar:
+    """What multiplies -(q - q₀) in the acceleration."""
+    if len(item.stiffness) == 1:
+        return short(item.stiffness[0][0] / item.inertia[0][0])
+    return item.frequencies_squared[0]
 
 
 def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node], damping: Scalar) -> None:
     """ϑ without damping, and with it."""
-    square = item.frequencies_squared[0]
+    square = _square(item)
     letter = t.Sym(draft.free(_letter(draft, item)))
     draft.context.scalars[letter.name] = root(square)
     draft.add(
         f"frequency.{place}",
-        "identity",
+        "motion_of_mode",
         t.equation(t.Pow(letter, t.TWO), *shown),
         "oscillations.frequency_undamped" if damping else "oscillations.frequency",
         premises=[f"linear.{place}"],
-        is_result=True,
+        is_result=not damping,
         letter=letter,
+        data={"at": item.at, "decay": NOTHING, "square": square, "undamped": bool(damping)},
     )
-    if not damping or is_zero(damping):
-        return
-    decay = draft.define(draft.free("gamma"), damping / 2)
-    damped = short(square - damping * damping / 4)
-    slower = t.Sym(draft.free(f"{letter.name}_d"))
-    draft.context.scalars[slower.name] = root(damped)
-    draft.add(
-        f"decay.{place}",
-        "identity",
-        t.equation(decay, draft.show(damping / 2, factor=True)),
-        "oscillations.decay",
-        premises=[f"linear.{place}"],
-        letter=decay,
-        coordinate=t.Sym(next(iter(item.at))),
-    )
-    draft.add(
-        f"damped.{place}",
-        "identity",
-        t.equation(t.Pow(slower, t.TWO), t.add(t.Pow(letter, t.TWO), t.neg(t.Pow(decay, t.TWO)))),
-        "oscillations.damped",
-        premises=[f"frequency.{place}", f"decay.{place}"],
-        is_result=True,
-        letter=slower,
-    )
+    if damping:
+        decay.swinging(draft, item, damping, square, str(place), letter.name.removeprefix("vartheta"), "alone")
 
 
 def _letter(draft: Draft, item: Equilibrium) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from rbpsym.algebra.calculus import derivative
 from rbpsym.document.plots.integrator import Rate, State, advance, solved
 from rbpsym.document.plots.motion import Journey, Motion
 from rbpsym.document.plots.trajectory import Numbers, Trajectory, at
@@ -37,7 +36,7 @@ def followed(study: Study, moments: Trajectory, found: Equilibrium) -> dict[str,
     names, first = moments.coordinates, moments.states[0]
     rest = {name: at(found.at[name], first) if name in found.at else first[name] for name in names}
     still = {**first, **rest, **{f"{name}_dot": 0.0 for name in names}}
-    rate = linear_rate(study, found, still)
+    rate = linear_rate(found, still)
     state = (*(first[n] - rest[n] for n in names), *(first[f"{n}_dot"] for n in names))
     states = [state]
     for before, after in pairwise(moments.times):
@@ -46,10 +45,10 @@ def followed(study: Study, moments: Trajectory, found: Equilibrium) -> dict[str,
     return {name: [rest[name] + state[k] for state in states] for k, name in enumerate(names)}
 
 
-def linear_rate(study: Study, found: Equilibrium, still: Numbers) -> Rate:
+def linear_rate(found: Equilibrium, still: Numbers) -> Rate:
     """How fast δq and q̇ change; all matrices in numbers, at rest."""
-    inertia, stiffness = ([[at(v, still) for v in row] for row in m] for m in (found.inertia, found.stiffness))
-    damping = [[-at(derivative(f, speed), still) for speed in study.system.speeds] for f in study.dynamics.forcing]
+    matrices = (found.inertia, found.linear.damping, found.stiffness)
+    inertia, damping, stiffness = ([[at(v, still) for v in row] for row in m] for m in matrices)
     count = len(inertia)
 
     def rate(_: float, state: State) -> State:
