@@ -118,11 +118,11 @@ def series(context: Context, step: Step) -> Verdict:
 
     `data`: "name", "at".
     """
-    [(_, _, right)] = list(relations(step.statement))
-    study, at = context.study, step.data["at"]
-    row = context.value(right) - study.on_motion(symbol(f"{step.data['name']}_ddot"))
-    apart = nearby((row,), (), study.system.independent, at, {})
+    [(left, _, right)] = list(relations(step.statement))
+    study, at, gained = context.study, step.data["at"], symbol(f"{step.data['name']}_ddot")
+    apart = nearby((context.value(right) - study.on_motion(gained),), (), study.system.independent, at, {})
     found = [same(context, value, NOTHING) for value in (*apart.rest, *apart.drag[0], *apart.pull[0])]
+    found.append(same(context, context.value(left), gained))
     return weakest([*found, _is_linear(context, context.value(right), step)])
 
 

@@ -1,0 +1,121 @@
+"""What is said of small motions sees every term of first order: whatever is left out or changed is not PROVED."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rbpsym.algebra.scalar import NOTHING
+from rbpsym.derivation import checks_oscillations, checks_stability, expansion
+from rbpsym.derivation.rules import certify
+from rbpsym.notation import tree as t
+from tests.derivation.conftest import drafted
+
+RULES = {"linearization", "linear_system"}
+DAMPED = ("rod-on-damped-cart", "rods-with-rotary-damper", "disk-on-viscous-bearing", "rod-with-damper")
+MORE = ("cart-and-rod", "spring-coupled-pendulums", "elastic-pendulum", "linear-molecule", "rod-on-two-strings")
+
+
+def steps_of(name, rules):
+    draft = drafted(name)
+    found = [step for step in draft.steps if step.rule in rules]
+    assert found, name
+    return draft, found
+
+
+def terms(node):
+    return node.terms if isinstance(node, t.Add) else (node,)
+
+
+def without_a_term(statement):
+    """The statement with one term of one side of one row left out, in every way; what becomes 0 = 0 … stays a row."""
+    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    for k, row in enumerate(rows):
+        for side, item in enumerate(row.items):
+            for place in range(len(terms(item))):
+                left = t.add(*(term for n, term in enumerate(terms(item)) if n != place))
+                items = tuple(left if n == side else other for n, other in enumerate(row.items))
+                changed = (*rows[:k], t.Chain(items, row.ops), *rows[k + 1 :])
+                yield t.System(changed) if isinstance(statement, t.System) else changed[0]
+
+
+@pytest.mark.parametrize("name", [*DAMPED, *MORE])
+def test_a_linear_equation_that_lacks_a_term_is_not_proved(name):
+    draft, steps = steps_of(name, RULES)
+    for step in steps:
+        assert certify(draft.context, step).verdict.is_proved
+        spoilt = [w for w in without_a_term(step.statement) if w != step.statement]
+        assert spoilt
+        for wrong in spoilt:
+            assert not certify(draft.context, replace(step, statement=wrong)).verdict.is_proved, (step.id, wrong)
+
+
+@pytest.mark.parametrize("name", ["rod-on-damped-cart", "disk-on-viscous-bearing"])
+def test_a_pendulum_whose_support_is_damped_does_not_swing_alone(name):
+    """The statement that was once proved: θ̈ ≈ -ϑ² θ, with the speed of the other coordinate forgotten."""
+    draft = drafted(name)
+    item = draft.study.equilibria[0]
+    assert item.frequencies_squared == () and item.linear.is_damped
+    square = item.stiffness[1][1] if name == "rod-on-damped-cart" else item.stiffness[0][0]
+    alone = t.relation(t.Sym("theta_ddot"), "~", t.neg(t.mul(draft.show(square), t.Sym("theta"))))
+    step = next(s for s in draft.steps if s.id == "linear.1")
+    wrong = replace(step, rule="linearization", statement=alone, data={"name": "theta", "at": item.at})
+    assert not certify(draft.context, wrong).verdict.is_proved
+
+
+@pytest.mark.parametrize("name", DAMPED)
+def test_modes_and_conditions_follow_from_all_of_the_equations(name):
+    """Of a mode, of a condition, of the stability: what belongs to other numbers is not proved."""
+    draft, steps = steps_of(name, {"motion_of_mode", "hurwitz", "polynomial", "equilibrium"})
+    for step in steps:
+        for change in CHANGES[step.rule](step):
+            assert not certify(draft.context, replace(step, data=step.data | change)).verdict.is_proved, (step, change)
+
+
+CHANGES = {
+    "motion_of_mode": lambda step: [{"square": step.data["square"] * 2}, {"decay": step.data["decay"] + 1}],
+    "hurwitz": lambda step: [{"powers": (*step.data["powers"][:-1], step.data["powers"][-1] * 2)}],
+    "polynomial": lambda step: [],
+    "equilibrium": lambda step: [{"proved": kind} for kind in OTHERS[step.data["proved"]]],
+}
+OTHERS = {"asymptotic": ["unstable"], "minimum": ["unstable", "asymptotic"], "unstable": ["minimum", "asymptotic"]}
+
+
+@pytest.mark.parametrize("module", [expansion, checks_oscillations, checks_stability])
+def test_makers_and_checkers_share_no_linearisation(module):
+    """The checkers use nothing by which linear equations, polynomials and conditions are made; the expansion no
+    derivative and no substitution either."""
+    text = Path(module.__file__).read_text(encoding="utf-8")
+    assert not [made for made in ("mechanics.linear", "mechanics.oscillation", "mechanics.stability") if made in text]
+    assert "determinant" not in vars(module)
+    assert module is not expansion or not {"derivative", "substitute"} & vars(module).keys()
+
+
+def test_no_period_is_asked_for_where_the_motion_is_damped():
+    from rbpsym.derive import derive
+    from rbpsym.statement.library import problem_files
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.teaching.targets import targets
+
+    for name in DAMPED:
+        found = targets(derive(load_problem(problem_files()[name]), simulation=False))
+        assert not [target for target in found if target.kind == "frequency"], name
+
+
+def test_the_expansion_keeps_what_is_of_first_order():
+    from rbpsym.algebra.calculus import root
+    from rbpsym.algebra.scalar import UNITY, symbol
+    from rbpsym.algebra.trig import cosine, sine
+
+    theta, speed = symbol("theta"), symbol("theta_dot")
+    images = {
+        "theta": expansion.Series(NOTHING, symbol("theta away")),
+        "theta_dot": expansion.Series(NOTHING, symbol("theta _dot")),
+    }
+    value = sine(theta) * 3 + cosine(theta) * speed + speed * speed + root(UNITY + theta) / (UNITY + theta) ** 3
+    found = expansion.expanded(value, images)
+    assert expansion.part(found.slope, "theta _dot") == UNITY
+    assert expansion.part(found.slope, "theta away") * 2 == UNITY
+    assert found.value == UNITY

@@ -1,0 +1,185 @@
+"""What is said of small motions, against the mechanism in maximal coordinates.
+
+About each position of rest the accelerations that the simulation gives are differentiated by differences in all
+coordinates and speeds; the eigenvalues of that matrix are compared with what is printed.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import os
+import random
+
+import numpy as np
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.study import Study
+from rbpsym.solve import results
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+from rbpsym.verify.simulation_bench import Bench, Derived
+
+SETS = int(os.environ.get("RBPSYM_SETS", "20"))
+MOST_DRAWS = 40  # per set: places that do not exist for the numbers are drawn again
+CLOSE = 1e-6
+STEP = 2e-3
+STENCIL = ((1, 0.8), (2, -0.2), (3, 4 / 105), (4, -1 / 280))  # central differences of the eighth order
+FUNCTIONS = {n: getattr(cmath, n) for n in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "pi")}
+FUNCTIONS["ln"] = cmath.log
+
+
+def evaluated(text: str, numbers: dict[str, float]) -> complex:
+    return complex(eval(text, {"__builtins__": {}}, {**numbers, **FUNCTIONS}))  # our own output, in a test
+
+
+def drawn(problem, source: random.Random) -> dict[str, float]:
+    """Numbers with ratios log-uniform in [1/5, 5], within declared signs and bounds."""
+    base = sample(problem)
+    while True:
+        found = dict(base)
+        for quantity in problem.parameters:
+            found[quantity.name] = base[quantity.name] * 5 ** source.uniform(-0.5, 0.5)
+        if all(_inside(quantity, found[quantity.name], found) for quantity in problem.parameters):
+            return found
+
+
+def _inside(quantity, value: float, numbers) -> bool:
+    low, high = (None if b is None else number(scalar(b), numbers) for b in (quantity.lower, quantity.upper))
+    return (low is None or low < value) and (high is None or value < high)
+
+
+def placed(problem, item, numbers) -> dict[str, float] | None:
+    """The coordinates of the place, None if it does not exist for these numbers or lies outside its range."""
+    at = dict(numbers)
+    try:
+        for name, text in item["at"].items():
+            value = evaluated(text, numbers)
+            if abs(value.imag) > 1e-12:
+                return None
+            at[name] = value.real
+        inside = all(_inside(c, at[c.name], at) for c in problem.coordinates if _strict(c, at))
+    except (ValueError, ZeroDivisionError, KeyError):
+        return None
+    return at if inside else None
+
+
+def _strict(coordinate, at) -> bool:
+    """Whether it is not just at an end of its range."""
+    ends = [number(scalar(b), at) for b in (coordinate.lower, coordinate.upper) if b is not None]
+    return all(abs(at[coordinate.name] - end) > 1e-9 for end in ends)
+
+
+def jacobian(study: Study, at: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
+    """(accelerations at rest, the matrix of the first-order system in displacements and speeds)."""
+    system = study.system
+    bench = Bench(Derived(system, study.dynamics, None, {}, {}, {}, {}), at)
+    names, all_names = system.independent, bench.placement.names
+
+    def gained(shift: np.ndarray) -> np.ndarray:
+        n = len(names)
+        places = {name: at[name] + s for name, s in zip(names, shift[:n], strict=True)}
+        start = bench.start(places, dict(zip(names, shift[n:], strict=True)), names)
+        balance = bench.equations.at(start.where, start.speed)
+        found = bench.placement.accelerations(start.q, start.rates, start.where, start.speed, balance.gained)
+        return np.array([found[all_names.index(name)] for name in names])
+
+    n = len(names)
+    columns = []
+    for k in range(2 * n):
+        step = np.zeros(2 * n)
+        step[k] = STEP
+        columns.append(sum(w * (gained(j * step) - gained(-j * step)) for j, w in STENCIL) / STEP)
+    upper = np.hstack([np.zeros((n, n)), np.eye(n)])
+    return gained(np.zeros(2 * n)), np.vstack([upper, np.array(columns).T])
+
+
+def printed(item, numbers) -> tuple[list[complex], bool]:
+    """Eigenvalues that are printed, and whether these are all but zeros."""
+    polynomial = item["characteristic_polynomial"]
+    if polynomial is not None:
+        factors = [[evaluated(text, numbers) for text in factor] for factor in polynomial["factors"]]
+        found = [complex(root) for factor in factors for root in np.roots(factor)]
+        for text in item["eigenvalues"] or ():
+            assert min(abs(evaluated(text, numbers) - root) for root in found) < 1e-7 * (1 + max(map(abs, found)))
+        return found, True
+    squares = [evaluated(text, numbers) for text in item["frequencies_squared"]]
+    return [sign * cmath.sqrt(-square) for square in squares for sign in (1, -1)], bool(squares)
+
+
+def agree(item, study, numbers) -> None:
+    problem = study.problem
+    rest, matrix = jacobian(study, numbers)
+    values = np.linalg.eigvals(matrix)
+    scale = max(1e-9, *abs(values))
+    where = (problem.name, item["at"], {q.name: numbers[q.name] for q in problem.parameters})
+    assert np.abs(rest).max() < CLOSE * max(1.0, scale**2), where
+    found, complete = printed(item, numbers)
+    tolerance = [max(CLOSE, 1e-9 / max(_apart(values, value), 1e-9)) * scale for value in found]
+    for value, close in zip(found, tolerance, strict=True):
+        assert min(abs(values - value)) < close, (where, value, values)
+    if complete:
+        others = [value for value in values if abs(value) > 1e-3 * scale]
+        assert all(min(abs(value - mine) for mine in found) < 1e-5 * scale for value in others), (where, found, values)
+    growth = values.real.max() / scale
+    said = item["stability"]
+    assert said != "unstable" or growth > CLOSE, where
+    assert said not in ("minimum", "asymptotic") or growth < 1e-3, where  # zeros in pairs are known to half the digits
+    assert said != "asymptotic" or all(v.real < 0 for v in values if abs(v) > 1e-3 * scale), where
+
+
+def _apart(values: np.ndarray, value: complex) -> float:
+    """How far, in the scale of all, the two eigenvalues next to a value are from each other: near a double one digits
+    are lost."""
+    near = sorted(values, key=lambda v: abs(v - value))[:2]
+    return abs(near[0] - near[1]) / max(abs(values)) if len(near) == 2 else 1.0
+
+
+def equilibria(name: str) -> Study:
+    return Study(load_problem(problem_files()[name]))
+
+
+@pytest.mark.parametrize("name", sorted(problem_files()))
+def test_eigenvalues(name):
+    study = equilibria(name)
+    if not study.equilibria:
+        pytest.skip("no position of rest in closed form")
+    source, answer, again = random.Random(name), results(study)["equilibria"], 0
+    for item in answer:
+        done = 0
+        for _ in range(MOST_DRAWS * SETS):
+            if done == SETS:
+                break
+            numbers = placed(study.problem, item, drawn(study.problem, source))
+            if numbers is None or _undecided(item, numbers):
+                again += 1
+                continue
+            try:
+                agree(item, study, numbers)
+            except NotApplicable:
+                again += 1
+                continue
+            done += 1
+        assert done == SETS or done == 0 == len(item["at"]), (name, item["at"], done, again)
+
+
+def _undecided(item, numbers) -> bool:
+    """Next to a bifurcation: a value that decides between stable and unstable is close to 0."""
+    text = item["stable_where_positive"]
+    return text is not None and abs(evaluated(text, numbers)) < 1e-2
+
+
+CART = {"m": 1.0, "M": 1.0, "ell": 1.0, "g": 9.8}
+
+
+@pytest.mark.parametrize(("c", "value"), [(2.0, -0.287 + 4.780j), (50.0, -0.110 + 3.843j)])
+def test_the_cart_with_its_damper(c, value):
+    """The numbers of the finding: an undamped 4.850 was printed."""
+    [item, _] = results(equilibria("rod-on-damped-cart"))["equilibria"]
+    assert item["frequencies_squared"] == [] and item["stability"] == "asymptotic"
+    found, _ = printed(item, {**CART, "c": c})
+    assert min(abs(root - value) for root in found) < 6e-4
+    assert not any(math.isclose(abs(root.imag), 4.850, abs_tol=2e-2) for root in found)
