@@ -21,7 +21,7 @@ from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.elimination import short
 
 Matrix = list[list[Scalar]]
@@ -170,11 +170,11 @@ def positive_minors(context: Context, step: Step) -> Verdict:
     expected = minors(held(context, step, near_place(context, step).pull))
     for (left, _, right), minor in zip(relations(step.statement), expected, strict=True):
         value = context.value(left)
-        found += [same(context, value, minor), is_positive(context, value - context.value(right))]
+        found += [same(context, value, minor), positive(context, value - context.value(right))]
     return weakest(found)
 
 
-def is_positive(context: Context, value: Scalar) -> Verdict:
+def positive(context: Context, value: Scalar) -> Verdict:
     """Whether it is, for all declared signs and ranges; √(h²) is h where h is positive, which is proved."""
     given = context.assumptions
     plain = tidied(value, lambda name: given.sign_of(name) == "positive", lambda total: False)
@@ -287,7 +287,7 @@ def critical(context: Context, step: Step) -> Verdict:
         return Verdict(UNDECIDED, reason="the damping is not proportional to the parameter")
     spread = damping * damping - step.data["square"] * 4
     found = same(context, spread, each * each * (symbol(name) * symbol(name) - value * value))
-    return weakest([found, is_positive(context, value)])
+    return weakest([found, positive(context, value)])
 
 
 def rate_of_mode(context: Context, step: Step) -> Verdict:
@@ -315,9 +315,9 @@ def hurwitz(context: Context, step: Step) -> Verdict:
     """What is stated are the conditions for a factor of the polynomial: those that are positive, and by name those that
     are where one of the open "conditions" is, from which it differs by a positive factor (`data`: "at", "powers")."""
     powers, given = step.data["powers"], step.data["conditions"]
-    found = [divides(context, near_place(context, step), powers), is_positive(context, powers[0])]
+    found = [divides(context, near_place(context, step), powers), positive(context, powers[0])]
     for (left, op, right), value in zip(relations(step.statement), routh_conditions(powers), strict=True):
         found.append(same(context, context.value(right if op == "=" else left), value))
-        if op == "=" and not any(is_positive(context, value / condition).is_proved for condition in given):
+        if op == "=" and not any(positive(context, value / condition).is_proved for condition in given):
             found.append(Verdict(UNDECIDED, reason="none of the named conditions says that this is positive"))
     return weakest(found)

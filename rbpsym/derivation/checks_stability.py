@@ -11,9 +11,9 @@ from rbpsym.derivation.checks_oscillations import (
     coefficients,
     divides,
     held,
-    is_positive,
     minors,
     near_place,
+    positive,
     routh_conditions,
     singular,
     still,
@@ -38,10 +38,10 @@ def _symmetric(context: Context, *matrices: Matrix) -> list[Verdict]:
 
 def _minimum(context: Context, step: Step, near: Nearby) -> Verdict:
     """The stiffness is positive; the forces at rest have a potential; nothing but loss is added to it (Lagrange-Dirichlet)."""
-    signs = [is_positive(context, minor) for minor in minors(held(context, step, near.pull))]
+    signs = [positive(context, minor) for minor in minors(held(context, step, near.pull))]
     study = context.study
     names, rates = study.system.independent, study.system.scope.rates
-    forces = [-still(context, row, {a: NOTHING for a in study.system.accelerations}) for row in study.motion_rows]
+    forces = [-still(context, row, dict.fromkeys(study.system.accelerations, NOTHING)) for row in study.motion_rows]
     slopes = [[_along(context, force, speed) for speed in study.system.speeds] for force in forces]
     pairs = zip(names, study.dynamics.mass_matrix, strict=True)
     kinetic = total(rates[a] * rates[b] * m / 2 for a, row in pairs for b, m in zip(names, row, strict=True))
@@ -68,7 +68,7 @@ def _asymptotic(context: Context, step: Step, near: Nearby) -> Verdict:
     pairs = zip(whole, own, strict=True)
     found = [same(context, a * own[0], b * whole[0]) for a, b in pairs]
     needed = [value for powers in step.data["factors"] for value in (powers[0], *routh_conditions(powers))]
-    return weakest([*found, *(is_positive(context, value) for value in needed)])
+    return weakest([*found, *(positive(context, value) for value in needed)])
 
 
 def _unstable(context: Context, step: Step, near: Nearby) -> Verdict:

@@ -26,6 +26,7 @@ from rbpsym.mechanics.roots import common_zeros, numerator_factors
 from rbpsym.mechanics.stability import stable_where
 from rbpsym.mechanics.system import System
 
+
 @dataclass(frozen=True, slots=True)
 class Equilibrium:
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the

@@ -19,6 +19,7 @@ from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.linear import decaying
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
@@ -234,7 +235,8 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
     squares = [s for item in _equilibria(world, name, True)[:1] for s in item.frequencies_squared]
     place = ORDINALS[ordinal]
     if not squares:
-        raise StatementError(f"no small oscillations of “{name}” are known")
+        said = ", ".join(f"“{kind} of {name}”" for kind in OF_MODE)
+        raise StatementError(f"no undamped oscillations of “{name}” are known", instead=f"of a damped motion: {said}.")
     if place is None and len(squares) > 1:
         raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
     if place is not None and place >= len(squares):
@@ -252,6 +254,21 @@ def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
     if found is None:
         raise StatementError("which of the frequencies is the lower one depends on the parameters, or is not decided")
     return found
+
+
+def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
+    """γ, or a frequency, of the one mode λ² + 2γλ + ϑ² about the stable equilibrium."""
+    modes = [decaying(powers) for item in _equilibria(world, name, True)[:1] for powers in item.linear.factors]
+    if len(modes) != 1 or not modes[0][1]:
+        raise StatementError(f"the motion of “{name}” is not that of one mode")
+    return number(OF_MODE[kind](*modes[0]))
+
+
+OF_MODE = {
+    "decay rate": lambda decay, square: decay,
+    "damped frequency": lambda decay, square: function("sqrt", square - decay * decay),
+    "undamped frequency": lambda decay, square: function("sqrt", square),
+}
 
 
 def period(world: ProblemWorld, name: str) -> Bound:
@@ -297,6 +314,7 @@ PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
     (r"(.+) in ([\w./-]+)", elsewhere),
     (r"start of (.+)", start),
     (r"(lowest |second |third |highest )?frequency of (\w+)", frequency),
+    (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode),
     (r"period of (\w+)", period),
     (r"(unstable )?equilibrium of (\w+)", equilibrium),
     (r"friction ratio at (\w+)", friction_ratio),
@@ -315,6 +333,8 @@ EXAMPLES = (
     "energy lost when PHASE begins",
     "frequency of COORDINATE",
     "lowest frequency of COORDINATE",
+    "damped frequency of COORDINATE",
+    "decay rate of COORDINATE",
     "period of COORDINATE",
     "equilibrium of COORDINATE",
     "friction ratio at CONTACT",
