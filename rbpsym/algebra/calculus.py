@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
@@ -149,7 +149,10 @@ def substitute(value: Scalar, images: Mapping[str, Scalar]) -> Scalar:
 
 
 def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
-    images = {i: image for i in poly.atoms() if (image := _atom_substitute(i, key)) is not None}
+    return _with_images(poly, {i: image for i in poly.atoms() if (image := _atom_substitute(i, key)) is not None})
+
+
+def _with_images(poly: Poly, images: Mapping[int, Scalar]) -> Scalar:
     if not images:
         return Scalar(poly)
     by_factor: dict[Monomial, dict[Monomial, int | Fraction]] = {}
@@ -178,6 +181,17 @@ def _atom_substitute(index: int, key: tuple) -> Scalar | None:
     if image == arg:
         return None
     return FUNCTIONS[{"root": "sqrt"}.get(found.kind, found.kind)](image)
+
+
+def inside(value: Scalar, see: Callable[[Scalar], Scalar]) -> Scalar:
+    """The value with the arguments of its roots and functions seen otherwise."""
+    images = {}
+    for index in value.atoms():
+        found = atoms.atom(index)
+        if isinstance(found.arg, Scalar) and found.kind != "sign" and (seen := see(found.arg)) != found.arg:
+            images[index] = FUNCTIONS[{"root": "sqrt"}.get(found.kind, found.kind)](seen)
+    num = _with_images(value.num, images)
+    return num if value.den is ONE else num / _with_images(value.den, images)
 
 
 def depends_on(value: Scalar, name: str) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from typing import Protocol
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import BARE, Scope, value, vector
@@ -124,6 +125,17 @@ def cross_difference(a: Scalar, b: Scalar) -> Scalar:
     return Scalar((a.num if b.den is ONE else a.num * b.den) - (b.num if a.den is ONE else b.num * a.den))
 
 
+class Path(Protocol):
+    """Which points are met; `values` are what must have a value there."""
+
+    @property
+    def values(self) -> Iterable[Scalar]:
+        """Scalars whose names a point of the path has."""
+
+    def holds(self, point: Point) -> bool:
+        """Whether the point lies on it."""
+
+
 def find_witness(
     a: Scalar,
     b: Scalar,
@@ -131,11 +143,16 @@ def find_witness(
     domain: Iterable[Condition] = (),
     differ: Callable[[Number, Number], bool] = enclosure.are_disjoint,
     most: int = MOST_POINTS,
+    path: Path | None = None,
 ) -> Witness | None:
-    """A point that satisfies the assumptions and at which the sides `differ`; exact ones preferred."""
+    """A point that satisfies the assumptions and at which the sides `differ`; exact ones preferred.
+
+    Where there is a path, the point lies on it.
+    """
     domain, first, inexact = list(domain), None, 0
-    for point in points([a, b, *(condition.value for condition in domain)], assumptions, most):
-        if not all(holds_at(condition, point) for condition in domain):
+    told = [a, b, *(condition.value for condition in domain), *(path.values if path else ())]
+    for point in points(told, assumptions, most):
+        if not all(holds_at(condition, point) for condition in domain) or (path and not path.holds(point)):
             continue
         sides = _sides(point, a, b)
         if sides is None:

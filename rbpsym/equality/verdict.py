@@ -47,13 +47,14 @@ class Witness:
     """A point at which both sides were computed.
 
     numbers: values of names. points: (angle, cosine, sine), the angle as text ("theta/2").
-    left, right: values of the sides, exact fractions or enclosures.
+    left, right: values of the sides, exact fractions or enclosures; of: whose values, if not the sides' own.
     """
 
     numbers: tuple[tuple[str, Fraction], ...]
     points: tuple[tuple[str, Fraction, Fraction], ...]
     left: Number
     right: Number
+    of: str = ""
 
     @property
     def is_exact(self) -> bool:
@@ -63,7 +64,8 @@ class Witness:
     def __str__(self) -> str:
         parts = [f"cos({a}) = {c}, sin({a}) = {s}" for a, c, s in self.points]
         parts += [f"{name} = {number}" for name, number in self.numbers]
-        return f"at {', '.join(parts) or 'every point'}: left = {self.left}, right = {self.right}"
+        whose = f": {self.of}" if self.of else ""
+        return f"at {', '.join(parts) or 'every point'}{whose}: left = {self.left}, right = {self.right}"
 
 
 @dataclass(frozen=True, slots=True)

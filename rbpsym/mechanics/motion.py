@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, inside, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly, generator
@@ -105,7 +105,10 @@ def _replaced(poly: Poly, index: int, square: Scalar) -> Scalar | None:
 
 
 def with_squares(value: Scalar, squares: Mapping[str, Scalar]) -> Scalar:
-    """The value with squares of speeds replaced; an odd power keeps one factor."""
+    """The value with squares of speeds replaced, inside roots too; an odd power keeps one factor."""
+    if not any(depends_on(value, f"{name}_dot") for name in squares):
+        return value
+    value = inside(value, lambda arg: with_squares(arg, squares))
     for name, square in squares.items():
         index = atoms.intern("symbol", f"{name}_dot")
         if index in value.atoms():

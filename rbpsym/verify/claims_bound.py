@@ -12,6 +12,7 @@ from rbpsym.algebra.normal import shorten
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.domain import Condition
 from rbpsym.errors import Undecided
 from rbpsym.quantities import Dimension
 
@@ -57,7 +58,8 @@ class Motion:
     speeds, from the start; ledger: the rates of quantities that are zero at the start (works);
     unsettled: unknown forces and accelerations; lawless: what changes with time in a way that is
     not known, if not replaced; is_free: any state may be the start. is_tied: conditions that are
-    not solved tie the coordinates.
+    not solved tie the coordinates. kept: what the declared ranges of tied coordinates ask for.
+    energy: what is conserved of it, None if that is not known.
     """
 
     scope: Scope
@@ -70,6 +72,8 @@ class Motion:
     lawless: frozenset[str] = frozenset()
     is_free: bool = False
     is_tied: bool = False
+    kept: tuple[Condition, ...] = ()
+    energy: Scalar | None = None
     ledger: dict[str, Scalar] = field(default_factory=dict)
 
     def is_lawless(self, value: Scalar) -> bool:

@@ -22,8 +22,12 @@ from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import Undecided
 from rbpsym.verify.claims_glance import is_along_one_path, look_different
 from rbpsym.verify.claims_integrals import as_vector
+from rbpsym.verify.claims_path import on_path, path_of
 from rbpsym.verify.claims_question import HOW, Question, are_same
 from rbpsym.verify.claims_refute import disorder, refutation, witness_of
+
+
+MOST_RATES = 2
 
 
 def equal_values(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdict:
@@ -45,6 +49,8 @@ def equal_scalars(a: Scalar, b: Scalar, question: Question) -> Verdict:
             return found
     if (found := _at_depth(a, b, question.depths[len(tried) :], question)) is not None:
         return found
+    if "start" in question.depths and _in_each_sense(a, b, question):
+        return proved(HOW["sense"])
     if _by_rates(a, b, question):
         return proved(HOW["rates"])
     return refutation(a, b, question) if question.witnesses else undecided("not proved")
@@ -57,13 +63,27 @@ def _at_depth(a: Scalar, b: Scalar, depths: Iterable[str], question: Question) -
     return None
 
 
-def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
-    """Equal at the start, and the difference does not change."""
-    try:
-        begins = are_same(question.begin(a), question.begin(b), question)
-    except ZeroDivisionError:  # the start is a place where one of them has no value
+def _in_each_sense(a: Scalar, b: Scalar, question: Question) -> bool:
+    """Equal with the speeds as functions of the place, in the sense in which the motion sets out, or in both."""
+    values = tuple(question.seen(value, "start") for value in (a, b))
+    if not path_of(values, question.motion).names:
         return False
-    return begins and _is_constant(a - b, question, question.depths)
+    return all(are_same(*pair, question) for pair, _ in on_path(values, question.motion))
+
+
+def _by_rates(a: Scalar, b: Scalar, question: Question) -> bool:
+    """Equal at the start, and the difference does not change; or that of their rates does not, and so on."""
+    gap = a - b
+    for _ in range(MOST_RATES if "motion" in question.depths else 1):
+        try:
+            if not are_same(question.begin(gap), NOTHING, question):
+                return False
+        except ZeroDivisionError:  # the start is a place where one of them has no value
+            return False
+        if _is_constant(gap, question, question.depths):
+            return True
+        gap = question.rate(gap)
+    return False
 
 
 def _is_constant(value: Scalar, question: Question, depths: Iterable[str]) -> bool:
@@ -103,12 +123,23 @@ def ordered(a: Scalar, b: Scalar, op: str, question: Question) -> Verdict:
     low, high = (a, b) if op in ("<", "<=") else (b, a)
     strict = op in ("<", ">")
     for depth in question.depths:
-        pair = _squared([without_even_roots(question.seen(v, depth)) for v in (low, high)], question)
-        for one, other in (pair, (NOTHING, _in_normal_form(pair[1] - pair[0]))):
-            found = compare(one, other, question.motion.assumptions, strict=strict)
-            if found.is_proved:
-                return found
+        pair = tuple(question.seen(v, depth) for v in (low, high))
+        found = _below(pair, question, strict=strict)
+        if not found.is_proved and depth == "start" and path_of(pair, question.motion).names:
+            each = [_below(way, question, strict=strict) for way, _ in on_path(pair, question.motion)]
+            found = proved(HOW["sense"]) if all(one.is_proved for one in each) else found
+        if found.is_proved:
+            return found
     return disorder(low, high, question, strict=strict)
+
+
+def _below(pair: tuple[Scalar, ...], question: Question, *, strict: bool) -> Verdict:
+    """Whether the first is below the second as they stand, or in normal form."""
+    low, high = _squared([without_even_roots(value) for value in pair], question)
+    found = compare(low, high, question.motion.assumptions, strict=strict)
+    if found.is_proved:
+        return found
+    return compare(NOTHING, _in_normal_form(high - low), question.motion.assumptions, strict=strict)
 
 
 def _in_normal_form(value: Scalar) -> Scalar:

@@ -11,6 +11,7 @@ from hashlib import blake2b
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.mechanics.numbers import number
 from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_path import sense
 
 CLEAR = 1e-6
 LOOKS, SEEDS = 2, 20
@@ -34,7 +35,7 @@ class State(dict):
         if name in motion.ledger:
             raise ArithmeticError("a work has no number of its own")
         if name != coordinate and coordinate in motion.squares:
-            return math.sqrt(number(motion.squares[coordinate], self))
+            return math.sqrt(number(motion.squares[coordinate], self)) * (sense(motion, coordinate) or 1)
         if name in motion.speeds and not motion.is_free:
             raise ArithmeticError("the speed is not known")
         digest = blake2b(f"{self.seed} {name}".encode(), digest_size=4).digest()

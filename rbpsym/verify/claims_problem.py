@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.points import pair, position
 from rbpsym.mechanics.study import Study
@@ -80,7 +81,19 @@ class ProblemWorld:
             frozenset((*study.system.unknowns, *study.system.accelerations)),
             frozenset((*study.system.unknowns, *study.system.accelerations)),
             is_tied=bool(study.system.implicit),
+            kept=tuple(self._kept),
+            energy=study.first_integral,
         )
+
+    @property
+    def _kept(self) -> Iterator[Condition]:
+        """A coordinate that is tied to others keeps its declared range."""
+        for name, value in self.study.system.dependent.items():
+            lower, upper = self.study.assumptions.range_of(name)
+            if lower is not None:
+                yield Condition(Sym(name), ">", value - lower)
+            if upper is not None:
+                yield Condition(Sym(name), ">", upper - value)
 
     @cached_property
     def dependent(self) -> dict[str, Scalar]:

@@ -22,6 +22,7 @@ HOW = {
     "identity": "identity",
     "motion": "on the motion",
     "start": "along the motion from the start",
+    "sense": "along the motion from the start until it first comes to rest",
     "rates": "equal at the start and in rate",
     "constant": "its rate vanishes on the motion",
 }

@@ -1,31 +1,35 @@
 """States of the motion at which two values differ: the witnesses of a refutation.
 
-The start is a state; any position and speed is one, if nothing is said of the start; else the
-speeds are those of the motion from the start. Where a speed remains, both signs are excluded.
+The start is a state; so is each place on the way from the start until the motion first comes to rest, with the
+speed that it has there. Where no start is declared, or the speeds are no functions of the place and nothing is
+said of the start, any position and speed is a state of some motion.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, Scalar, show, symbol
+from rbpsym.algebra.scalar import Scalar, show, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.enclosure import Number, are_disjoint, sign_of
 from rbpsym.equality.verdict import Kind, Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.mechanics.motion import along_motion, with_squares
+from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_path import Path, on_path, path_of, reachable, with_energy
 from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
 
+ORDERS = ("at the start", "rates of change at the start", "second rates at the start", "third rates at the start")
 PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
 
 
@@ -34,7 +38,7 @@ def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
     moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
     if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
         return undecided("the coordinates are tied by conditions that are not solved in closed form")
-    for find in (_at_start, _at_any_state, _along):
+    for find in (_at_start, _at_any_state, _along, _in_rates_at_start):
         with suppress(ZeroDivisionError, Undecided):
             found = find(a, b, question)
             if found.is_refuted:
@@ -48,10 +52,11 @@ def witness_of(
     assumptions: Assumptions,
     domain: Iterable[Condition] = (),
     differ: Callable[[Number, Number], bool] = are_disjoint,
+    path: Path | None = None,
 ) -> Verdict:
     """REFUTED with a point at which the values differ (or are not ordered), UNDECIDED if none is found."""
     try:
-        point = find_witness(a, b, assumptions, domain, differ)
+        point = find_witness(a, b, assumptions, domain, differ, path=path)
     except (RbpsymError, ZeroDivisionError):
         point = None
     return refuted("the sides differ at a point", point) if point else undecided("no point was found")
@@ -66,13 +71,32 @@ def _at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 
 def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
-    """Every position and speed is a state of some motion, if nothing is said of the start."""
+    """Where no path is known and nothing is said of the start: any position and speed that has the energy of the start."""
+    motion = question.motion
     if tells_of_start(a, question) or tells_of_start(b, question):
         return undecided("")
     x, y = (question.seen(v, "motion") for v in (a, b))
-    if holds_unknowns(x, question) or holds_unknowns(y, question):
+    if holds_unknowns(x, question) or holds_unknowns(y, question) or path_of((x, y), motion).names:
         return undecided("")
-    return witness_of(x, y, question.motion.assumptions)
+    for pair, domain in with_energy((x, y), motion):
+        found = witness_of(*pair, motion.assumptions, [*domain, *motion.kept])
+        if found.is_refuted:
+            return found
+    return undecided("")
+
+
+def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """What stays equal along the motion has equal rates of change at the start, of each order."""
+    if not path_of((a, b), question.motion).names:
+        return undecided("")
+    for order in ORDERS:
+        x, y = (question.begin(value) for value in (a, b))
+        if not holds_unknowns(x, question) and not holds_unknowns(y, question):
+            found = witness_of(x, y, question.motion.assumptions)
+            if found.is_refuted:
+                return replace(found, witness=replace(found.witness, of=order))
+        a, b = (question.rate(value) for value in (a, b))
+    return undecided("")
 
 
 def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
@@ -86,23 +110,19 @@ def _along(a: Scalar, b: Scalar, question: Question) -> Verdict:
 
 
 def _differ(a: Scalar, b: Scalar, question: Question) -> Verdict:
-    """Where a speed remains, both signs of its root are excluded: (a - b)(a' - b') is not zero."""
-    squares = question.motion.squares
-    left, right, gap = a, b, a - b
-    for name, square in squares.items():
-        speed = f"{name}_dot"
-        if depends_on(gap, speed):
-            slope = derivative(gap, speed)
-            rest = substitute(gap, {speed: NOTHING})
-            gap = with_squares(rest * rest - slope * slope * square, squares)
-            left, right = rest * rest, with_squares(slope * slope * square, squares)
-    if _mixes_clock(gap, question.motion):
+    """Where both are known as functions of one place on the path: a place at which they differ."""
+    motion, path = question.motion, path_of((a, b), question.motion)
+    if _mixes_clock(a - b, motion):
         return undecided("the coordinates are functions of the time that are not known in closed form")
-    bound_speeds = not question.motion.is_free and any(_is_speed(index) for index in gap.atoms())
-    if bound_speeds or holds_unknowns(gap, question):
-        return undecided("")
-    found = witness_of(left, right, question.motion.assumptions, _reachable(question))
-    return found if found.is_refuted else witness_of(left, right, question.motion.assumptions)
+    if len(path.names) > 1:
+        return undecided("how the coordinates are passed at one time is not known in closed form")
+    for pair, when in on_path((a, b), motion):
+        if holds_unknowns(pair[0] - pair[1], question) or (not motion.is_free and any(map(_holds_speed, pair))):
+            continue
+        found = witness_of(*pair, motion.assumptions, [*reachable(motion), *when], path=path)
+        if found.is_refuted:
+            return found
+    return undecided("")
 
 
 def _mixes_clock(gap: Scalar, motion: Motion) -> bool:
@@ -145,22 +165,28 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
 def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> Verdict:
     """A state of the motion in which low is not below high.
 
-    Any position is one, if nothing is said of speeds and of the start; else the squares of the speeds
-    are those of the motion from the start, and not negative there.
+    Any position is one, if no path is known; else the places on it, with the speeds that the motion has there.
     """
-    motion, domain = question.motion, []
-    pair = [question.seen(value, "motion") for value in (low, high)]
-    if not motion.is_free and any(tells_of_start(v, question) or _holds_speed(v) for v in pair):
-        pair = [question.seen(value, "start") for value in pair]
-        domain = _reachable(question)
-    if motion.is_tied or any((_holds_speed(v) and not motion.is_free) or holds_unknowns(v, question) for v in pair):
+    motion, signs = question.motion, (0, 1) if strict else (1,)
+    values = tuple(question.seen(value, "motion") for value in (low, high))
+    path = path_of(values, motion)
+    if motion.is_tied or any(holds_unknowns(value, question) for value in values):
         return undecided("the sign of the difference is not known for the motion from the start")
-    signs = (0, 1) if strict else (1,)
-    found = witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs)
-    return found if found.is_refuted else _inside_ranges(pair, motion.assumptions, domain, signs)
+    for pair, when in on_path(tuple(question.seen(value, "start") for value in values), motion):
+        if any(map(_holds_speed, pair)) and not motion.is_free:
+            return undecided("the sign of the difference is not known for the motion from the start")
+        domain = [*(reachable(motion) if path.names else motion.kept), *when]
+        found = witness_of(*pair, motion.assumptions, domain, lambda x, y: sign_of(x - y) in signs, path)
+        if not found.is_refuted:
+            found = _inside_ranges(pair, motion.assumptions, domain, signs, path)
+        if found.is_refuted:
+            return found
+    return found
 
 
-def _inside_ranges(pair: list[Scalar], assumptions: Assumptions, domain: list[Condition], signs: tuple) -> Verdict:
+def _inside_ranges(
+    pair: tuple[Scalar, ...], assumptions: Assumptions, domain: list[Condition], signs: tuple, path: Path
+) -> Verdict:
     """Where a name has a range between other quantities, numbers alone hardly meet it: at parts of that range."""
     for name, (lower, upper) in assumptions.ranges.items():
         if not any(bound is not None and bound.atoms() for bound in (lower, upper)):
@@ -168,9 +194,9 @@ def _inside_ranges(pair: list[Scalar], assumptions: Assumptions, domain: list[Co
         for place, condition in _parts_of(lower, upper):
             image = {name: place}
             moved = [Condition(c.node, c.op, substitute(c.value, image)) for c in domain]
-            sides = [substitute(value, image) for value in pair]
+            sides, way = [substitute(value, image) for value in pair], replace(path, at=image)
             found = witness_of(
-                *sides, assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs
+                *sides, assumptions.without(name), [*moved, condition], lambda x, y: sign_of(x - y) in signs, way
             )
             if found.is_refuted:
                 return Verdict(Kind.REFUTED, reason=f"where {name} is {show(place)}: {found.witness}")
@@ -190,9 +216,3 @@ def _parts_of(lower: Scalar | None, upper: Scalar | None) -> Iterator[tuple[Scal
 
 def _holds_speed(value: Scalar) -> bool:
     return any(_is_speed(index) for index in value.atoms())
-
-
-def _reachable(question: Question) -> list[Condition]:
-    """The squares of the speeds are not negative."""
-    squares = question.motion.squares.items()
-    return [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in squares]

@@ -15,6 +15,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_path import sense
 from rbpsym.verify.claims_question import Question
 from rbpsym.verify.claims_refute import carried_out
 
@@ -118,7 +119,8 @@ def _state(motion: Motion, seed: int) -> dict[str, float] | None:
         for name in motion.squares if seed % 2 else ():
             begin = motion.scope.start.get(name)
             numbers[name] = numbers[name] if begin is None else number(begin, numbers) + (numbers[name] - 0.9) / 4
-        roots = {f"{n}_dot": math.sqrt(number(s, numbers)) for n, s in motion.squares.items()}
+        squares = motion.squares.items()
+        roots = {f"{n}_dot": math.sqrt(number(s, numbers)) * (sense(motion, n) or 1) for n, s in squares}
     except (ArithmeticError, ValueError):
         return None
     return {**numbers, **roots}

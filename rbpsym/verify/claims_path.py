@@ -1,0 +1,146 @@
+"""The motion from its start as a path: speeds as functions of the place, and which states lie on it.
+
+q̇ = σ √(q̇²(q)), where σ is the sense in which the motion sets out; so it goes until it first comes to rest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import product
+
+from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.domain import Condition
+from rbpsym.equality.points import Point
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.numbers import number
+from rbpsym.notation import tree as t
+from rbpsym.verify.claims_bound import Motion
+
+SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}
+STEPS, EDGE = 32, 1e-9
+Branch = tuple[tuple[Scalar, ...], list[Condition]]
+
+
+def first_push(motion: Motion, name: str) -> Scalar:
+    """What sets a coordinate going: its speed at the start, or its acceleration there if it starts from rest."""
+    first = motion.scope.start.get(f"{name}_dot") or motion.moved(symbol(f"{name}_ddot"))
+    return substitute(first, motion.scope.start)
+
+
+def sense(motion: Motion, name: str) -> int:
+    """1 or -1, the sense in which a coordinate sets out; 0 where it depends on the parameters or is not known.
+
+    What starts from rest in an equilibrium at an end of its range goes into the range.
+    """
+    push = first_push(motion, name)
+    if found := SENSES.get(sign(push, motion.assumptions).kind):
+        return found
+    begin = motion.scope.start.get(name)
+    lower, upper = motion.assumptions.range_of(name)
+    if begin is None or not is_zero(push):
+        return 0
+    return next((s for s, end in ((1, lower), (-1, upper)) if end is not None and is_zero(end - begin)), 0)
+
+
+def on_path(values: tuple[Scalar, ...], motion: Motion) -> Iterator[Branch]:
+    """The values with all speeds put in, for each sense that is possible, and when it is that sense."""
+    moving = [name for name in motion.squares if any(depends_on(value, f"{name}_dot") for value in values)]
+    known = {name: sense(motion, name) for name in moving}
+    for signs in product(*((known[name],) if known[name] else (1, -1) for name in moving)):
+        image, when = {}, []
+        for name, way in zip(moving, signs, strict=True):
+            image[f"{name}_dot"] = root(motion.squares[name]) * way
+            if not known[name]:
+                when.append(Condition(t.Sym(f"{name}_dot"), ">", first_push(motion, name) * way))
+        yield tuple(even(substitute(value, image)) for value in values), when
+
+
+def with_energy(values: tuple[Scalar, ...], motion: Motion) -> Iterator[Branch]:
+    """The values where the energy is that of the start: one of the speeds is what it must be for that.
+
+    As they are where nothing moves in them, where no energy is conserved, or where it is not said how the motion starts.
+    """
+    energy, speeds = motion.energy, [name for name in motion.speeds if motion.energy is not None]
+    moving = names_in(energy) & motion.scope.rates.keys() if energy is not None else set()
+    is_told = any(depends_on(value, name) for value in values for name in moving)
+    if not is_told or not moving & set(speeds) or not moving <= motion.scope.start.keys():
+        yield values, []
+        return
+    speed = min((n for n in speeds if n in moving), key=lambda n: any(depends_on(value, n) for value in values))
+    gap = energy - substitute(energy, motion.scope.start)
+    rest, slope, half = (substitute(f, {speed: NOTHING}) for f in (gap, *_derivatives(gap, speed)))
+    spread = slope * slope - half * rest * 2
+    for way in (1, -1):
+        image = {speed: (root(spread) * way - slope) / half}
+        yield tuple(even(substitute(value, image)) for value in values), [Condition(t.Sym(speed), ">=", spread)]
+
+
+def _derivatives(value: Scalar, name: str) -> tuple[Scalar, Scalar]:
+    first = derivative(value, name)
+    return first, derivative(first, name)
+
+
+def even(value: Scalar) -> Scalar:
+    """The value with squares of roots carried out, inside roots too."""
+    return without_even_roots(inside(value, even))
+
+
+def reachable(motion: Motion) -> list[Condition]:
+    """What holds on the path: the squares of the speeds are not negative, declared ranges are kept."""
+    squares = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in motion.squares.items()]
+    return [*squares, *motion.kept]
+
+
+@dataclass(frozen=True)
+class Path:
+    """The way from the start until the motion first comes to rest, along some coordinates.
+
+    at: names that are given as functions of others.
+    """
+
+    motion: Motion
+    names: tuple[str, ...]
+    at: Mapping[str, Scalar] = field(default_factory=dict)
+
+    @cached_property
+    def pushes(self) -> dict[str, Scalar]:
+        """What sets each coordinate going."""
+        return {name: first_push(self.motion, name) for name in self.names}
+
+    @property
+    def values(self) -> list[Scalar]:
+        """What must have a value at a point of the path."""
+        starts = [self.motion.scope.start[name] for name in self.names]
+        found = [*starts, *self.pushes.values(), *(self.motion.squares[name] for name in self.names)]
+        return [substitute(value, self.at) for value in found]
+
+    def holds(self, point: Point) -> bool:
+        """Whether the point is met on the way (a look in floating-point numbers: it only takes witnesses away)."""
+        angles = {n: 2 * point.parts[n] * math.atan2(float(s), 1 + float(c)) for n, (c, s) in point.angles.items()}
+        numbers = {**{name: float(value) for name, value in point.numbers.items()}, **angles}
+        try:
+            numbers |= {name: number(value, numbers) for name, value in self.at.items()}
+            return all(self._is_met(name, numbers) for name in self.names)
+        except (ArithmeticError, ValueError):  # a root or quotient has no number there
+            return False
+
+    def _is_met(self, name: str, numbers: dict[str, float]) -> bool:
+        begin, square = number(self.motion.scope.start[name], numbers), self.motion.squares[name]
+        numbers.setdefault(name, begin)
+        way = numbers[name] - begin
+        if not square or number(self.pushes[name], numbers) * way < -EDGE:
+            return abs(way) < EDGE
+        between = (number(square, {**numbers, name: begin + way * k / STEPS}) for k in range(1, STEPS + 1))
+        return all(value > -EDGE for value in between)
+
+
+def path_of(values: Iterable[Scalar], motion: Motion) -> Path:
+    """The path along the coordinates on which values depend, by their places or speeds."""
+    names = set().union(*(names_in(value) for value in values))
+    return Path(motion, tuple(n for n in motion.squares if names & {n, f"{n}_dot"} and n in motion.scope.start))
