@@ -29,10 +29,16 @@ class Found:
 
     @property
     def exit_code(self) -> int:
-        """2 if something could not be read, 1 if a verdict is not as expected, else 0."""
+        """2 if something could not be read, 1 if a verdict is not as expected or nothing was decided, else 0."""
         if any(str(result.outcome) == "COULD NOT BE READ" for result in self.results):
             return BAD_INPUT
-        return FINE if all(result.expected for result in self.results) else DOUBTFUL
+        return FINE if self.is_decided and all(result.expected for result in self.results) else DOUBTFUL
+
+    @property
+    def is_decided(self) -> bool:
+        """Was anything decided, or does each claim say that nothing can be?"""
+        idle = [result for result in self.results if str(result.outcome) == "NOT A FORMULA WE COMPUTE"]
+        return len(idle) < len(self.results) or (bool(idle) and all(result.declared[0] for result in idle))
 
 
 @click.command("check")
@@ -70,7 +76,7 @@ def command(names, problems, as_json, junit, html, github, only, failures, cache
     change that would make it true is told if it is a small one.
 
     \b
-    Exit codes: 0 all as expected, 1 a verdict differs, 2 something could not be read.
+    Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided, 2 something could not be read.
     """
     from rbpsym.commands import reports
     from rbpsym.commands.progress import Progress
@@ -143,7 +149,7 @@ def claims_files() -> list[Path]:
 
 def of_file(path: Path, certificates: Certificates, simulation: bool) -> Iterator[Result]:
     """The results of a claims file, or of a problem's derivation."""
-    from rbpsym.verify.claims_loader import load_claims
+    from rbpsym.verify.claims_loader import is_claims, load_claims
     from rbpsym.verify.claims_run import check_claims
 
     if is_claims(path):
@@ -165,24 +171,15 @@ def files_of(name: str) -> list[Path]:
     return [*([problem_files()[name]] if name in problem_files() else []), *claims]
 
 
-def is_claims(path: Path) -> bool:
-    """Does the file hold claims? (A file that can't be read is left to the loader.)"""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return False
-    return any(line.split("#")[0].strip() == "[[claim]]" for line in text.splitlines())
-
-
 def paper(path: Path, problems, certificates: Certificates) -> Found:
     """A paper, its symbols bound by claims files or, without any, by the names of problems."""
-    from rbpsym.verify.claims_loader import load_claims
+    from rbpsym.verify.claims_loader import is_claims, load_claims
     from rbpsym.verify.claims_run import check_paper, names_of_problem
 
     if not problems:
         raise click.UsageError(f"which problems is {path.name} about? Add --problems with a claims file or a problem.")
     paths = [one for name in problems for one in files_of(name)[-1:]]
-    files = [load_claims(one) if is_claims(one) else names_of_problem(one) for one in paths]
+    files = [load_claims(one, binds=True) if is_claims(one) else names_of_problem(one) for one in paths]
     return Found(*check_paper(path, files, certificates))
 
 

@@ -66,8 +66,9 @@ def summary(found: Found) -> str:
     told = [
         f"{count} {SHORT.get(Outcome(kind), kind)}" for kind, count in counts.items() if count and kind != "unexpected"
     ]
-    whole = "all as expected" if not counts["unexpected"] else f"{counts['unexpected']} NOT AS EXPECTED"
-    return f"{len(found.results)} checked: {', '.join(told)}; {whole}."
+    whole = "all as expected" if found.is_decided else "NOT AS EXPECTED: nothing was decided"
+    whole = f"{counts['unexpected']} NOT AS EXPECTED" if counts["unexpected"] else whole
+    return f"{len(found.results)} checked: {', '.join(told) or 'nothing'}; {whole}."
 
 
 def source(result: Result) -> str:

@@ -26,7 +26,6 @@ from rbpsym.verify.claims_path import on_path, path_of
 from rbpsym.verify.claims_question import HOW, Question, are_same
 from rbpsym.verify.claims_refute import disorder, refutation, witness_of
 
-
 MOST_RATES = 2
 
 

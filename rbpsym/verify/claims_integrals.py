@@ -78,15 +78,24 @@ def _rate(found: Scalar | Space, ground: Ground) -> Scalar | Space:
 def _integral(node: t.Integral, ground: Ground) -> t.Node:
     scope = ground.scope
     name = ground.generator(node.var)
-    if name is None:
-        raise Undecided("the variable of this integral is no coordinate")
     inside = scalar(node.integrand, scope)
     lower, upper = scalar(node.lower, scope), scalar(node.upper, scope)
+    if name is None:
+        return _injected(_over(scope.scalars[node.var], inside, lower, upper, ground), ground)
     if _is_settled(inside, name, ground):
         done = definite(inside, name, lower, upper)
         if done is not None:
             return _injected(done, ground)
     return _injected(_along(inside, name, lower, upper, ground), ground)
+
+
+def _over(place: Scalar, inside: Scalar, lower: Scalar, upper: Scalar, ground: Ground) -> Scalar:
+    """An integral over something composed (s = Rφ), from the start to now or back."""
+    begin = substitute(place, ground.scope.start)
+    for first, last, sign in ((begin, place, 1), (place, begin, -1)):
+        if is_zero(lower - first) and is_zero(upper - last):
+            return ground.motion.work(inside * _rate(place, ground)) * sign
+    raise Undecided("the variable of this integral is no coordinate, and it does not go from the start to now")
 
 
 def _is_settled(inside: Scalar, name: str, ground: Ground) -> bool:

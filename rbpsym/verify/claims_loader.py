@@ -20,7 +20,7 @@ from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Meaning,
 MAX_BYTES = 512 * 1024
 SHARED_KEYS = ("problem", "phase", "theory", "fixed_axis", "symbols", "given")
 SETTING_KEYS = (*SHARED_KEYS, "like")
-FILE_KEYS = ("title", "source", "text", "settings", "claim", *SHARED_KEYS)
+FILE_KEYS = ("title", "source", "text", "settings", "claim", "unclaimed", *SHARED_KEYS)
 CLAIM_KEYS = (
     "id",
     "number",
@@ -38,27 +38,43 @@ CLAIM_KEYS = (
     "not_computed",
     "given",
 )
+_OWN_TABLE = re.compile(r"\s*\[(?:\[\s*claim\s*\]|\s*symbols\s*|\s*settings\b.*)\]\s*(?:#.*)?$")  # of claims files only
 WHOLE = "the file"  # the name of the setting that a file's own keys make
 HOLDS = ("", "identity", "motion", "start")
 
 
-def load_claims(path: Path) -> ClaimsFile:
-    """The claims in a file. Raises ReadError, StatementError or LimitError with the place of what is wrong."""
-    return read_claims(_content(path), str(path), path.stem)
+def load_claims(path: Path, *, binds: bool = False) -> ClaimsFile:
+    """The claims in a file; one that only `binds` the symbols of a text needs none.
+
+    Raises ReadError, StatementError or LimitError with the place of what is wrong.
+    """
+    return read_claims(_content(path), str(path), path.stem, binds=binds)
 
 
-def read_claims(text: str, file: str = "", name: str = "claims") -> ClaimsFile:
+def read_claims(text: str, file: str = "", name: str = "claims", *, binds: bool = False) -> ClaimsFile:
     """The claims in a TOML text."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n")
     root = Table(Source(file, index_positions(text)), (), _parsed(text, file))
     root.check_keys(FILE_KEYS, "a claims file")
     settings = _settings(root)
     rows = root.rows("claim", "claim")
-    if not rows:
+    if not rows and not (binds and settings):
         raise root.error("a claims file without claims", "add [[claim]] with id, setting and latex.")
+    _choice(root, "unclaimed", root.string("unclaimed"), ("", "not computed"))
     claims = tuple(_claim(row, settings) for row in rows)
     _check_ids(claims)
-    return ClaimsFile(name, _title(root), root.string("source"), root.string("text"), claims, file, text)
+    own = settings.get(WHOLE) or (next(iter(settings.values())) if len(settings) == 1 else None)
+    words = (_title(root), root.string("source"), root.string("text"))
+    return ClaimsFile(name, *words, claims, file, text, own, unclaimed=root.string("unclaimed"))
+
+
+def is_claims(path: Path) -> bool:
+    """Does the file hold claims, or settings for them? (A file that can't be read is left to its loader.)"""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return False
+    return any(_OWN_TABLE.match(line) for line in lines)
 
 
 def _content(path: Path) -> str:

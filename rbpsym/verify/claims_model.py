@@ -90,7 +90,11 @@ class Claim:
 
 @dataclass(frozen=True, slots=True)
 class ClaimsFile:
-    """The claims about one source, in its order; `setting` for formulas without a claim."""
+    """The claims about one source, in its order.
+
+    setting: for formulas without a claim, None where several settings are possible. unclaimed: "not computed" if
+    it is expected of these that nothing is decided.
+    """
 
     name: str
     title: str
@@ -100,6 +104,7 @@ class ClaimsFile:
     file: str = field(default="", compare=False)
     content: str = field(default="", compare=False, repr=False)
     setting: Setting | None = None
+    unclaimed: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -78,8 +78,9 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
     x, y = (question.seen(v, "motion") for v in (a, b))
     if holds_unknowns(x, question) or holds_unknowns(y, question) or path_of((x, y), motion).names:
         return undecided("")
+    kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
     for pair, domain in with_energy((x, y), motion):
-        found = witness_of(*pair, motion.assumptions, [*domain, *motion.kept])
+        found = witness_of(*pair, motion.assumptions, [*domain, *kept])
         if found.is_refuted:
             return found
     return undecided("")

@@ -73,14 +73,18 @@ def check_claims(
 def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) -> tuple[list[Result], list[Result]]:
     """(the results of a paper in its order, remarks on its labels as results)."""
     from rbpsym.verify.paper_bind import bound
-    from rbpsym.verify.paper_check import PaperChecker
+    from rbpsym.verify.paper_check import PaperChecker, Scope
     from rbpsym.verify.paper_walk import read_paper
 
     paper, files = read_paper(path), list(files)
-    checkers = {claim.id: own for file in files for own in [checker(file, cache)] for claim in file.claims}
+    own = {file.file: checker(file, cache) for file in files}
+    checkers = {claim.id: own[file.file] for file in files for claim in file.claims}
     claims = [claim for file in files for claim in file.claims]
-    default = claims[0].setting if claims else files[0].setting
-    found = list(PaperChecker(paper, checkers, checker(files[0], cache), default).results(bound(paper, claims)))
+    for file in files:
+        if file.setting is not None:
+            own[file.file].world(file.setting)  # a problem that can't be read is no matter of one formula
+    scopes = tuple(Scope(file, own[file.file]) for file in files)
+    found = list(PaperChecker(paper, checkers, scopes).results(bound(paper, claims)))
     return found, list(paper.remarks)
 
 
