@@ -71,6 +71,7 @@ def results(study: Study) -> dict[str, Any]:
         "forces": _forces(study),
         "works": _works(study),
         "equilibria": _equilibria(study),
+        "equilibria_complete": _complete(study.rest),
         "balance": _balance(study),
         "conditions": [_condition(loss, study) for loss in study.losses],
         "static_friction": [_need(item, study) for item in study.friction_needs],
@@ -158,6 +159,7 @@ def _equilibria(study: Study) -> list[dict[str, Any]]:
             "stable": item.stable,
             "stability": item.nature.proved,
             "stable_where_positive": text(item.where, study),
+            "valid_where": _demands(item.valid, study),
             "frequencies_squared": _row(item.frequencies_squared, study),
             **_damped(item, study),
         }
@@ -192,6 +194,15 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
             for value in needed
         ],
     }
+
+
+def _demands(found, study: Study) -> list[str]:
+    return [f"{text(demand.value, study)} {demand.op} 0" for demand in found]
+
+
+def _complete(found) -> dict[str, Any]:
+    """Whether a list is all that there is, and why not."""
+    return {"complete": "undecided" if found.complete is None else found.complete, "reason": found.reason or None}
 
 
 def _balance(study: Study) -> dict[str, Any] | None:

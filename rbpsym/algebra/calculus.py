@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, Monomial, Poly, accumulate, generator
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, quotient, total
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift, quotient, total
 from rbpsym.algebra.trig import cosine, sine
 
 
@@ -116,11 +116,20 @@ def function(name: str, arg: Scalar) -> Scalar:
     return FUNCTIONS[name](arg)
 
 
-def _known(name: str, at: int | Fraction, value: int):
+def _known(name: str, values: Mapping[Fraction | int, Scalar]):
     def build(arg: Scalar) -> Scalar:
-        return lift(value) if arg.number() == at else generator_of(name, arg)
+        number = arg.number()
+        return values[number] if number is not None and number in values else generator_of(name, arg)
 
     return build
+
+
+def _odd(values: Mapping[Fraction | int, Scalar]) -> dict[Fraction | int, Scalar]:
+    return {0: NOTHING, **values, **{-at: -value for at, value in values.items()}}
+
+
+HALF = Fraction(1, 2)
+SINES = _odd({HALF: PI / 6, 1: PI / 2})
 
 
 FUNCTIONS = {
@@ -130,11 +139,11 @@ FUNCTIONS = {
     "cot": lambda a: cosine(a) / sine(a),
     "sec": lambda a: 1 / cosine(a),
     "csc": lambda a: 1 / sine(a),
-    "exp": _known("exp", 0, 1),
-    "ln": _known("ln", 1, 0),
-    "asin": _known("asin", 0, 0),
-    "acos": _known("acos", 1, 0),
-    "atan": _known("atan", 0, 0),
+    "exp": _known("exp", {0: UNITY}),
+    "ln": _known("ln", {1: NOTHING}),
+    "asin": _known("asin", SINES),
+    "acos": _known("acos", {at: PI / 2 - angle for at, angle in SINES.items()}),
+    "atan": _known("atan", _odd({1: PI / 4})),
     "sqrt": root,
 }
 

@@ -51,10 +51,11 @@ def _tidied_root(radicand: Scalar, is_positive: Callable[[str], bool], surely: C
 def _replaced(value: Scalar, index: int, image: Scalar) -> Scalar:
     if image.num == generator(index) and image.den is ONE:
         return value
-    return _with_image(value.num, index, image) / _with_image(value.den, index, image)
+    return with_image(value.num, index, image) / with_image(value.den, index, image)
 
 
-def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
+def with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
+    """The polynomial with an image in place of a generator."""
     return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
 
 

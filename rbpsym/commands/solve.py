@@ -133,6 +133,7 @@ def _places(values: Mapping[str, str], drawn: Drawn) -> str:
 
 
 LONGEST = 800
+SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
 
 
@@ -147,7 +148,20 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
             f"with the square of the frequency {drawn.formula(mode['frequency_squared'])}"
             for mode in item["damping"] or ()
         )
-        yield f"  {_places(item['at'], drawn)}: {_stability(item, drawn)}{told}"
+        yield f"  {_places(item['at'], drawn)}{_valid(item, drawn)}: {_stability(item, drawn)}{told}"
+    yield from _not_all("equilibria", answer["equilibria_complete"])
+
+
+def _valid(item: Mapping[str, Any], drawn: Drawn) -> str:
+    """The conditions under which something is said."""
+    relations = (re.fullmatch(r"(.*) (>|>=|!=) 0", text).groups() for text in item["valid_where"])
+    told = ", ".join(f"{drawn.formula(left)} {SIGNS[op]} 0" for left, op in relations)
+    return f" (where {told})" if told else ""
+
+
+def _not_all(what: str, found: Mapping[str, Any]) -> Iterator[str]:
+    if found["complete"] is not True:
+        yield f"  {click.style(f'not decided whether these are all {what}:', dim=True)} {found['reason']}"
 
 
 def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
@@ -187,6 +201,9 @@ def _friction(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
 def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     """A further phase: when and where it begins, how fast things then move, what the blow brought and cost."""
     yield click.style(f"phase “{phase['name']}”", bold=True)
+    if "reason" in phase:
+        yield f"  {phase['reason']}"
+        return
     values = {"t": phase["time"], **(phase["at"] or {})}
     speeds = {f"{name}_dot": value for name, value in (phase["speeds"] or {}).items()}
     yield from table("begins at", values, drawn)

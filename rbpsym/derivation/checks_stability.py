@@ -18,6 +18,7 @@ from rbpsym.derivation.checks_oscillations import (
     singular,
     still,
 )
+from rbpsym.derivation.checks_places import under
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.expansion import Nearby
 from rbpsym.derivation.step import Step
@@ -28,6 +29,7 @@ from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 
 def stability_said(context: Context, step: Step) -> Verdict:
     """What is said of the stability of a place (`data`: "at", "proved", "factors", "tied")."""
+    context = under(context, step)
     return SAID[step.data["proved"]](context, step, near_place(context, step))
 
 

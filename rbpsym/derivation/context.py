@@ -27,7 +27,7 @@ class Context:
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
     `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name;
-    `solved`: verdicts on systems that several steps share.
+    `solved`: verdicts on systems that several steps share. `assumed`: what a step assumes instead of the problem.
     """
 
     study: Study
@@ -36,6 +36,7 @@ class Context:
     moments: dict[str, Mapping[int, Scalar]] = field(default_factory=dict)
     works: dict[str, Scalar] = field(default_factory=dict)
     solved: dict[object, Verdict] = field(default_factory=dict)
+    assumed: Assumptions | None = None
 
     @property
     def scope(self) -> Scope:
@@ -45,8 +46,8 @@ class Context:
 
     @property
     def assumptions(self) -> Assumptions:
-        """The problem's declared signs and ranges."""
-        return self.study.assumptions
+        """The problem's declared signs and ranges, or those that a step assumes."""
+        return self.assumed or self.study.assumptions
 
     def body_integral(self, integrand: Scalar, body: str) -> Scalar:
         """∫ f dm for f a polynomial in the distance r from the centre of mass of a body."""

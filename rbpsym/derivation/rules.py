@@ -11,6 +11,7 @@ from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_phases as p
+from rbpsym.derivation import checks_places as places
 from rbpsym.derivation import checks_stability as s
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
@@ -47,7 +48,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "substitution": (c.along_motion,),
     "stays": (c.along_motion,),
     "rest": (o.forces_at_rest,),
-    "equilibrium": (o.place_stated, o.at_rest, s.stability_said),
+    "equilibrium": (o.place_stated, o.at_rest, s.stability_said, places.can_rest),
     "linearization": (o.series,),
     "open_balance": (o.force_vanishes,),
     "open_ends": (c.identity, o.force_at_ends),

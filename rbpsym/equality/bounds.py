@@ -11,6 +11,7 @@ from rbpsym.algebra.poly import UNIT, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.masks import MINUS, PLUS
 
 Bound = Scalar | None
 IsNonnegative = Callable[[Scalar], bool]
@@ -106,6 +107,18 @@ def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: Is
         lower = None if lower is None else lower - quarter
         upper = None if upper is None else upper - quarter
     return of_cosine(lower, upper, is_nonnegative)
+
+
+def of_inverse(kind: str, arg: int) -> Bounds:
+    """Bounds of an inverse sine, cosine or tangent whose argument has one of the signs `arg`."""
+    quarter = PI * Fraction(1, 2)
+    low = NOTHING if kind == "acos" or not arg & MINUS else -quarter
+    high = quarter if kind != "acos" or not arg & MINUS else PI
+    if kind != "acos" and not arg & PLUS:
+        high = NOTHING
+    elif kind == "acos" and not arg & PLUS:
+        low = quarter
+    return Bounds(low, high, kind != "atan" or not low, kind != "atan" or not high)
 
 
 def of_half_tangent(angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:

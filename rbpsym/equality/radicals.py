@@ -9,6 +9,7 @@ from __future__ import annotations
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import Bases, bases_of
 from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_zero_form
@@ -26,6 +27,7 @@ HOW = {False: "exact algebra of roots and functions", True: "exact algebra of ro
 
 def vanishes(value: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
     """How it was proved that the numerator vanishes wherever it has a value; "" if it was not."""
+    value = without_even_roots(value)
     study, bases = Study(assumptions, factoring=False), _bases(value)
     try:
         forced = _forced(value, Reading(study, bases, deep, {}))

@@ -158,4 +158,7 @@ BOUNDS = {
     "cos": lambda study, angle: b.of_wave("cos", angle, study.assumptions, study.is_nonnegative),
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),
     "half": lambda study, angle: b.of_half_tangent(angle, study.assumptions, study.is_nonnegative),
+    "atan": lambda study, arg: b.of_inverse("atan", study.scalar(arg)),
+    "asin": lambda study, arg: b.of_inverse("asin", study.scalar(arg)),
+    "acos": lambda study, arg: b.of_inverse("acos", study.scalar(arg)),
 }

@@ -15,7 +15,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.oscillation import is_autonomous, resting_forces
+from rbpsym.mechanics.rest import is_autonomous, resting_forces
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.system import System
 
@@ -46,7 +46,7 @@ def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> Bal
     if not is_autonomous(system, dynamics) or len(system.independent) != 1:
         return None
     [name], [force] = system.independent, resting_forces(system, dynamics)
-    if not depends_on(force, name) or common_zeros((force,), (name,)):
+    if not depends_on(force, name) or common_zeros((force,), (name,)).found:
         return None
     slope = short(derivative(force, name))
     stable = {"negative": True, "positive": False}.get(sign(slope, assumptions).kind)

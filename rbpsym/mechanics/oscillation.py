@@ -10,19 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.roots import simplified_root, without_even_roots
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.linear import LAMBDA, Linear, Nature, gains_nothing, is_symmetric, linearized, nature
-from rbpsym.mechanics.numbers import number, sample, samples
-from rbpsym.mechanics.roots import common_zeros, numerator_factors
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.rest import Rest, rooted
+from rbpsym.mechanics.roots import numerator_factors
 from rbpsym.mechanics.stability import stable_where
 from rbpsym.mechanics.system import System
 
@@ -32,13 +33,14 @@ class Equilibrium:
     """A position of rest: `at` the coordinates that are not arbitrary; `frequencies_squared` of the
     normal modes that have a closed form, the slowest first (none where speeds damp the motion); `nature` what is
     proved of its stability; where that is open, it is stable `where` this is positive and unstable where it is
-    negative (None: no such formula)."""
+    negative (None: no such formula). It exists where `valid` is met."""
 
     at: Mapping[str, Scalar]
     frequencies_squared: tuple[Scalar, ...]
     linear: Linear
     nature: Nature
     where: Scalar | None = None
+    valid: tuple[Demand, ...] = ()
 
     @property
     def stable(self) -> bool | None:
@@ -56,97 +58,17 @@ class Equilibrium:
         return self.linear.inertia
 
 
-def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
-    """Generalized forces with all speeds zero."""
-    still = dict.fromkeys(system.speeds, NOTHING)
-    return tuple(short(substitute(value, still)) for value in dynamics.forcing)
+def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions, found: Rest) -> tuple[Equilibrium, ...]:
+    """The positions of rest, and what is said of the motion close to them."""
+    return tuple(_describe(system, dynamics, *place, assumptions) for place in found.places)
 
 
-def is_autonomous(system: System, dynamics: Dynamics) -> bool:
-    """Whether the forces at rest are functions of free coordinates alone: no clock, no kinetic friction."""
-    if system.implicit or not all(dynamics.ideal.values()):
-        return False
-    return not any(depends_on(force, "t") for force in resting_forces(system, dynamics))
-
-
-def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions) -> tuple[Equilibrium, ...]:
-    """The positions of rest within the ranges of the coordinates, as far as closed forms go."""
-    if not is_autonomous(system, dynamics) or len(system.independent) > 4:
-        return ()
-    forces = resting_forces(system, dynamics)
-    names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
-    if not names:
-        return ()
-    places = common_zeros(forces, names) or _all_zero(forces, names, assumptions)
-    kept = (at for at in places if _within(system, at) and _is_regular(dynamics.mass_matrix, at))
-    return tuple(_describe(system, dynamics, at, assumptions) for at in kept)
-
-
-def _is_regular(mass: Matrix, at: Mapping[str, Scalar]) -> bool:
-    """Whether the coordinates describe the neighbourhood of the place (r = 0 in polar coordinates does not)."""
-    try:
-        return not is_zero(determinant(tuple(tuple(substitute(entry, at) for entry in row) for row in mass)))
-    except ZeroDivisionError:
-        return False
-
-
-def _all_zero(forces: Iterable[Scalar], names: Iterable[str], assumptions: Assumptions) -> list[dict[str, Scalar]]:
-    """Where all coordinates are 0, if the forces vanish there: authors often count from the position of rest."""
-    at = dict.fromkeys(names, NOTHING)
-    try:
-        left = [_without_roots(substitute(force, at), assumptions) for force in forces]
-    except ZeroDivisionError:
-        return []
-    return [] if any(left) else [at]
-
-
-def _without_roots(value: Scalar, assumptions: Assumptions) -> Scalar:
-    """The value with √(x²) = x for what is positive."""
-    for index in sorted(value.atoms()):
-        found = atoms.atom(index)
-        if found.kind == "root":
-            inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
-            image = simplified_root(inner, lambda name: assumptions.sign_of(name) == "positive")
-            value = _with_image(value.num, index, image) / _with_image(value.den, index, image)
-    return short(without_even_roots(value))
-
-
-def _with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
-    return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
-
-
-def _within(system: System, at: Mapping[str, Scalar]) -> bool:
-    """Whether the place lies in the declared ranges for some of the sample numbers."""
-    return any(_within_at(system, at, numbers) for numbers in samples(system.problem))
-
-
-def _within_at(system: System, at: Mapping[str, Scalar], numbers: Mapping[str, float]) -> bool:
-    for coordinate in system.problem.coordinates:
-        if coordinate.name not in at:
-            continue
-        try:
-            here = number(at[coordinate.name], numbers)
-        except (ValueError, ZeroDivisionError, KeyError):
-            return False
-        for bound, side in ((coordinate.lower, 1), (coordinate.upper, -1)):
-            if bound is not None and side * (here - _number(bound, numbers)) < -1e-9:
-                return False
-    return True
-
-
-def _number(node, numbers) -> float:
-    from rbpsym.algebra.evaluate import scalar
-
-    return number(scalar(node), numbers)
-
-
-def _describe(system: System, dynamics: Dynamics, at, assumptions: Assumptions) -> Equilibrium:
-    names = system.independent
-
+def _describe(system: System, dynamics: Dynamics, at, valid, assumptions: Assumptions) -> Equilibrium:
+    names, assumptions = system.independent, assuming(assumptions, valid)
     still = dict.fromkeys(system.speeds, NOTHING)
 
     def there(value: Scalar) -> Scalar:
-        return _without_roots(substitute(substitute(value, still), at), assumptions)
+        return rooted(substitute(substitute(value, still), at), assumptions)
 
     linear = linearized(system, dynamics, assumptions, there)
     held = _held(linear.stiffness, names, at)
@@ -155,8 +77,11 @@ def _describe(system: System, dynamics: Dynamics, at, assumptions: Assumptions) 
     if found.proved == "open":
         is_kept = is_symmetric(held) and gains_nothing(system, dynamics, assumptions)
         where = stable_where(held, assumptions) if is_kept else found.conditions[0] if len(found.conditions) == 1 else None
+        decided = None if where is None else sign(where, assumptions).kind
+        if decided == "negative" or (decided == "positive" and is_kept):
+            found, where = Nature("minimum" if decided == "positive" else "unstable"), None
     squares = () if linear.is_damped else _frequencies(linear.stiffness, linear.inertia, assumptions)
-    return Equilibrium(at, _slowest_first(squares, system), linear, found, where)
+    return Equilibrium(at, _slowest_first(squares, system), linear, found, where, valid)
 
 
 def _held(stiffness: Matrix, names, at) -> Matrix:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
+from math import gcd
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
@@ -60,6 +62,22 @@ def factor_zeros(factor: Scalar, name: str) -> list[Scalar]:
     if not depends_on(bend, name):
         return _solve_quadratic(bend / 2, *(substitute(value, {name: NOTHING}) for value in (slope, factor)))
     return _trig_zeros(factor, name)
+
+
+def period(factor: Scalar, name: str) -> Scalar | None:
+    """After what the factor takes its values again, if the coordinate occurs within sines and cosines alone."""
+    rates: list[Scalar] = []
+    for index in (i for i in factor.atoms() if atom_depends(i, name)):
+        atom = atoms.atom(index)
+        rate = derivative(Scalar(atom.arg), name) if atom.kind in ("cos", "sin") else None
+        if rate is None or depends_on(rate, name):
+            return None
+        rates.append(rate)
+    ratios = [(rate / rates[0]).number() for rate in rates]
+    if not ratios or None in ratios:
+        return None
+    shared = Fraction(gcd(*(Fraction(r).numerator * 720 // Fraction(r).denominator for r in ratios)), 720)
+    return PI * 2 / (rates[0] * shared)
 
 
 def _solve_quadratic(a: Scalar, b: Scalar, c: Scalar) -> list[Scalar]:
@@ -159,43 +177,72 @@ def _principal(value: Scalar) -> Scalar:
     return PI * reduced
 
 
-def common_zeros(values: Sequence[Scalar], names: Sequence[str], most: int = 32) -> list[dict[str, Scalar]]:
-    """Assignments of the names at which all values vanish, found one equation at a time.
+Spread = Callable[[str, Scalar, Scalar | None], Sequence[Scalar]]
 
-    A name that is left out may have any value there, and others may be given in terms of it.
+
+@dataclass(frozen=True)
+class Places:
+    """Assignments of names at which all values vanish; `open_` are factors that may vanish elsewhere too."""
+
+    found: list[dict[str, Scalar]] = field(default_factory=list)
+    open_: list[Scalar] = field(default_factory=list)
+
+
+def common_zeros(
+    values: Sequence[Scalar],
+    names: Sequence[str],
+    most: int = 32,
+    spread: Spread = lambda name, root, period: (root,),
+) -> Places:
+    """Where all values vanish, found one equation at a time.
+
+    A name that is left out may have any value there, and others may be given in terms of it. `spread` makes of a zero
+    and the period of its factor all that are meant.
     """
-    found: list[dict[str, Scalar]] = []
-    _search(list(values), tuple(names), {}, found, most)
-    return found
+    places = Places()
+    _search(list(values), tuple(names), {}, places, most, spread)
+    return places
 
 
-def _search(values: list[Scalar], names: tuple[str, ...], at: dict[str, Scalar], found: list, most: int) -> None:
+def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Places, most: int, spread: Spread) -> None:
     values = [value for value in values if not is_zero(value)]
     if not values:
-        if at:
-            found.append(dict(at))
+        if at and not any(_are_same(at, old) for old in places.found):
+            places.found.append(dict(at))
         return
     for value in sorted(values, key=lambda v: (sum(depends_on(v, n) for n in names), len(v.num))):
-        ways = _ways(value, [name for name in names if name not in at], names)
+        ways, left = _ways(value, [name for name in names if name not in at], names, spread)
         for image in ways:
-            if len(found) < most:
+            if len(places.found) < most:
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
-                _search([substitute(v, fixed) for v in values], names, fixed, found, most)
+                _search([substitute(v, fixed) for v in values], names, fixed, places, most, spread)
         if ways:
+            places.open_.extend(left)
             return
+    places.open_.append(values[0])
 
 
-def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str]) -> list[dict[str, Scalar]]:
-    """How each factor can vanish, solved for one of the names that are open: r sin θ by r = 0, θ = 0 and θ = π."""
+def _are_same(first: dict[str, Scalar], second: dict[str, Scalar]) -> bool:
+    return first.keys() == second.keys() and all(is_zero(first[name] - second[name]) for name in first)
+
+
+def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spread) -> tuple[list[dict], list[Scalar]]:
+    """How each factor can vanish, solved for one of the names that are open: r sin θ by r = 0, θ = 0 and θ = π;
+    and the factors that are not solved."""
     found: list[dict[str, Scalar]] = []
-    for factor in numerator_factors(value):
-        solved = (_plain_zeros(Scalar(factor), name, names) for name in open_)
-        found += next(filter(None, solved), [])
-    return found
+    left: list[Scalar] = []
+    for factor in map(Scalar, numerator_factors(value)):
+        solved = ([{name: root} for root in _plain_zeros(factor, name, names, spread)] for name in open_)
+        ways = next(filter(None, solved), [])
+        found += ways
+        if not ways and any(depends_on(factor, name) for name in open_):
+            left.append(factor)
+    return found, left
 
 
-def _plain_zeros(factor: Scalar, name: str, names: Sequence[str]) -> list[dict[str, Scalar]]:
-    return [{name: root} for root in zeros(factor, name) if _is_plain_in(root, names)]
+def _plain_zeros(factor: Scalar, name: str, names: Sequence[str], spread: Spread) -> list[Scalar]:
+    roots = [root for root in zeros(factor, name) if _is_plain_in(root, names)]
+    return [place for root in roots for place in spread(name, root, period(factor, name))]
 
 
 def _is_plain_in(value: Scalar, names: Sequence[str]) -> bool:

@@ -14,7 +14,7 @@ from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import balance, energy, events, friction, motion, oscillation, work
+from rbpsym.mechanics import balance, energy, events, friction, motion, oscillation, rest, work
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -175,7 +175,12 @@ class Study:
     @cached_property
     def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
         """Positions of rest with their stability and frequencies."""
-        return oscillation.equilibria(self.system, self.dynamics, self.assumptions)
+        return oscillation.equilibria(self.system, self.dynamics, self.assumptions, self.rest)
+
+    @cached_property
+    def rest(self) -> rest.Rest:
+        """Where the system can rest, and whether that is all."""
+        return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @cached_property
     def open_balance(self) -> balance.Balance | None:

@@ -9,6 +9,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.phases import stages
+from rbpsym.mechanics.study import Study
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
 from tests.mechanics.textbook import Textbook, complaints, differences
@@ -161,10 +162,9 @@ GOVERNOR = Textbook(
     BALL,
     {
         "accelerations/theta": "(Omega**2*cos(theta) - g/ell)*sin(theta)",
-        "equilibria/0/stable_where_positive": "g - ell*Omega**2",
-        "equilibria/1/stable_where_positive": "ell*Omega**2 - g",
+        "equilibria/0/at/theta": "acos(g/(ell*Omega**2))",
     },
-    stable=(None, None),
+    stable=(True,),
 )
 ROUNDABOUT = Textbook(
     "roundabout",
@@ -177,6 +177,12 @@ ROUNDABOUT = Textbook(
 def test_results(system: Textbook) -> None:
     assert differences(system) == []
     assert complaints(system.text) == []
+
+
+def test_the_governor_without_a_range_has_four_places_each_with_its_condition() -> None:
+    found = Study(load_text(BALL.replace('range = ["0", "pi/2"]\n', ""))).equilibria
+    assert [len(item.valid) for item in found] == [0, 0, 1, 1]
+    assert [item.stable for item in found] == [None, False, True, True]
 
 
 def test_two_wheels_that_rub_touch_from_outside_and_share_their_momentum() -> None:

@@ -11,7 +11,8 @@ from rbpsym.derivation.chapters import decay, modes, open_balance
 from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.derivation.step import FULL
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.oscillation import Equilibrium, resting_forces
+from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.rest import resting_forces
 from rbpsym.notation import tree as t
 
 
@@ -59,6 +60,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         place=rows,
         told=linear,
         data={"at": item.at, "proved": proved, "factors": item.linear.factors, "tied": item.linear.tied},
+        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in item.valid),
     )
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)

@@ -1,0 +1,78 @@
+"""Checks that a system can be where it is said to rest: contacts push, strings pull, friction and ranges allow it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.derivation.checks import relations, weakest
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Step
+from rbpsym.equality.decide import compare
+from rbpsym.equality.domain import IMPLIED, conditions
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.mechanics.demands import Demand, assuming
+from rbpsym.mechanics.events import pushes
+
+
+def under(context: Context, step: Step) -> Context:
+    """The context in which the printed conditions of the step are met."""
+    found = [relation for node in step.obligations for relation in relations(node)]
+    demands = [Demand(context.value(left) - context.value(right), op) for left, op, right in found]
+    return replace(context, assumed=assuming(context.assumptions, demands)) if demands else context
+
+
+def can_rest(context: Context, step: Step) -> Verdict:
+    """The stated place exists, lies within the ranges, and no force there has the wrong sense (`data`: "at")."""
+    context = under(context, step)
+    nothing = Verdict(PROVED, how="no range, no one-sided force and no limit of friction forbids it")
+    return weakest([nothing, *_exists(context, step), *_within(context, step), *_holds(context, step)])
+
+
+def _exists(context: Context, step: Step) -> Iterator[Verdict]:
+    for _, _, right in relations(step.statement):
+        for condition in conditions(right, context.scope):
+            met = IMPLIED[condition.op](sign(condition.value, context.assumptions))
+            yield Verdict(PROVED) if met else Verdict(UNDECIDED, reason="whether the place exists is not decided")
+
+
+def _within(context: Context, step: Step) -> Iterator[Verdict]:
+    for name, place in step.data["at"].items():
+        lower, upper = context.assumptions.range_of(name)
+        turn = None not in (lower, upper) and is_zero(upper - lower - PI * 2)
+        yield from () if lower is None else [_beyond(context, lower, place)]
+        yield from () if upper is None or (turn and is_zero(upper - place)) else [_beyond(context, place, upper)]
+
+
+def _beyond(context: Context, low: Scalar, high: Scalar) -> Verdict:
+    """low < high; for angles of one half turn by their cosines or sines."""
+    found = compare(low, high, context.assumptions)
+    for wave, first, sense in ((cosine, NOTHING, -1), (sine, -PI / 2, 1)):
+        ends = [(first, low), (first, high), (low, first + PI), (high, first + PI)]
+        if not found.is_proved and all(compare(a, b, context.assumptions, strict=False).is_proved for a, b in ends):
+            return compare(wave(low) * sense, wave(high) * sense, context.assumptions)
+    return found
+
+
+def _holds(context: Context, step: Step) -> Iterator[Verdict]:
+    system = context.study.system
+    still = dict.fromkeys((*system.speeds, *system.accelerations), NOTHING)
+
+    def here(name: str) -> Scalar:
+        value = substitute(context.on_motion(symbol(name)), still)
+        return without_even_roots(substitute(value, step.data["at"]))
+
+    for element in system.problem.constraints:
+        for name in pushes(element):
+            yield compare(NOTHING, here(name), context.assumptions, strict=False)
+        if element.values.get("limit") is not None:
+            grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
+            for side in (grip, -grip):
+                yield compare(side, most, context.assumptions, strict=False)

@@ -1,0 +1,160 @@
+"""Conditions on parameters, such as 2 k L - m g > 0: what is left of them, and which contradict each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.poly import ONE, generator
+from rbpsym.algebra.roots import simplified_root, without_even_roots
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.domain import IMPLIED
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.stability import essential
+
+FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("zero",)}
+WAYS = {"positive": 1, "negative": -1}
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """`value` op 0, op being ">", ">=" or "!="."""
+
+    value: Scalar
+    op: str = ">"
+
+
+def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
+    """What is left of the demands; None if one of them is never met, or if they contradict each other."""
+    kept: list[Demand] = []
+    queue = list(demands)
+    while queue:
+        demand = queue.pop(0)
+        item = _without_inverse(Demand(short(without_even_roots(demand.value)), demand.op), given)
+        found = sign(item.value, given)
+        if found.kind in FAILS[item.op]:
+            return None
+        if not IMPLIED[item.op](found):
+            item = Demand(essential(item.value, given), item.op)
+            parts = _squared(item, given)
+            kept += [] if parts else [item]
+            queue += parts
+    return _consistent(list(dict.fromkeys(kept)), given)
+
+
+def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
+    """Without what follows from the rest."""
+    for item in list(demands):
+        others = [other for other in demands if other is not item]
+        found = sign(item.value, assuming(given, others))
+        products = [sign(short(item.value * o.value), given) for o in others if ">" in (item.op, o.op) and o.op != "!="]
+        if found.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
+            return None
+        if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products):
+            demands = others
+    return tuple(demands)
+
+
+def assuming(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:
+    """The assumptions with what the demands say of one quantity each."""
+    for demand in demands:
+        if demand.op != "!=":
+            given = next(_narrowed(given, demand.value), given)
+    return given
+
+
+def _narrowed(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:
+    """a x + b > 0 or a x² + b > 0 as a bound of x, for each x that has none yet on that side."""
+    powers = {name: max(value.num.by_power(atoms.intern("symbol", name))) for name in names_in(value) - {"pi"}}
+    for name in sorted(powers, key=lambda n: (powers[n], n)):
+        parts = value.num.by_power(atoms.intern("symbol", name))
+        if value.den is not ONE or len(parts) != 2 or set(parts) - {0, 1, 2} or 0 not in parts:
+            continue
+        power, slope = max(parts), Scalar(parts[max(parts)])
+        way, bound = WAYS.get(sign(slope, given).kind), short(-(Scalar(parts[0]) / slope))
+        if way is None or name in _behind(bound, given) or (power == 2 and given.sign_of(name) != "positive"):
+            continue
+        lower, upper = given.range_of(name)
+        if power == 2:
+            if sign(bound, given).kind != "positive":
+                continue
+            bound = simplified_root(bound, lambda n: given.sign_of(n) == "positive")
+        if (lower if way > 0 else upper) in (None, NOTHING):
+            yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)))
+
+
+def _behind(bound: Scalar, given: Assumptions) -> set[str]:
+    """The names on which a bound depends, through the ranges of its own names too."""
+    found: set[str] = set()
+    left = names_in(bound)
+    while left:
+        found |= left
+        left = {n for name in left for end in given.range_of(name) if end is not None for n in names_in(end)} - found
+    return found
+
+
+# --- where a formula has a value
+
+
+def existence(value: Scalar) -> list[Demand]:
+    """Arguments of inverse functions lie within their bounds, radicands are positive, denominators are not zero."""
+    found = [] if value.den is ONE else [Demand(Scalar(value.den), "!=")]
+    found += [Demand(Scalar(generator(i)), "!=") for m in value.num.terms for i, power in m if power < 0]
+    for index in value.atoms():
+        atom = atoms.atom(index)
+        if atom.kind != "symbol":
+            arg = atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg)
+            bound = {"root": arg, "ln": arg, "asin": UNITY - arg * arg, "acos": UNITY - arg * arg}.get(atom.kind)
+            found += existence(arg) + ([] if bound is None else [Demand(bound)])
+    return found
+
+
+# --- inverse functions
+
+
+FORWARD = {"asin": sine, "acos": cosine, "atan": lambda angle: sine(angle) / cosine(angle)}
+ENDS = {"asin": (-PI / 2, PI / 2), "atan": (-PI / 2, PI / 2), "acos": (NOTHING, PI)}
+
+
+def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
+    """c asin x + r > 0 as x > sin(-r/c), where that is within the values of asin; 1 or -1 > 0 where it is beyond."""
+    inverse = [i for i in demand.value.num.atoms() if atoms.atom(i).kind in FORWARD]
+    parts = demand.value.num.by_power(inverse[0]) if len(inverse) == 1 and demand.op != "!=" else {}
+    if set(parts) - {0} != {1} or demand.value.den is not ONE:
+        return demand
+    kind, inner = atoms.atom(inverse[0]).kind, atoms.atom(inverse[0]).arg
+    way = WAYS.get(sign(Scalar(parts[1]), given).kind)
+    if way is None:
+        return demand
+    bound = short(-(Scalar(parts[0]) / Scalar(parts[1]))) if 0 in parts else NOTHING
+    low, high = ENDS[kind]
+    if sign(bound - high, given).is_nonnegative:
+        return Demand(UNITY * -way)
+    if sign(low - bound, given).is_nonnegative:
+        return Demand(UNITY * way)
+    if not (sign(bound - low, given).is_nonnegative and sign(high - bound, given).is_nonnegative):
+        return demand
+    gap = (inner if isinstance(inner, Scalar) else Scalar(inner)) - FORWARD[kind](bound)
+    return Demand(short(gap * (-way if kind == "acos" else way)), demand.op)
+
+
+# --- roots
+
+
+def _squared(demand: Demand, given: Assumptions) -> list[Demand]:
+    """A > B √x for B > 0 as A > 0 and A² > B² x; A + B √x > 0 for A < 0 < B as B² x > A²; else nothing."""
+    for index in demand.value.num.atoms() if demand.op != "!=" else ():
+        parts = {k: Scalar(part) for k, part in demand.value.num.by_power(index).items()}
+        if atoms.atom(index).kind == "root" and set(parts) == {0, 1} and demand.value.den is ONE:
+            rest, root = sign(parts[0], given), sign(parts[1], given)
+            gap = parts[0] ** 2 - parts[1] ** 2 * atoms.atom(index).arg
+            if root.kind == "negative":
+                return [Demand(parts[0], demand.op), Demand(gap, demand.op)]
+            if root.kind == "positive" and rest.kind == "negative":
+                return [Demand(-gap, demand.op)]
+    return []

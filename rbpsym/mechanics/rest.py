@@ -1,0 +1,174 @@
+"""Where a system can rest: the forces balance there, and one-sided forces, friction, ranges and existence allow it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import simplified_root, with_image, without_even_roots
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.elimination import Matrix, determinant, short
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.roots import Places, common_zeros
+from rbpsym.mechanics.system import System
+
+At = dict[str, Scalar]
+MOST_TURNS = 8
+LONGEST = 400  # terms: signs of what is longer are not looked for
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """Places, each with what is asked of the parameters there; whether these are all (None: not decided, with the
+    reason); the factors of the forces that may vanish elsewhere too."""
+
+    places: tuple[tuple[At, tuple[Demand, ...]], ...] = ()
+    complete: bool | None = True
+    reason: str = ""
+    open_: tuple[Scalar, ...] = ()
+
+
+def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
+    """Generalized forces with all speeds zero."""
+    still = dict.fromkeys(system.speeds, NOTHING)
+    return tuple(short(substitute(value, still)) for value in dynamics.forcing)
+
+
+def is_autonomous(system: System, dynamics: Dynamics) -> bool:
+    """Whether the forces at rest are functions of free coordinates alone: no clock, no kinetic friction."""
+    return not _unfit(system, dynamics)
+
+
+def _unfit(system: System, dynamics: Dynamics) -> str:
+    """Why positions of rest are not looked for."""
+    if system.implicit:
+        return "coordinates stay tied to each other by an equation"
+    if not all(dynamics.ideal.values()):
+        return "kinetic friction acts, whose sense depends on the motion"
+    if any(depends_on(force, "t") for force in resting_forces(system, dynamics)):
+        return "the forces depend on the time"
+    return "there are more than four free coordinates" if len(system.independent) > 4 else ""
+
+
+def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
+    """All positions of rest, as far as closed forms go."""
+    reason = _unfit(system, dynamics)
+    if reason:
+        return Rest((), None, reason)
+    forces = resting_forces(system, dynamics)
+    names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
+    if not names:
+        return Rest((), True, "the forces are the same everywhere")
+    found = common_zeros(forces, names, spread=lambda *root: _all_turns(given, *root))
+    candidates = [*found.found, *(at for at in _stated(system, names) if _balances(forces, at, given))]
+    places: list[tuple[At, tuple[Demand, ...]]] = []
+    for at in candidates:
+        valid = _demands(system, dynamics, at, given)
+        if valid is not None and not any(_is_one_place(at, old, given) for old, _ in places):
+            places.append((at, valid))
+    open_ = _open(found, names, given)
+    return Rest(tuple(places), None if open_ else True, "an equation has no solution in closed form" * bool(open_), open_)
+
+
+def _stated(system: System, names: Sequence[str]) -> Iterator[At]:
+    """Where authors let things rest: at the origin of the coordinates, and at the stated start."""
+    yield dict.fromkeys(names, NOTHING)
+    start = {n: system.scope.start[n] for n in names if n in system.scope.start}
+    if len(start) == len(names):
+        yield start
+
+
+def _balances(forces: Iterable[Scalar], at: At, given: Assumptions) -> bool:
+    try:
+        return all(is_zero(rooted(substitute(force, at), given)) for force in forces)
+    except ZeroDivisionError:
+        return False
+
+
+def _is_one_place(first: At, second: At, given: Assumptions) -> bool:
+    return first.keys() == second.keys() and all(is_zero(rooted(first[n] - second[n], given)) for n in first)
+
+
+def _open(found: Places, names: Sequence[str], given: Assumptions) -> tuple[Scalar, ...]:
+    """The factors that may vanish in the range."""
+    return tuple(f for f in found.open_ if len(f.num) > LONGEST or not sign(f, given).is_nonzero)
+
+
+def _all_turns(given: Assumptions, name: str, root: Scalar, period: Scalar | None) -> list[Scalar]:
+    """The zeros that a periodic one stands for within the range (without a range: in (-π, π])."""
+    if period is None:
+        return [root]
+    lower, upper = given.range_of(name)
+    half = period / 2 if sign(period - PI * 2, given).kind == "positive" else PI
+    if lower is None and upper is None:
+        lower, upper, last = -half, half, ">="
+    else:
+        lower, upper = (upper - half * 2 if lower is None else lower), (lower + half * 2 if upper is None else upper)
+        last = _last(lower, upper)
+    turns = (root + period * k for k in range(-MOST_TURNS, MOST_TURNS + 1))
+    return [x for x in turns if settle((Demand(x - lower), Demand(upper - x, last)), given) is not None]
+
+
+# --- what a place asks for
+
+
+def _demands(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> tuple[Demand, ...] | None:
+    """What is asked of the parameters for the place to be one of rest; None if it is none."""
+    try:
+        if is_zero(determinant(_there(dynamics.mass_matrix, at))):
+            return None  # the coordinates do not describe its neighbourhood, as r = 0 of polar ones does not
+        asked = [*_of_place(at, given), *_of_forces(system, dynamics, at, given)]
+        return settle(asked, given)
+    except ZeroDivisionError:
+        return None
+
+
+def _there(matrix: Matrix, at: At) -> Matrix:
+    return tuple(tuple(substitute(entry, at) for entry in row) for row in matrix)
+
+
+def _of_place(at: Mapping[str, Scalar], given: Assumptions) -> Iterator[Demand]:
+    for name, value in at.items():
+        yield from existence(value)
+        lower, upper = given.range_of(name)
+        yield from () if lower is None else [Demand(value - lower)]
+        yield from () if upper is None else [Demand(upper - value, _last(lower, upper))]
+
+
+def _last(lower: Scalar | None, upper: Scalar) -> str:
+    """Ends do not belong to a range; only that of a whole turn has both ends in one place, which is none of its limits."""
+    return ">=" if lower is not None and is_zero(upper - lower - PI * 2) else ">"
+
+
+def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> Iterator[Demand]:
+    """Contacts push, strings pull, friction stays within its limit."""
+    still = dict.fromkeys((*system.speeds, *system.accelerations), NOTHING)
+
+    def here(name: str) -> Scalar:
+        return rooted(substitute(substitute(dynamics.reactions[name], still), at), given)
+
+    for element in system.problem.constraints:
+        for name in pushes(element):
+            yield Demand(here(name), ">=")
+        if element.values.get("limit") is not None:
+            grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
+            yield from (Demand(most - grip, ">="), Demand(most + grip, ">="))
+
+
+def rooted(value: Scalar, given: Assumptions) -> Scalar:
+    """The value with √(x²) = x for what is positive."""
+    for index in sorted(value.atoms()):
+        found = atoms.atom(index)
+        if found.kind == "root":
+            inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+            image = simplified_root(inner, lambda name: given.sign_of(name) == "positive")
+            value = with_image(value.num, index, image) / with_image(value.den, index, image)
+    return short(without_even_roots(value))
