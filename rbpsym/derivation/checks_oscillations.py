@@ -259,9 +259,9 @@ def divides(context: Context, near: Nearby, powers: Sequence[Scalar]) -> Verdict
 
 def polynomial(context: Context, step: Step) -> Verdict:
     """The left side is det(M λ² + C λ + K) but for a factor that does not vanish and is free of λ (`data`: "at")."""
-    [(left, _, _)] = list(relations(step.statement))
+    [(left, _, right)] = list(relations(step.statement))
     letter = symbol(step.slots["letter"].name)
-    stated, whole = context.value(left), singular(near_place(context, step), letter)
+    stated, whole = context.value(left) - context.value(right), singular(near_place(context, step), letter)
     factor = short(whole / stated)
     if depends_on(factor, step.slots["letter"].name) or not sign(factor, context.assumptions).is_nonzero:
         return same(context, whole, stated)

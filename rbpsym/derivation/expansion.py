@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import function
@@ -106,6 +106,12 @@ def nearby(
 ) -> Nearby:
     """Rows in coordinates, speeds `q_dot` and accelerations `q_ddot`, expanded about rest `at` a place, where `tied`
     coordinates are displaced by so much per displacement of each of the `names`."""
+    return _nearby(tuple(rows), tuple(conditions), tuple(names), tuple(at.items()), tuple(tied.items()))
+
+
+@lru_cache(maxsize=256)
+def _nearby(rows, conditions, names, places, ties) -> Nearby:
+    at, tied = dict(places), dict(ties)
     shifts = {name: symbol(f"{name} away") for name in names}
     moved = {name: total(a * s for a, s in zip(parts, shifts.values(), strict=True)) for name, parts in tied.items()}
     images = {n: Series(at.get(n, symbol(n)), shift) for n, shift in (shifts | moved).items()}

@@ -53,6 +53,7 @@ def _polynomial(draft: Draft, item: Equilibrium, place: int) -> None:
         level=STANDARD if length(shown) <= LONGEST else FULL,
         premises=[f"linear.{place}"],
         letter=letter,
+        growth=t.Fn("exp", t.mul(letter, t.Sym("t"))),
         data=_data(item),
     )
 

@@ -16,7 +16,6 @@ from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.elimination import determinant, short
-from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.notation import tree as t
 
@@ -109,7 +108,7 @@ def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
 
 def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
     """Squares of the frequencies, the slowest first, and the shapes of the modes."""
-    rows, found = [], _sorted(draft, item.frequencies_squared)
+    rows, found = [], item.frequencies_squared
     for k, square in enumerate(found, 1):
         letter = _name(draft, "vartheta", place, k)
         draft.context.scalars[letter] = root(square)
@@ -134,14 +133,6 @@ def _name(draft: Draft, letter: str, place: int, k: int) -> str:
     """ϑ_k, with the place before it if there are several stable ones."""
     several = sum(item.stable is True for item in draft.study.equilibria) > 1
     return draft.free(f"{letter}_{place}{k}" if several else f"{letter}_{k}")
-
-
-def _sorted(draft: Draft, squares: tuple[Scalar, ...]) -> list[Scalar]:
-    """By size at sample numbers; as they are where these don't tell."""
-    try:
-        return sorted(squares, key=lambda value: number(value, sample(draft.study.problem)))
-    except (KeyError, ValueError, ZeroDivisionError):
-        return list(squares)
 
 
 def _ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
