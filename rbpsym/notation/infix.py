@@ -19,7 +19,7 @@ from rbpsym.notation.infix_tokens import tokenize
 from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 
-MOST_WAYS = 16
+MOST_WAYS = 32
 RELATION_SIGNS = ("=", "<", ">", "<=", ">=", "!=", "~")
 
 

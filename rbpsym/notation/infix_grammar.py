@@ -13,6 +13,7 @@ from rbpsym.notation.infix_names import Reader, function_named, symbol_named, un
 from rbpsym.notation.infix_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
 
+_ROOTS = frozenset(("sqrt", "cbrt", "root"))
 _POWERED = frozenset({
     "sin", "cos", "tan", "cot", "sec", "csc", "sen", "tg", "ctg", "cotg", "cosec", "sinh", "cosh", "tanh", "senh", "tgh",
 })  # fmt: skip
@@ -94,9 +95,10 @@ def _begins_factor(reader: Reader) -> bool:
 def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     """A factor and the one that follows without a sign. Raises ReadError where this can be read in two ways."""
     below = inside = False
-    if isinstance(before, t.Div) and number_of(before) is None and not is_settled(before, reader):
+    if isinstance(before, t.Div) and not is_settled(before, reader):
         what = "this can be read in two ways: is this factor above or below the fraction bar?"
-        below = reader.decide(what, "Write a/(b*c), or (a/b)*c.", changes_value=not stands_apart(reader))
+        hint, parts, half = "Write a/(b*c), or (a/b)*c.", not stands_apart(reader), number_of(before) is not None
+        below = reader.decide(what, hint, changes_value=parts, usual=half)
     if is_bare_call(before, reader) and not is_call(reader):
         what = "this can be read in two ways: does it belong to the function's argument?"
         inside = reader.decide(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
@@ -118,7 +120,7 @@ def _factor(reader: Reader) -> t.Node:
         exponent = _exponent_number(reader.take())
         base = _power(base, exponent, start, reader)
     elif reader.accept("^"):
-        base = _power(base, _exponent(reader), start, reader)
+        base = _power(base, _fraction(reader, _exponent(reader)), start, reader)
     if reader.token.kind == "raised" or reader.sees("^"):
         raise reader.error("an exponent follows an exponent", "Use parentheses.")
     return base
@@ -127,6 +129,19 @@ def _factor(reader: Reader) -> t.Node:
 def _exponent(reader: Reader) -> t.Node:
     with reader.deeper():
         return _signed_factor(reader)
+
+
+def _fraction(reader: Reader, exponent: t.Node) -> t.Node:
+    """The exponent, or the fraction that it begins: in x^1/2 it may be one half."""
+    below = reader.ahead()
+    numbers = isinstance(exponent, t.Num) and reader.sees("/") and below.kind == "number" and below.value
+    if not numbers or (exponent.value / below.value).denominator == 1:
+        return exponent
+    what = "this can be read in two ways: is the exponent a fraction, or is the power divided?"
+    if not reader.decide(what, "Write x^(1/2), or (x^1)/2.", changes_value=True, usual=True):
+        return exponent
+    reader.take()
+    return _spanned(t.Div(exponent, _atom(reader)), exponent.span[0], reader)
 
 
 def _exponent_number(token: Token) -> t.Node:
@@ -199,7 +214,21 @@ def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
 
 def _root(reader: Reader) -> t.Node:
     sign = reader.take()
-    return _spanned(t.Sqrt(_factor(reader)), sign.start, reader)
+    return _spanned(t.Sqrt(_radicand(reader)), sign.start, reader)
+
+
+def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
+    """What stands under a root without parentheses: a factor, perhaps those behind it, and what these are divided by."""
+    what, hint = "this can be read in two ways: does it stand under the root?", "Write sqrt(x)*y, or sqrt(x*y)."
+    start, closed = reader.token.start, reader.sees("(")
+    factors = [_factor(reader)]
+    while not closed and _begins_factor(reader) and not is_call(reader) and reader.decide(what, hint, usual=True):
+        factors.append(_factor(reader))
+    under = _one(factors, start, reader)
+    if closed or not reader.sees("/") or not t.names(under) or not reader.decide(what, hint, usual=True):
+        return under
+    reader.take()
+    return _spanned(t.Div(under, _factor(reader)), start, reader)
 
 
 def _bars(reader: Reader) -> t.Node:
@@ -226,7 +255,8 @@ def _named(reader: Reader) -> t.Node:
 def _call(token: Token, reader: Reader) -> t.Node:
     """A function with an optional power before its argument: sin^2(x), sin x."""
     exponent = _function_power(token, reader)
-    arg = _parenthesis(reader) if reader.sees("(") else _bare_argument(token, reader)
+    bare = _radicand if token.text in _ROOTS else _bare_argument
+    arg = _parenthesis(reader) if reader.sees("(") else bare(reader, token)
     made = reader.functions[token.text](arg)  # cosh(x) is a quotient, but is none as it is typed
     call = _spanned(t.Group(made) if isinstance(made, t.Div) else made, token.start, reader)
     return _power(call, exponent, token.start, reader) if exponent else call
@@ -246,7 +276,7 @@ def _function_power(token: Token, reader: Reader) -> t.Node | None:
     return exponent
 
 
-def _bare_argument(token: Token, reader: Reader) -> t.Node:
+def _bare_argument(reader: Reader, token: Token) -> t.Node:
     """An argument without parentheses: a number, a symbol, or a number and a symbol."""
     start = reader.token.start
     first = reader.token

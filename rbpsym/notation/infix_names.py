@@ -32,9 +32,9 @@ FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
 class Reader(Cursor[Token]):
     """A cursor with the symbols, functions and aliases of a problem.
 
-    `script` says what to choose at the places that can be read in two ways (False behind its end; None: refuse
-    them), `met` their errors, `parted` what was chosen where this changes what is multiplied and what divided. `bars`: a |
-    would close.
+    `script` says what to choose at the places that can be read in two ways (False behind its end; None: the usual
+    reading where there is one, else refuse them), `met` their errors, `parted` what was chosen where this changes what
+    is multiplied and what divided. `bars`: a | would close.
     """
 
     symbols: frozenset[str] = frozenset()
@@ -45,10 +45,12 @@ class Reader(Cursor[Token]):
     parted: tuple[bool, ...] = ()
     bars: bool = False
 
-    def decide(self, what: str, instead: str, *, changes_value: bool = False) -> bool:
-        """Which of two readings to take at the next token. Raises ReadError if none may be taken."""
+    def decide(self, what: str, instead: str, *, changes_value: bool = False, usual: bool = False) -> bool:
+        """Which of two readings to take at the next token; `usual`: the first is what one writes. Raises ReadError."""
         error = self.error(what, instead)
         if self.script is None:
+            if usual:
+                return False
             raise error
         chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
         self.met.append(error)

@@ -12,7 +12,6 @@ from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
 from rbpsym.notation.limits import MAX_EXPONENT, check_exponent, number_of
-from rbpsym.notation.symbol_table import equally
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 BELOW = "is this factor above or below the slash?"
@@ -135,7 +134,7 @@ def _is_below(reader: Reader, num: t.Node, below: list[t.Node]) -> bool:
     """Does the next factor stand below the slash? In v²/2g it does, in 1/2 m it hardly does; 1/2π can be either."""
     coefficient = len(below) == 1 and isinstance(below[0], t.Num)
     half = coefficient and number_of(num) is not None
-    if half and reader.token.text != "π" and reader.table.faults in (None, equally):
+    if half and reader.token.text != "π" and reader.table.faults is None:
         return False
     question, hint = BELOW, "Use parentheses, or \\frac."
     close = reader.token.kind == "letter" and reader.token.start == reader.previous_end

@@ -6,18 +6,17 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
-from rbpsym.equality.points import names_of
 from rbpsym.equality.verdict import Kind, Verdict, all_of
-from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
+from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
 from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_dimensions import with_dimensions
+from rbpsym.verify.claims_given import premises, relations, told, under
 from rbpsym.verify.claims_ground import Ground, grounded
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
@@ -95,16 +94,18 @@ class Checker:
 
     def ground(self, setting: Setting, words: Glossary, *nodes: t.Node) -> Ground:
         """The ground of some formulas, with what earlier claims of their setting defined."""
-        given = [read(printed, words) for printed in setting.given]
-        names = {name for node in (*nodes, *given) for name in used_names(node)}
+        given = [(printed, read(printed, words)) for printed in setting.given]
+        names = {name for node in (*nodes, *(node for _, node in given)) for name in used_names(node)}
         ground = grounded(setting, words, self.world(setting), names)
         ground = replace(ground, defined=self.memory.setdefault(setting.name, {}))
         return replace(ground, premises=premises(given, ground)) if given else ground
 
     def links(self, node: t.Node, claim: Claim, ground: Ground) -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
+        solved, narrow = told(ground), under(getattr(node, "conditions", ()), ground)
         for relation in relations(node):
-            link = decide(relation, ground, claim.holds)
+            link = narrow(relation, lambda relation, ground: decide(relation, ground, claim.holds))
+            link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
                 link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
             yield replace(link, relation=to_text(relation), mathml=self._drawn(relation))
@@ -155,46 +156,6 @@ def used_names(node: t.Node) -> set[str]:
     """Names of symbols in a formula, variables of integrals and derivatives among them."""
     variables = {getattr(part, key) for part in t.walk(node) for key in ("var", "wrt") if hasattr(part, key)}
     return t.names(node) | variables
-
-
-def relations(node: t.Node) -> Iterator[t.Chain]:
-    """The single relations of a chain or a system."""
-    if isinstance(node, t.System):
-        for row in node.rows:
-            yield from relations(row)
-    elif isinstance(node, t.Chain):
-        for left, op, right in zip(node.items, node.ops, node.items[1:], strict=False):
-            yield t.Chain((left, right), (op,))
-
-
-def premises(given: list[t.Node], ground: Ground) -> dict[str, Scalar]:
-    """What the given relations make of one quantity each. Raises ReadError if they can't be solved for one.
-
-    A work that is given to be zero has the power zero.
-    """
-    found: dict[str, Scalar] = {}
-    for relation in (relation for node in given for relation in relations(node)):
-        question = Question(ground)
-        gap = valued(relation.items[0], ground) - valued(relation.items[1], ground)
-        moving = any(depends_on(gap, name) for name in (*ground.motion.ledger, *ground.motion.starts))
-        gap = substitute(question.seen(question.rate(gap) if moving else gap, "motion"), found)
-        name = next((name for name in _free_names(gap, ground) if _is_linear(gap, name)), None)
-        if name is None:
-            raise ReadError("what is given can't be solved for one quantity", place=None)
-        slope = derivative(gap, name)
-        found[name] = -(substitute(gap, {name: NOTHING}) / slope)
-    return found
-
-
-def _free_names(gap: Scalar, ground: Ground) -> list[str]:
-    """The names that may be solved for: forces of the theory, then constants."""
-    rates = ground.motion.scope.rates
-    return [name for name in names_of([gap]) if name not in rates and not name.endswith(("_dot", "_ddot"))]
-
-
-def _is_linear(gap: Scalar, name: str) -> bool:
-    slope = derivative(gap, name)
-    return bool(slope) and not depends_on(slope, name)
 
 
 def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: bool = True) -> Link:

@@ -166,16 +166,27 @@ def different(a: Scalar | Space, b: Scalar | Space, question: Question) -> Verdi
 
 
 def equal_to_first_order(a: Scalar, b: Scalar, question: Question) -> Verdict:
-    """a ≈ b for small values of the one coordinate in which they differ."""
-    gap = a - b
-    names = [name for name in question.motion.scope.start if depends_on(gap, name)]
-    if len(names) != 1:
-        return undecided("it is not clear which quantity is small")
-    at = {names[0]: NOTHING}
-    slope = derivative(gap, names[0])
-    pairs = ((substitute(a, at), substitute(b, at)), (substitute(slope, at), NOTHING))
-    found = all_of(scalars_equal(x, y, question.motion.assumptions) for x, y in pairs)
-    return proved(f"equal to first order in {names[0]}") if found.is_proved else found
+    """a ≈ b for small values of the one coordinate, with its speed, in which they differ; at any depth."""
+    found = undecided("it is not clear which quantity is small")
+    for depth in question.depths:
+        sides = [question.seen(side, depth) for side in (a, b)]
+        small = [name for name in question.motion.scope.start if depends_on(sides[0] - sides[1], name)]
+        if len({name.removesuffix("_dot") for name in small}) > 1:
+            found = undecided("it is not clear which quantity is small")
+            continue
+        found = _to_first_order(sides, small, question)
+        if found.is_proved:
+            first = f"equal to first order in {' and '.join(small)}" if small else ""
+            return proved(", ".join(filter(None, (HOW[depth] if depth != "identity" or not small else "", first))))
+    return found
+
+
+def _to_first_order(sides: list[Scalar], small: list[str], question: Question) -> Verdict:
+    """Whether two values and their slopes are equal where all that is small vanishes."""
+    at = dict.fromkeys(small, NOTHING)
+    rows = [sides, *([derivative(side, name) for side in sides] for name in small)]
+    pairs = [[substitute(value, at) for value in row] for row in rows]
+    return all_of(scalars_equal(*pair, question.motion.assumptions) for pair in pairs)
 
 
 RELATIONS: dict[str, Callable[..., Verdict]] = {

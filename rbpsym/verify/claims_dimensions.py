@@ -6,8 +6,10 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.homogeneity import faults
@@ -22,12 +24,28 @@ from rbpsym.verify.claims_symbols import Glossary
 
 def with_dimensions(words: Glossary, setting: Setting, world: World) -> SymbolTable:
     """The table of a glossary that chooses readings by the dimensions of its symbols, looked up when asked for."""
-    return replace(words.table, faults=_judge(words, setting, world))
-
-
-def _judge(words: Glossary, setting: Setting, world: World) -> Callable[[t.Node], int]:
-    known: dict[str, Dimension | None] = {}
     phrases = {words.names[latex][0]: meaning.phrase for latex, meaning in setting.symbols.items()}
+    return replace(words.table, faults=_judge(phrases, world), varies=partial(_varies, phrases, world))
+
+
+def _varies(phrases: Mapping[str, str], world: World, name: str) -> bool:
+    """May the quantity of a name change during the motion?"""
+    try:
+        found = world.bound(phrases[name])
+    except (KeyError, RbpsymError, ZeroDivisionError):
+        return True
+    if found.kind != "value" or found.vector is not None or found.scalar is None:
+        return found.kind != "constant"
+    motion = world.motion
+    return phrases[name] == "t" or any(
+        depends_on(found.scalar, other)
+        for names in (motion.scope.rates, motion.ledger, motion.unsettled, motion.lawless)
+        for other in names
+    )
+
+
+def _judge(phrases: Mapping[str, str], world: World) -> Callable[[t.Node], int]:
+    known: dict[str, Dimension | None] = {}
 
     def judged(node: t.Node) -> int:
         for name in t.names(node) - known.keys():

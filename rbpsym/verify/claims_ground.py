@@ -12,6 +12,7 @@ from rbpsym.algebra.evaluate import Scope
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Space
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.verify.claims_bound import Bound, Motion, World
 from rbpsym.verify.claims_model import Setting
@@ -27,11 +28,14 @@ class Ground:
     bounds: Mapping[tuple[str, bool], Bound] = field(default_factory=dict)
     defined: dict[str, Scalar | Space] = field(default_factory=dict)
     premises: Mapping[str, Scalar] = field(default_factory=dict)
+    assumed: Assumptions | None = None
 
     @cached_property
     def motion(self) -> Motion:
-        """What is true of the motion, what is given included."""
+        """What is true of the motion, what is given and assumed included."""
         motion = self.world.motion
+        if self.assumed is not None:
+            motion = replace(motion, assumptions=self.assumed)
         if not self.premises:
             return motion
         return replace(motion, moved=lambda value: substitute(motion.moved(value), self.premises))

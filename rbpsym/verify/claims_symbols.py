@@ -48,6 +48,7 @@ def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
     drawn: dict[Drawn, tuple[str, ...]] = {Drawn("π"): ("pi",)}
     spelled: dict[tuple[str, ...], str] = {}
     names: dict[str, tuple[str, bool]] = {}
+    shown: dict[tuple[str, bool], tuple[Drawn | str, str, Meaning]] = {}
     for latex, meaning in symbols:
         found = _drawn(latex)
         if found:
@@ -57,7 +58,19 @@ def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
             name = _spelled_name(latex)
             spelled[_spelling(latex, meaning)] = name
         names[latex] = (name, found[1] if found else latex.lstrip().startswith(r"\vec"))
+        _enter_once(shown, names[latex], found[0] if found else latex, latex, meaning)
     return Glossary(SymbolTable(MappingProxyType(drawn), MappingProxyType(spelled)), names)
+
+
+def _enter_once(shown: dict, named: tuple[str, bool], drawing: Drawn | str, latex: str, meaning: Meaning) -> None:
+    """Enter a printed symbol. Raises ReadError where another one with another meaning has its name."""
+    for arrow in (True, False):
+        drawn, other, means = shown.get((named[0], arrow), (drawing, latex, meaning))
+        alike = arrow != named[1] and (drawn == drawing or isinstance(drawing, str))
+        if means != meaning and not alike:
+            what = f"“{other}” and “{latex}” would have one name, {named[0]}, but mean different things"
+            raise ReadError(what, instead="Print one of them otherwise.", place=meaning.place or means.place)
+    shown[named] = (drawing, latex, meaning)
 
 
 @lru_cache(maxsize=4096)
@@ -88,7 +101,7 @@ def _label_parts(label: str) -> list[str]:
 
 def _spelled_name(latex: str) -> str:
     """A name for what no name draws, such as W^{nc}_T."""
-    words = re.findall(
-        r"[A-Za-z0-9]+|'", latex.replace(r"\vec", "").replace(r"\mathcal", "cal ").replace(r"\mathpzc", "cal ")
-    )
+    for said, plain in (r"\vec", ""), (r"\mathcal", "cal "), (r"\mathpzc", "cal "), ("(", " of "):
+        latex = latex.replace(said, plain)
+    words = re.findall(r"[A-Za-z0-9]+|'", latex)
     return "_".join("prime" if word == "'" else word for word in words) or "symbol"

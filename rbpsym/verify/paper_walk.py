@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import takewhile
 from pathlib import Path
 
 from rbpsym.errors import ReadError
@@ -31,6 +32,9 @@ _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _SILENT = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
 _GOES_ON = re.compile(r"(?:\s|&|\{\})*(?:=|<|>|\\(?:leq?|geq?|approx|simeq)(?![A-Za-z]))")
+_SPACE = r"(?:\s|\{\}|\\q?quad(?![A-Za-z]))*"
+_SIGN = r"(?:\+|\\(?:cdot|times|left\.)(?![A-Za-z]))"
+_GROWS = re.compile(rf"{_SPACE}(?:{_SIGN}|&(?:{_SPACE}|&)*(?:-|{_SIGN})|-(?![^\\]*=))")  # a sum or product that goes on
 _RELATION = re.compile(r"=|<|>|\\(?:leq?|geq?|neq?|approx|simeq|equiv|to|rightarrow)(?![A-Za-z])")
 
 
@@ -125,8 +129,11 @@ class _Walker:
                 is_last = not numbered or (first, last) == numbered[-1]
                 stop = end if is_last else last
                 number = self._number(begin, stop, (first, last) in numbered)
-                whole = whole if _GOES_ON.match(self.text, begin, stop) else begin
-                yield self._formula(begin, stop, number, True, whole)
+                goes_on = _GOES_ON.match(self.text, begin, stop) or _GROWS.match(self.text, begin, stop)
+                whole = whole if goes_on else begin
+                behind = takewhile(lambda row: _GROWS.match(self.text, *row), (row for row in rows if row[0] >= stop))
+                reach = max((row[1] for row in behind), default=stop)
+                yield self._formula(begin, stop, number, True, whole, reach)
                 begin = stop
             if begin == end:
                 return
@@ -143,14 +150,16 @@ class _Walker:
             return tag[1].strip() if tag else ""
         return self.counters.next()
 
-    def _formula(self, start: int, end: int, number: str, displayed: bool, whole: int | None = None) -> Formula:
-        """The formula from `start`, with the rows from `whole` on if it goes on with a chain begun there."""
+    def _formula(
+        self, start: int, end: int, number: str, displayed: bool, whole: int | None = None, reach: int = 0
+    ) -> Formula:
+        """The formula from `start`, with the rows from `whole` on if it goes on with what began there, up to `reach`."""
         raw = self.text[start:end]
         labels = tuple(found[1].strip() for found in _LABEL.finditer(raw))
         first = start + len(raw) - len(raw.lstrip())
         file, line = self.source.origin(start if displayed else first)
-        if whole is not None and whole < start:
-            raw = self.text[whole:end]
+        if whole is not None:
+            raw = self.text[whole : max(end, reach)]
             first = whole + len(raw) - len(raw.lstrip())
         latex = _TAG.sub("", _LABEL.sub("", raw))
         return Formula(latex.strip("\n"), number, labels, file, line, first, displayed)

@@ -64,6 +64,14 @@ def test_a_numbered_row_that_goes_on_has_what_it_goes_on_from(tmp_path):
     assert [row[1] for row in rows] == ["1", "2", "3"]
 
 
+def test_a_sum_that_goes_on_in_another_numbered_row_is_one_formula(tmp_path):
+    path = tmp_path / "text.tex"
+    path.write_text("\\begin{align}\na&=b\\\\\n&+c\\label{x}\\\\\n&=d\\\\ -e&=f\n\\end{align}")
+    rows = [("".join(f.latex.split()), f.number, f.labels) for f in read_paper(path).displayed]
+    whole = r"a&=b\\&+c\\"
+    assert rows == [(whole, "1", ()), (whole, "2", ("x",)), (rf"{whole}&=d\\", "3", ()), ("-e&=f", "4", ())]
+
+
 NUMBERED = {  # text -> numbers
     rf"{E}\setcounter{{equation}}{{7}}{E}\addtocounter{{equation}}{{-2}}{E}": ["1", "8", "7"],
     rf"\numberwithin{{equation}}{{section}}\section{{A}}{E}{E}\section*{{B}}{E}\section{{C}}{E}": [

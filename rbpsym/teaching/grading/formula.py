@@ -52,30 +52,31 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     if not text.strip():
         return j.EMPTY
     try:
-        read = read_formula(text, sought.ground.book)
+        found = judge_tree(read_formula(text, sought.ground.book), sought)
     except RbpsymError as error:
-        return _in_all_ways(text, sought, error)
-    return judge_tree(read, sought)
+        return _in_all_ways(text, sought, j.invalid(error))
+    return found if found.status in EARNING else _in_all_ways(text, sought, found)
 
 
-def _in_all_ways(text: str, sought: Sought, error: RbpsymError) -> Judgement:
+def _in_all_ways(text: str, sought: Sought, usual: Judgement) -> Judgement:
     """The judgement on what can be read in several ways, if one of them alone can be meant, or it does not matter.
 
-    Where it only matters how far the argument of a function goes, the reading that is right is meant.
+    Where it only matters how far a root or the argument of a function goes, the reading that is right is meant.
+    usual: the judgement on the usual reading, which stands where there is no other.
     """
     try:
         ways = read_all(text, sought.ground.book)
-    except RbpsymError as other:
-        return j.invalid(other)
+    except RbpsymError as error:
+        return j.invalid(error) if usual.status is Status.INVALID else usual
     if len(ways.trees) < 2:
-        return j.invalid(error)
+        return usual
     kept = [k for k, tree in enumerate(ways.trees) if _fits(tree, sought)] or list(range(len(ways.trees)))
     sound, is_parted = [ways.trees[k] for k in kept], len({ways.parted[k] for k in kept}) > 1
     found = [judge_tree(tree, sought) for tree in sound]
     statuses = {judgement.status for judgement in found}
     best = next((status for status in EARNING if status in statuses), None)
     if len(statuses) > 1 and (best is None or is_parted):
-        return j.invalid(error)
+        return j.invalid(ways.error)
     place = next((k for k, judgement in enumerate(found) if judgement.status is best), 0)
     return found[place].with_remark("read as", formula=sound[place]) if kept[place] and best else found[place]
 
