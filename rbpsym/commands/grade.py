@@ -24,6 +24,7 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
     help="The class list: names in the marks; who is missing or unknown is told.",
 )
 @click.option("--seed", "secret", metavar="S", default="", help="The --seed with which the papers were made.")
+@click.option("--papers", metavar="DIR", type=FOLDER, help="Folder of the papers, if it is not near the answers.")
 @click.option("--lang", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet.")
 @click.option("--executor", metavar="WHERE", default="", help="local, or dask://HOST:PORT.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core).")
@@ -34,6 +35,7 @@ def command(
     feedback: Path | None,
     students: Path | None,
     secret: str,
+    papers: Path | None,
     lang: str,
     executor: str,
     jobs: int,
@@ -56,8 +58,9 @@ def command(
     journal = output.with_name(f".{output.name}.journal")
     with Progress("grading") as bar:
         graded = grade(
-            worksheet, answers, secret=secret, language=lang, roster=students, pages=feedback is not None, executor=executor,
-            processes=jobs, journal=journal, told=lambda done, of: bar.reached(done, of, f"{done} of {of} students"),
+            worksheet, answers, secret=secret, language=lang, roster=students, papers=papers, pages=feedback is not None,
+            executor=executor, processes=jobs, journal=journal,
+            told=lambda done, of: bar.reached(done, of, f"{done} of {of} students"),
         )  # fmt: skip
     written = write_graded(graded, output, feedback)
     journal.unlink(missing_ok=True)

@@ -67,8 +67,9 @@ def command(
     choices come from the seed, the worksheet and the student alone. An interrupted run goes on when the same
     command is given again.
     """
-    from rbpsym.teaching.batch import Order
+    from rbpsym.teaching.batch import Order, known_plan
     from rbpsym.teaching.executor import crew
+    from rbpsym.teaching.record import remember
 
     who = crew(executor, jobs)
     _check_choice(name, students, variants, code)
@@ -78,6 +79,7 @@ def command(
     people = _people(students, variants)
     _tell_names(order, people)
     lines = _papers(order, people, who) + _platforms(order, people)
+    remember(output, known_plan(order.source), secret, lang, people)
     for line in lines:
         click.echo(line)
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
@@ -21,6 +21,7 @@ from rbpsym.teaching.grading.marks_csv import marks_csv
 from rbpsym.teaching.journal import Journal
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.record import SUFFIX, check, record_of
 from rbpsym.teaching.roster import load_roster
 
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
@@ -63,6 +64,7 @@ def grade(
     secret: str = "",
     language: str = "",
     roster: str | Path | tuple[Student, ...] | None = None,
+    papers: str | Path | None = None,
     pages: bool = False,
     executor: str = "",
     processes: int = 0,
@@ -71,19 +73,34 @@ def grade(
 ) -> Graded:
     """The marks of a class. `secret` is the --seed with which the papers were made.
 
-    With `roster`, the class list, the marks hold names, and keys that nobody has are told.
+    With `roster`, the class list, the marks hold names, and keys that nobody has are told. `papers` is the folder of
+    the papers, where it is not near the answers: papers that are not those that are made now are refused.
     With `journal` an interrupted run goes on where it was. Raises RbpsymError for files that can't be
     used; never for an answer.
     """
     plan, source = _plan(str(worksheet))
     table = answers if isinstance(answers, AnswerTable) else read_answers(Path(answers))
     order = Order(source, secret, language, plan.fingerprint, pages)
+    files = [Path(file) for file in (answers, roster, source) if isinstance(file, (str, Path))]
+    fits = _papers_fit([Path(papers)] if papers else [file.parent for file in files], plan, order, table)
     listed = class_list(table.rows, plan, secret, language, _roster(roster))
     jobs = [(order, row) for row in listed.rows]
     held = Journal(journal, _about(order, listed.rows))
     found = [json.loads(text) for text in run(mark_rows, jobs, crew(executor, processes), held, told)]
     found += [_refused(row, why) for row, why in listed.refused]
-    return _graded(found, table, listed)
+    return _graded(found, table, replace(listed, told=(*fits, *listed.told)))
+
+
+def _papers_fit(folders: list[Path], plan: Plan, order: Order, table: AnswerTable) -> tuple[str, ...]:
+    """What there is to say of the record beside the papers. Raises RbpsymError if it is of other papers."""
+    path = record_of(plan.sheet.name, folders)
+    if path is not None:
+        said = check(path, plan, order.secret, order.language, [row.student for row in table.rows if not row.code])
+        return (said,) if said else ()
+    if all(row.code for row in table.rows):
+        return ()  # a form code tells by itself whether it fits
+    name = f"{plan.sheet.name}{SUFFIX}"
+    return (f"no {name} was found (--papers DIR): nothing shows that the --seed is that of the papers.",)
 
 
 def _roster(roster: str | Path | tuple[Student, ...] | None) -> tuple[Student, ...] | None:
