@@ -1,0 +1,294 @@
+"""The motion from the declared start in maximal coordinates, watched: contacts that must not pull, grips, slips, ranges.
+
+It is followed until the first of them ends (an event), or the coordinate has turned twice, or for a long time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+import numpy as np
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.paths import runs
+from rbpsym.verify.simulation_bench import Bench
+from rbpsym.verify.simulation_contacts import slipping, spot_at
+from rbpsym.verify.simulation_placement import dotted
+
+USED_UP = 1e-2  # of a straight run of a string: it ends there
+LATE = 1e-6  # of the time of a phase: what ends then, ends it
+LONGEST = 60  # of the usual times
+BARE = 4  # the same where nothing can end
+STEPS = 6  # within a usual time
+CLOSE = 1e-7  # of the largest force: what counts as no force
+NEAR = 1e-3  # of the largest force: a set at which a force comes so near to nothing without changing its sign is redrawn
+
+
+class Unfit(Exception):
+    """A set of numbers at which the system is not in the regime that is stated (with the reason)."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """What ended first: kind ("lost", "slips", "no slip", "range"), of what, and the state (X, V, works ..., t)."""
+
+    kind: str
+    of: str
+    state: np.ndarray
+
+
+@dataclass(frozen=True)
+class Followed:
+    """States along the motion up to its event (None: none came), and what was watched at the start."""
+
+    states: list[np.ndarray]
+    event: Event | None
+    is_whole: bool
+    least: Mapping[str, float]
+
+
+Watch = Callable[[np.ndarray], float]
+
+
+def watches(bench: Bench, study: Study) -> dict[tuple[str, str], Watch]:
+    """What stays positive as long as the stated regime holds."""
+    found: dict[tuple[str, str], Watch] = {}
+    size, mechanism = bench.equations.size, bench.placement.mechanism
+
+    def force(name: str) -> Watch:
+        return lambda state: forces_at(bench, state)[name]
+
+    for element in study.problem.constraints:
+        for name in pushes(element):
+            found["lost", name] = force(name)
+        if element.values.get("limit") is not None:
+            found["slips", element.name] = _grip(bench, element, mechanism.number(element["limit"]))
+        if element.values.get("coefficient") is not None:
+            found["no slip", element.name] = _slip(bench, element, size)
+        if element.kind == "string":
+            found |= _runs(bench, element)
+    return found
+
+
+def _runs(bench: Bench, element) -> dict[tuple[str, str], Watch]:
+    """The straight runs of a string do not shrink to nothing (a block that comes to the pulley)."""
+    mechanism, found = bench.placement.mechanism, {}
+    for place, run in enumerate(runs(element["path"])):
+        for first, second in zip(run, run[1:], strict=False):
+            ends = [mechanism.spot(turn.center) for turn in (first, second)]
+            offset = second.sense * mechanism.number(second.radius) - first.sense * mechanism.number(first.radius)
+            _check_way(bench, ends, offset, element.name)
+            begin = _straight(bench, ends, offset, bench.generic.where)
+            found["string", f"{element.name} {place} {first.center.label}"] = _left_of(bench, ends, offset, begin)
+    return found
+
+
+def _left_of(bench: Bench, ends: list, offset: float, begin: np.ndarray) -> Watch:
+    """How much is left of a run, counted along the way in which it went at first."""
+    size = float(np.hypot(*begin))
+    return lambda state: float(_straight(bench, ends, offset, state) @ begin) / size - USED_UP * size
+
+
+def _straight(bench: Bench, ends: list, offset: float, state: np.ndarray) -> np.ndarray:
+    """The straight run from where it leaves the first round thing to where it meets the second."""
+    where = list(map(complex, state[: bench.equations.size]))
+    (ax, ay), (bx, by) = (spot_at(spot, where) for spot in ends)
+    dx, dy = (bx - ax).real, (by - ay).real
+    square = dx * dx + dy * dy - offset * offset
+    if square <= 0:
+        return np.zeros(2)
+    length, whole = square**0.5, dx * dx + dy * dy
+    return np.array([(dx * length + dy * offset) / whole, (dy * length - dx * offset) / whole]) * length
+
+
+def _check_way(bench: Bench, ends: list, offset: float, name: str) -> None:
+    """A run goes the way that it has at the sample numbers: formulas of pulleys are those of one side."""
+    usual = Bench(replace(bench.derived, works={}, momenta={}))
+    mechanism = usual.placement.mechanism
+    ways = [_straight(bench, ends, offset, bench.generic.where)]
+    for element in bench.derived.system.problem.constraints:
+        for run in runs(element["path"]) if element.kind == "string" and element.name == name else ():
+            for first, second in zip(run, run[1:], strict=False):
+                own = [mechanism.spot(turn.center) for turn in (first, second)]
+                if [spot.body for spot in own] == [spot.body for spot in ends]:
+                    offset = second.sense * mechanism.number(second.radius) - first.sense * mechanism.number(first.radius)
+                    ways.append(_straight(usual, own, offset, usual.generic.where))
+    if all(ways[0] @ way <= 0 for way in ways[1:]):
+        raise Unfit(f"the string {name} runs another way")
+
+
+def forces_at(bench: Bench, state: np.ndarray) -> dict[str, float]:
+    """The unknown forces at a state of the motion."""
+    size = bench.equations.size
+    bench.placement.mechanism.clock = float(state[-1])
+    return bench.multipliers(state[:size], state[size : 2 * size])
+
+
+def _grip(bench: Bench, element, limit: float) -> Watch:
+    def left(state: np.ndarray) -> float:
+        forces = forces_at(bench, state)
+        return limit * forces[element.name] - abs(forces[element["friction"]])
+
+    return left
+
+
+def _slip(bench: Bench, element, size: int) -> Watch:
+    mechanism = bench.placement.mechanism
+    sense = mechanism.slips[element.name]
+    row = slipping(element, mechanism, bench.generic.where.tolist())
+
+    def rate(state: np.ndarray) -> float:
+        where, speed = state[:size].tolist(), state[size : 2 * size].tolist()
+        return sense * dotted(row.at(where, speed).entries, speed)
+
+    return rate
+
+
+def _ranges(bench: Bench, study: Study) -> Callable[[np.ndarray, list], dict[tuple[str, str], float]]:
+    """How far each coordinate is from the ends of its range (`near` holds the last coordinates)."""
+    ends = []
+    for place, name in enumerate(bench.placement.names):
+        coordinate = study.problem.coordinate(name)
+        for bound, side in ((coordinate.lower, 1), (coordinate.upper, -1)):
+            if bound is not None:
+                ends.append((place, name, side, number(scalar(bound), bench.sample)))
+
+    def room(state: np.ndarray, near: list) -> dict[tuple[str, str], float]:
+        if not ends:
+            return {}
+        near[0] = bench.placement.coordinates(state[: bench.equations.size].tolist(), near[0])
+        return {("range", f"{name} {side:+d}"): side * (float(near[0][k]) - end) for k, name, side, end in ends}
+
+    return room
+
+
+def follow(
+    bench: Bench,
+    study: Study,
+    start,
+    time: float | None = None,
+    worked: Mapping = MappingProxyType({}),
+    longest: float = LONGEST,
+) -> Followed:
+    """The motion from a start, up to a time if one is given; `worked` are the works done until then.
+
+    Raises Unfit if the regime does not hold at the start, ends before that time, or nearly ends on the way.
+    """
+    from scipy.integrate import DOP853
+    from scipy.optimize import brentq
+
+    size, watched = bench.equations.size, watches(bench, study)
+    account = bench.account
+    done = [worked.get(key, 0.0) for key in account]
+    first = np.concatenate([start.where, start.speed, done, np.zeros(len(bench.levers)), [0.0]])
+    scale = _scale(bench, first)
+    step = bench.usual_time(start)
+    room, near = _ranges(bench, study), [start.q]
+    open_ = _at_first(watched, first, scale, start)
+    least = {f"{k} {of}": abs(watched[k, of](first)) / scale[k] for k, of in open_}
+    if not _moves(bench, start):
+        return Followed([first], None, True, least)
+    until = (longest if watched else BARE) * step if time is None else time * (1 + 1e-3)
+    solver = DOP853(bench.rate(account), 0.0, first, until, rtol=1e-11, atol=1e-13, max_step=step / STEPS)
+    states = [first]
+    turns, last_speed, begun = 0, start.rates, {}
+    while solver.status == "running":
+        try:
+            with np.errstate(over="raise", divide="raise", invalid="raise"):
+                solver.step()
+        except (OverflowError, FloatingPointError, NotApplicable):  # a singularity: what is well before it is kept
+            return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
+        if solver.status == "failed":
+            return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
+        dense, state = solver.dense_output(), solver.y
+        if time is not None and solver.t > time * (1 - LATE) and not _ends_now(open_, watched, state):
+            return Followed([*states, dense(time)], None, True, least)
+        ended = [key for key in open_ if watched[key](state) < 0]
+        ends = [key for key, left in room(state, near).items() if left < 0 and begun.get(key, 0) > 0]
+        begun |= room(state, near)
+        if ended or ends:
+            found = []
+            for key in ended:
+                value = watched[key]
+                time = brentq(lambda t, v=value, d=dense: v(d(t)), solver.t_old, solver.t, xtol=1e-13, rtol=1e-13)
+                found.append((time, *key))
+            for key in ends:
+                time = brentq(lambda t, k=key, d=dense: room(d(t), [near[0]])[k], solver.t_old, solver.t, xtol=1e-13)
+                found.append((time, *key))
+            found.sort()
+            if len(found) > 1 and found[1][0] - found[0][0] < NEAR * step and found[0][1] != "range":
+                raise Unfit("two things end at almost the same moment")
+            moment, kind, of = found[0]
+            if time is not None and moment < time * (1 - LATE):
+                raise Unfit(f"{kind} {of} comes before the end of the phase")
+            return Followed(states, Event(kind, of, dense(moment)), True, least)
+        for key in watched.keys() - open_:
+            here = watched[key](state)
+            if here < -CLOSE * scale[key[0]]:
+                raise Unfit(f"{key[1]}: the stated regime ({key[0]}) ends at once")
+            if here > CLOSE * scale[key[0]]:
+                open_.add(key)
+        for kind, of in open_:
+            name = f"{kind} {of}"
+            least[name] = min(least.get(name, np.inf), abs(watched[kind, of](state)) / scale[kind])
+        states.append(state.copy())
+        q, speed = bench.placement.state(state[:size].tolist(), state[size : 2 * size].tolist(), states_q(near))
+        near[0] = q
+        turns += int(np.any(speed * last_speed < 0)) if len(study.system.independent) == 1 else 0
+        last_speed = speed
+        if turns >= 2:
+            break
+    return Followed(states, None, turns >= 2 or time is not None, least)
+
+
+def _moves(bench: Bench, start) -> bool:
+    """Not where it is at rest and nothing drives it."""
+    if any(item.kind.startswith("prescribed") or item.kind == "pivot" for item in bench.derived.system.problem.constraints):
+        return True
+    gained = bench.equations.at(start.where, start.speed).gained
+    return max(np.abs(gained).max(initial=0.0), np.abs(start.speed).max(initial=0.0)) > 1e-10
+
+
+def _ends_now(open_: set, watched: Mapping, state: np.ndarray) -> bool:
+    return any(watched[key](state) < 0 for key in open_)
+
+
+def states_q(near: list) -> np.ndarray:
+    """The coordinates found last."""
+    return near[0]
+
+
+def _scale(bench: Bench, state: np.ndarray) -> dict[str, float]:
+    """Sizes to compare forces and speeds with."""
+    forces = [abs(value) for value in forces_at(bench, state).values()]
+    weights = max((abs(m) for m in bench.equations.masses), default=1.0) * abs(bench.sample.get("g", 1.0))
+    force = max([*forces, weights])
+    speed = max([float(np.abs(state[bench.equations.size : 2 * bench.equations.size]).max(initial=0.0)), 1e-3])
+    return {"lost": force, "slips": force, "no slip": speed, "string": bench.placement.mechanism.reach()}
+
+
+def _at_first(watched: Mapping, state: np.ndarray, scale: Mapping[str, float], start) -> set:
+    """What holds at the start. Raises Unfit if something has the wrong sign there; what is nothing is looked at later."""
+    found = set()
+    for key, value in watched.items():
+        here = value(state)
+        if here < -CLOSE * scale[key[0]]:
+            raise Unfit(f"{key[1]}: the stated regime ({key[0]}) does not hold at the start")
+        if here > CLOSE * scale[key[0]]:
+            found.add(key)
+    return found
+
+
+def declared_start(bench: Bench):
+    """The declared start; None if it is not declared in full. Raises Unfit where the bodies can't be placed."""
+    bench.placement.mechanism.clock = 0.0
+    try:
+        return bench.declared_start()
+    except NotApplicable as error:
+        raise Unfit(error.what) from None

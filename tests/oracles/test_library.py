@@ -1,0 +1,43 @@
+"""What is asserted of the motions of the library is what the simulation shows, at seeded parameter sets.
+
+Forces, works and speeds along the motion, the first loss of contact or grip and its place, the end of each phase, rest at
+equilibria. Two sets a problem here; the thorough tier takes twenty, and follows each motion to its end.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rbpsym.mechanics.study import Study
+from tests.library.derived import NAMES, problem
+from tests.oracles.compare import Findings, each, findings
+from tests.oracles.conftest import DRAWS, MISSING, SETS
+
+KNOWN = json.loads((Path(__file__).parent / "not_compared.json").read_text(encoding="utf-8"))
+FEW, SHORT = 2, 8.0
+
+
+def put_to_the_test(name: str, sets: int, longest: float, record) -> Findings:
+    """The findings on a problem, told in the report of the run."""
+    found = findings(Study(problem(name)), sets, longest)
+    record(SETS, found.sets)
+    record(DRAWS, dict(found.redrawn))
+    for what, reason in found.missing.items():
+        record(MISSING, (f"{name}: {what}", reason))
+    return found
+
+
+def new_gaps(name: str, found: Findings) -> set[str]:
+    """What could not be compared and is not known for that."""
+    return {f"{what}: {reason}" for what, reason in found.missing.items()} - set(KNOWN.get(name, ()))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_motion_is_that_of_the_simulation(name, record_property):
+    found = put_to_the_test(name, FEW, SHORT, record_property)
+    assert found.sets and found.compared
+    assert not list(each(found))
+    assert not new_gaps(name, found)

@@ -1,0 +1,241 @@
+"""Mutants of the source, each put to the quickest tests that come through what was changed.
+
+    python -m tests.thorough.mutants COVERING.json [--count 400] [--seed 1] [--from 0] [--to 400] [--log FILE]
+
+Needs the table of `tests.thorough.covering`. Works in a copy of the tree; a mutant that outlasts its time counts as
+killed. `EQUIVALENT` names those that change nothing that can be seen, with the reason; they are not drawn.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import random
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+from tests.thorough.equivalent import EQUIVALENT
+from tests.thorough.sites import Site, is_sound, sites
+
+ROOT = Path(__file__).parents[2]
+# area: (share of the draw, patterns of its files)
+AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
+    "field": (60, ("algebra/*.py",)),
+    "verdicts": (60, ("equality/*.py",)),
+    "mechanics": (90, ("mechanics/*.py",)),
+    "steps and checkers": (80, ("derivation/*.py", "derivation/chapters/*.py", "methods/*.py", "verify/agreement.py")),
+    "readers": (50, ("notation/infix*.py", "notation/latex_*.py")),
+    "printers": (
+        60,
+        (
+            *(f"notation/{name}.py" for name in "latex mathml omml typst text machine speech levels glyphs boxes".split()),
+            *(f"notation/{name}_layout.py" for name in ("algebra", "atom", "calculus", "function")),
+            "document/figures/svg.py", "document/figures/tikz.py", "document/writers/word_math.py",
+            "teaching/exports/canvas.py",
+        ),
+    ),
+}  # fmt: skip
+ENOUGH = 25.0  # seconds of tests for a mutant, as they were timed with tracing
+ALIKE = 3  # instances of one test
+MOST = 160
+LIMIT = 90  # seconds until a mutant counts as killed by time
+NOT_ASKED = ("tests/architecture", "tests/thorough")  # they see that the text changed, not what it does
+
+
+@dataclass(frozen=True)
+class Table:
+    """What `covering` wrote."""
+
+    tests: list[str]
+    seconds: list[float]
+    met: Mapping[str, list[int]]
+
+    def of(self, site: Site) -> list[int]:
+        """The tests that come through the function; for what stands in no function, through the module."""
+        name = site.function
+        while name:
+            found = self.met.get(f"{site.file}::{name}")
+            if found:
+                return found
+            name = name.rpartition(".")[0].removesuffix(".<locals>")
+        return sorted({k for key, found in self.met.items() if key.startswith(f"{site.file}::") for k in found})
+
+    def chosen(self, site: Site, source: random.Random) -> list[str]:
+        """Some of each kind of test, the quickest first, then others at random until there are enough."""
+        every = [k for k in self.of(site) if not self.tests[k].startswith(NOT_ASKED)]
+        every.sort(key=lambda k: self.seconds[k])
+        kinds: Counter[str] = Counter()
+        first, rest = [], []
+        for k in every:
+            kind = self.tests[k].partition("[")[0]
+            kinds[kind] += 1
+            (first if kinds[kind] <= ALIKE else rest).append(k)
+        source.shuffle(rest)
+        found, spent = [], 0.0
+        for k in (*first, *rest):
+            if spent + self.seconds[k] <= ENOUGH or not found:
+                found.append(k)
+                spent += self.seconds[k]
+            if len(found) == MOST:
+                break
+        return [self.tests[k] for k in found]
+
+
+def table(paths: list[Path]) -> Table:
+    """The tables of several runs as one; of a test that was met twice the last run counts."""
+    tests: dict[str, float] = {}
+    met: dict[str, set[str]] = {}
+    for path in paths:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        tests |= dict(zip(content["tests"], content["seconds"], strict=True))
+        for name, found in content["met"].items():
+            met.setdefault(name, set()).update(content["tests"][k] for k in found)
+    number = {test: k for k, test in enumerate(tests)}
+    return Table(list(tests), list(tests.values()), {n: sorted(number[t] for t in found) for n, found in met.items()})
+
+
+def drawn(count: int, seed: int, home: Path = ROOT / "rbpsym") -> list[Site]:
+    """Seeded mutants of all areas in turn, equivalents left out."""
+    total, found = sum(share for share, _ in AREAS.values()), []
+    for area, (share, patterns) in AREAS.items():
+        files = sorted({path for pattern in patterns for path in home.glob(pattern)})
+        every = [site for path in files for site in sites(home, str(path.relative_to(home)))]
+        every = [site for site in every if key(site) not in EQUIVALENT]
+        random.Random(f"{seed} {area}").shuffle(every)
+        sound = (site for site in every if is_sound(home, site))
+        found += islice(sound, -(-count * share // total))
+    random.Random(seed).shuffle(found)
+    return found[:count]
+
+
+def key(site: Site) -> str:
+    """What names a mutant even after lines have moved."""
+    old, new = (" ".join(part.split()) for part in (site.old, site.new))
+    return f"{site.file} {site.function}: {old} -> {new}"
+
+
+# --- running
+
+
+def copied() -> Path:
+    """A copy of the tree, compiled."""
+    import compileall
+
+    scratch = Path(tempfile.mkdtemp(prefix="mutants-"))
+    for name in ("rbpsym", "tests", "derivations", "docs", "templates", "benchmarks", "pyproject.toml"):
+        source = ROOT / name
+        skipped = shutil.ignore_patterns("__pycache__", ".hypothesis")
+        shutil.copytree(source, scratch / name, ignore=skipped) if source.is_dir() else shutil.copy(source, scratch)
+    compileall.compile_dir(scratch / "rbpsym", quiet=2)
+    compileall.compile_dir(scratch / "tests", quiet=2)
+    return scratch
+
+
+def outcome(scratch: Path, site: Site | None, tests: list[str]) -> str:
+    """"killed", "survived", "time" (killed by it) or "no tests"."""
+    if not tests:
+        return "no tests"
+    target = scratch / "rbpsym" / site.file if site else None
+    text = target.read_text(encoding="utf-8") if target else ""
+    if site:
+        target.write_text(site.mutated(text), encoding="utf-8")
+        for compiled in target.parent.glob(f"__pycache__/{target.stem}.*.pyc"):
+            compiled.unlink()
+    listed = scratch / "asked.txt"
+    listed.write_text("\n".join(tests), encoding="utf-8")
+    try:
+        return _in_a_child(scratch)
+    finally:
+        if target:
+            target.write_text(text, encoding="utf-8")
+
+
+def _in_a_child(scratch: Path) -> str:
+    """Forked from here, where the packages of others are loaded already."""
+    child = os.fork()
+    if not child:
+        _child(scratch)
+    until = time.monotonic() + LIMIT
+    while time.monotonic() < until:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return "survived" if os.waitstatus_to_exitcode(status) == 0 else "killed"
+        time.sleep(0.02)
+    os.killpg(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    return "time"
+
+
+def _child(scratch: Path) -> None:
+    os.setsid()
+    os.chdir(scratch)
+    sys.dont_write_bytecode = True
+    sys.path[:] = [str(scratch), *(p for p in sys.path if p not in ("", str(ROOT)))]
+    for name in [n for n in sys.modules if n.split(".")[0] in ("tests", "rbpsym", "benchmarks")]:
+        del sys.modules[name]
+    with open(os.devnull, "w") as nothing:
+        os.dup2(nothing.fileno(), 1)
+        os.dup2(nothing.fileno(), 2)
+        import pytest
+
+        code = 1
+        try:
+            quiet = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
+            code = int(pytest.main([*quiet, "--rootdir", str(scratch), f"@{scratch / 'asked.txt'}"]))
+        finally:
+            os._exit(code)
+
+
+def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple[Site, str]]:
+    """The outcome of each mutant, written down as it comes (a line of JSON each)."""
+    import hypothesis  # noqa: F401  (loaded once for all children)
+    import numpy  # noqa: F401
+    import scipy.integrate  # noqa: F401
+    import sympy  # noqa: F401
+
+    scratch = copied()
+    try:
+        for site in found:
+            tests = known.chosen(site, random.Random(f"{seed} {key(site)}"))
+            begun = time.perf_counter()
+            result = outcome(scratch, site, tests)
+            row = {"mutant": str(site), "key": key(site), "outcome": result, "tests": len(tests)}
+            with log.open("a", encoding="utf-8") as file:
+                file.write(json.dumps({**row, "seconds": round(time.perf_counter() - begun, 1)}) + "\n")
+            yield site, result
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+def main(arguments: list[str]) -> int:
+    reader = argparse.ArgumentParser(description=__doc__)
+    reader.add_argument("covering", nargs="+", type=Path)
+    reader.add_argument("--count", type=int, default=400)
+    reader.add_argument("--seed", type=int, default=1)
+    reader.add_argument("--from", dest="first", type=int, default=0)
+    reader.add_argument("--to", dest="last", type=int, default=None)
+    reader.add_argument("--log", type=Path, default=ROOT / "build" / "mutants.jsonl")
+    asked = reader.parse_args(arguments)
+    found = drawn(asked.count, asked.seed)[asked.first : asked.last]
+    asked.log.parent.mkdir(exist_ok=True)
+    counts: Counter[str] = Counter()
+    for site, result in run(found, table(asked.covering), asked.log, asked.seed):
+        counts[result] += 1
+        if result not in ("killed", "time"):
+            print(f"{result}: {site}", flush=True)
+    killed = counts["killed"] + counts["time"]
+    print(f"{killed}/{len(found)} mutants killed ({100 * killed / max(1, len(found)):.1f} %), {dict(counts)}")
+    return int(killed < 0.9 * len(found))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
