@@ -7,7 +7,7 @@ So that two people do not meet in one file, each reason has a file of its own.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -71,10 +71,10 @@ def out_of_use(kind: str, name: str) -> list[str]:
 # --- writing
 
 
-def write_taken() -> None:
-    """All records as they are now."""
+def write_taken(kinds: Collection[str] = tuple(KINDS)) -> None:
+    """All records of some kinds as they are now."""
     files: dict[str, dict[str, Any]] = {}
-    for kind, (names, record) in KINDS.items():
+    for kind, (names, record) in ((kind, KINDS[kind]) for kind in kinds):
         for name in names():
             files.setdefault(file_of(kind, name), {})[name] = _packed(record(name))
     TAKEN.mkdir(exist_ok=True)

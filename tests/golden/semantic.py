@@ -79,9 +79,19 @@ def worksheet_record(name: str) -> Record:
     return dict(_flat({who.id: _sheet(plan.worksheet(who, SECRET)) for who in STUDENTS}))
 
 
+def plan_record(name: str) -> Record:
+    """The balances that the torque method takes, in their order."""
+    from rbpsym.methods.planner import plan
+
+    found = plan(derived(name).study)
+    taken = found.balances if found else ()
+    return {str(k): f"{b.kind} of {', '.join(b.bodies)}: {b.label}" for k, b in enumerate(taken)}
+
+
 KINDS = {
     "problems": (lambda: sorted(problem_files()), problem_record),
     "examples": (lambda: sorted(examples()), example_record),
+    "plans": (lambda: sorted(problem_files()), plan_record),
     "claims": (lambda: sorted(p.stem for p in (library_folder() / "claims").glob("*.toml")), claims_record),
     "courses": (lambda: sorted(course_files()), course_record),
     "worksheets": (lambda: [*sorted(worksheet_files()), *STANDARD], worksheet_record),

@@ -140,27 +140,38 @@ def copied() -> Path:
     return scratch
 
 
-def outcome(scratch: Path, site: Site | None, tests: list[str]) -> str:
-    """"killed", "survived", "time" (killed by it) or "no tests"."""
-    if not tests:
-        return "no tests"
-    target = scratch / "rbpsym" / site.file if site else None
-    text = target.read_text(encoding="utf-8") if target else ""
-    if site:
-        target.write_text(site.mutated(text), encoding="utf-8")
-        for compiled in target.parent.glob(f"__pycache__/{target.stem}.*.pyc"):
-            compiled.unlink()
-    listed = scratch / "asked.txt"
-    listed.write_text("\n".join(tests), encoding="utf-8")
+def outcome(scratch: Path, site: Site, tests: list[str], sick: set[str]) -> str:
+    """"killed", "survived", "time" (killed by it) or "no tests"; tests that fail without the mutant are added to `sick`."""
+    while tests := [test for test in tests if test not in sick]:
+        found, failed = _mutated(scratch, site, tests)
+        if found != "killed" or _in_a_child(scratch, [failed] if failed else tests)[0] == "survived":
+            return found
+        sick.update([failed] if failed else tests)
+    return "no tests"
+
+
+def _mutated(scratch: Path, site: Site, tests: list[str]) -> tuple[str, str]:
+    target = scratch / "rbpsym" / site.file
+    text = target.read_text(encoding="utf-8")
+    compiled = list(target.parent.glob(f"__pycache__/{target.stem}.*.pyc"))
+    kept = [(path, path.read_bytes()) for path in compiled]
+    stat = target.stat()
+    target.write_text(site.mutated(text), encoding="utf-8")
+    for path in compiled:
+        path.unlink()
     try:
-        return _in_a_child(scratch)
+        return _in_a_child(scratch, tests)
     finally:
-        if target:
-            target.write_text(text, encoding="utf-8")
+        target.write_text(text, encoding="utf-8")
+        os.utime(target, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+        for path, content in kept:
+            path.write_bytes(content)
 
 
-def _in_a_child(scratch: Path) -> str:
-    """Forked from here, where the packages of others are loaded already."""
+def _in_a_child(scratch: Path, tests: list[str]) -> tuple[str, str]:
+    """(outcome, the test that failed), in a process forked from here, where the packages of others are loaded already."""
+    (scratch / "asked.txt").write_text("\n".join(tests), encoding="utf-8")
+    (scratch / "failed.txt").write_text("", encoding="utf-8")
     child = os.fork()
     if not child:
         _child(scratch)
@@ -168,11 +179,23 @@ def _in_a_child(scratch: Path) -> str:
     while time.monotonic() < until:
         done, status = os.waitpid(child, os.WNOHANG)
         if done:
-            return "survived" if os.waitstatus_to_exitcode(status) == 0 else "killed"
+            failed = (scratch / "failed.txt").read_text(encoding="utf-8")
+            return ("survived" if os.waitstatus_to_exitcode(status) == 0 else "killed"), failed
         time.sleep(0.02)
     os.killpg(child, signal.SIGKILL)
     os.waitpid(child, 0)
-    return "time"
+    return "time", ""
+
+
+class _Noting:
+    """Writes down which test failed."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def pytest_runtest_logreport(self, report) -> None:
+        if report.failed:
+            self.path.write_text(report.nodeid, encoding="utf-8")
 
 
 def _child(scratch: Path) -> None:
@@ -190,7 +213,7 @@ def _child(scratch: Path) -> None:
         code = 1
         try:
             quiet = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
-            code = int(pytest.main([*quiet, "--rootdir", str(scratch), f"@{scratch / 'asked.txt'}"]))
+            code = int(pytest.main([*quiet, "--rootdir", str(scratch), f"@{scratch / 'asked.txt'}"], [_Noting(scratch / "failed.txt")]))
         finally:
             os._exit(code)
 
@@ -202,12 +225,12 @@ def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple
     import scipy.integrate  # noqa: F401
     import sympy  # noqa: F401
 
-    scratch = copied()
+    scratch, sick = copied(), set()
     try:
         for site in found:
             tests = known.chosen(site, random.Random(f"{seed} {key(site)}"))
             begun = time.perf_counter()
-            result = outcome(scratch, site, tests)
+            result = outcome(scratch, site, tests, sick)
             row = {"mutant": str(site), "key": key(site), "outcome": result, "tests": len(tests)}
             with log.open("a", encoding="utf-8") as file:
                 file.write(json.dumps({**row, "seconds": round(time.perf_counter() - begun, 1)}) + "\n")
