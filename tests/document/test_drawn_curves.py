@@ -45,9 +45,8 @@ def test_an_arc_goes_the_way_that_it_is_meant_to(arc):
         assert math.hypot(x - u, y - v) < 0.02
 
     tikz = to_tikz(Scene((arc,)))
-    x, y, start, end, radius = map(
-        float, re.search(rf"\({NUMBER},{NUMBER}\) arc\[start angle={NUMBER}, end angle={NUMBER}, radius={NUMBER}\]", tikz).groups()
-    )
+    written = rf"\({NUMBER},{NUMBER}\) arc\[start angle={NUMBER}, end angle={NUMBER}, radius={NUMBER}\]"
+    x, y, start, end, radius = map(float, re.search(written, tikz).groups())
     center = x - radius * math.cos(math.radians(start)), y - radius * math.sin(math.radians(start))
     for share in (0, 0.3, 1):
         angle = math.radians(start + share * (end - start))

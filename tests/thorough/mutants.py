@@ -18,7 +18,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -48,6 +48,7 @@ ENOUGH = 25.0  # seconds of tests for a mutant, as they were timed with tracing
 ALIKE = 3  # instances of one test
 MOST = 160
 LIMIT = 90  # seconds until a mutant counts as killed by time
+QUIET = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
 NOT_ASKED = ("tests/architecture", "tests/thorough")  # they see that the text changed, not what it does
 
 
@@ -69,9 +70,9 @@ class Table:
             name = name.rpartition(".")[0].removesuffix(".<locals>")
         return sorted({k for key, found in self.met.items() if key.startswith(f"{site.file}::") for k in found})
 
-    def chosen(self, site: Site, source: random.Random) -> list[str]:
+    def chosen(self, site: Site, source: random.Random, sick: Collection[str] = ()) -> list[str]:
         """Some of each kind of test, the quickest first, then others at random until there are enough."""
-        every = [k for k in self.of(site) if not self.tests[k].startswith(NOT_ASKED)]
+        every = [k for k in self.of(site) if not self.tests[k].startswith(NOT_ASKED) and self.tests[k] not in sick]
         every.sort(key=lambda k: self.seconds[k])
         kinds: Counter[str] = Counter()
         first, rest = [], []
@@ -144,9 +145,9 @@ def outcome(scratch: Path, site: Site, tests: list[str], sick: set[str]) -> str:
     """"killed", "survived", "time" (killed by it) or "no tests"; tests that fail without the mutant are added to `sick`."""
     while tests := [test for test in tests if test not in sick]:
         found, failed = _mutated(scratch, site, tests)
-        if found != "killed" or _in_a_child(scratch, [failed] if failed else tests)[0] == "survived":
+        if found != "killed" or not failed or _in_a_child(scratch, [failed])[0] == "survived":
             return found
-        sick.update([failed] if failed else tests)
+        sick.add(failed)
     return "no tests"
 
 
@@ -212,10 +213,19 @@ def _child(scratch: Path) -> None:
 
         code = 1
         try:
-            quiet = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
-            code = int(pytest.main([*quiet, "--rootdir", str(scratch), f"@{scratch / 'asked.txt'}"], [_Noting(scratch / "failed.txt")]))
+            noting = [_Noting(scratch / "failed.txt")]
+            code = int(pytest.main([*QUIET, "--rootdir", str(scratch), f"@{scratch / 'asked.txt'}"], noting))
         finally:
             os._exit(code)
+
+
+def collected(scratch: Path) -> set[str]:
+    """The tests that there are."""
+    import subprocess
+
+    asked = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-p", "no:cacheprovider", "--co", "-q", "tests"]
+    told = subprocess.run(asked, cwd=scratch, capture_output=True, text=True, check=False).stdout
+    return {line.strip() for line in told.splitlines() if "::" in line}
 
 
 def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple[Site, str]]:
@@ -225,10 +235,13 @@ def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple
     import scipy.integrate  # noqa: F401
     import sympy  # noqa: F401
 
-    scratch, sick = copied(), set()
+    scratch = copied()
+    there = collected(scratch)
+    sick = {test for test in known.tests if test not in there}
+    print(f"{len(there)} tests, {len(sick)} of those in the table are no more", flush=True)
     try:
         for site in found:
-            tests = known.chosen(site, random.Random(f"{seed} {key(site)}"))
+            tests = known.chosen(site, random.Random(f"{seed} {key(site)}"), sick)
             begun = time.perf_counter()
             result = outcome(scratch, site, tests, sick)
             row = {"mutant": str(site), "key": key(site), "outcome": result, "tests": len(tests)}
