@@ -1,5 +1,6 @@
 # make notes   lecture notes of the paper's course: PDF, HTML and LaTeX in build/
 # make test    the whole test suite
+# make thorough  the tests that take hours: mutants of the source, random systems, mutated files, oracles at many sets
 # make check   derive every problem that ships and decide every claim, all of it anew
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
 # make distractors  every wrong answer of every problem, for 200 students: none may look right
@@ -22,7 +23,7 @@ PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test check mutants distractors lint bench library docs clean
+.PHONY: help notes test thorough check mutants distractors lint bench library docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -36,6 +37,11 @@ $(NOTES).pdf: $(VENV)/run.stamp $(SOURCES)
 
 test: $(VENV)/dev.stamp
 	$(BIN)/python -m pytest $(TESTS)
+
+thorough: $(VENV)/dev.stamp
+	$(BIN)/python -m pytest $(TESTS) -m thorough
+	RBPSYM_COVERING=$(OUT)/covering.json $(BIN)/python -m pytest -p no:xdist -p tests.thorough.covering tests > /dev/null
+	$(BIN)/python -m tests.thorough.mutants $(OUT)/covering.json
 
 check: $(VENV)/run.stamp
 	$(BIN)/rbpsym check --no-cache --simulation --failures

@@ -270,7 +270,7 @@ def _losses(bench: Bench, study: Study, start, seen: Followed, found: Findings, 
     if event is not None:
         found.note(f"place where {event.of} is lost", _gap(event.of, told, known, visited), numbers)
     for loss, at in told:
-        if at is None or (event is not None and event.of == loss.force and _is_near(at, known, visited)):
+        if at is None or (event is not None and loss.force in (event.of, *event.also) and _is_near(at, known, visited)):
             continue
         if not seen.is_whole and not all(_is_between(n, v, visited) for n, v in at.items()):
             found.missing["later losses"] = "the motion was not followed to its end"

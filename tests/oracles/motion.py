@@ -27,6 +27,7 @@ LONGEST = 60  # of the usual times
 BARE = 4  # the same where nothing can end
 STEPS = 6  # within a usual time
 CLOSE = 1e-7  # of the largest force: what counts as no force
+SAME = 1e-6  # of the usual time
 NEAR = 1e-3  # of the largest force: a set at which a force comes so near to nothing without changing its sign is redrawn
 
 
@@ -36,11 +37,13 @@ class Unfit(Exception):
 
 @dataclass(frozen=True)
 class Event:
-    """What ended first: kind ("lost", "slips", "no slip", "range"), of what, and the state (X, V, works ..., t)."""
+    """What ended first: kind ("lost", "slips", "no slip", "range"), of what, and the state (X, V, works ..., t);
+    `also` are forces that vanish at that very moment (both feet of what is symmetrical)."""
 
     kind: str
     of: str
     state: np.ndarray
+    also: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -222,12 +225,13 @@ def follow(
                 time = brentq(lambda t, k=key, d=dense: room(d(t), [near[0]])[k], solver.t_old, solver.t, xtol=1e-13)
                 found.append((time, *key))
             found.sort()
-            if len(found) > 1 and found[1][0] - found[0][0] < NEAR * step and found[0][1] != "range":
-                raise Unfit("two things end at almost the same moment")
             moment, kind, of = found[0]
+            close = [item for item in found[1:] if item[0] - moment < NEAR * step and kind != "range"]
+            if any(item[0] - moment > SAME * step or item[1] != kind for item in close):
+                raise Unfit("two things end at almost the same moment")
             if time is not None and moment < time * (1 - LATE):
                 raise Unfit(f"{kind} {of} comes before the end of the phase")
-            return Followed(states, Event(kind, of, dense(moment)), True, least)
+            return Followed(states, Event(kind, of, dense(moment), tuple(item[2] for item in close)), True, least)
         for key in watched.keys() - open_:
             here = watched[key](state)
             if here < -CLOSE * scale[key[0]]:

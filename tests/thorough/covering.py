@@ -8,6 +8,7 @@ The mutants of the source are then put to the quickest tests that come through w
 from __future__ import annotations
 
 import json
+import os
 import sys
 import time
 from pathlib import Path
@@ -18,7 +19,7 @@ ROOT = Path(__file__).parents[2]
 HOME = str(ROOT / "rbpsym") + "/"
 INSTANCES = 8
 QUICK = ("tests/notation", "tests/equality", "tests/algebra", "tests/mechanics")
-OUT = ROOT / "build" / "covering.json"
+OUT = Path(os.environ.get("RBPSYM_COVERING", ROOT / "build" / "covering.json"))
 
 
 class Covering:
@@ -69,7 +70,7 @@ class Covering:
 
     def pytest_sessionfinish(self) -> None:
         """Tests are written as numbers."""
-        OUT.parent.mkdir(exist_ok=True)
+        OUT.parent.mkdir(exist_ok=True, parents=True)
         tests = list(self.seconds)
         number = {test: place for place, test in enumerate(tests)}
         met = {name: [number[test] for test in found] for name, found in sorted(self.met.items())}

@@ -49,6 +49,7 @@ ALIKE = 3  # instances of one test
 MOST = 160
 LIMIT = 90  # seconds until a mutant counts as killed by time
 QUIET = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
+PLAIN = ("-o", "addopts=--import-mode=importlib")
 NOT_ASKED = ("tests/architecture", "tests/thorough")  # they see that the text changed, not what it does
 
 
@@ -223,7 +224,7 @@ def collected(scratch: Path) -> set[str]:
     """The tests that there are."""
     import subprocess
 
-    asked = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-p", "no:cacheprovider", "--co", "-q", "tests"]
+    asked = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-p", "no:cacheprovider", "--co", "-q", "tests", *PLAIN]
     told = subprocess.run(asked, cwd=scratch, capture_output=True, text=True, check=False).stdout
     return {line.strip() for line in told.splitlines() if "::" in line}
 
