@@ -1,4 +1,4 @@
-"""HTML papers that check themselves, one file a student."""
+"""HTML papers, one file a student; with keys also one that checks itself."""
 
 from __future__ import annotations
 
@@ -9,5 +9,11 @@ from rbpsym.teaching.papers.naming import file_stem
 
 
 def export_html(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
-    """One page a student; each holds its key behind a fold, so it is for practice, not for marks."""
-    return Exported({f"{file_stem(worksheet)}.html": write_html(worksheet) for worksheet in worksheets})
+    """One page a student without any answer; with keys also one for practice, which holds them behind folds."""
+    files: dict[str, str] = {}
+    for worksheet in worksheets:
+        stem = file_stem(worksheet)
+        files[f"{stem}.html"] = write_html(worksheet)
+        if options.key:
+            files[f"keys/{stem}-key.html"] = write_html(worksheet, is_key=True)
+    return Exported(files)

@@ -200,7 +200,7 @@ def node(script: str) -> object:
 
 
 def page_keys(sheet: Worksheet) -> dict:
-    [page] = exporter("html")((sheet,), Options()).files.values()
+    [page] = (text for name, text in exporter("html")((sheet,), Options(key=True)).files.items() if "key" in name)
     found = re.search(r'<script type="application/json" id="keys">(.*?)</script>', page, re.S)
     return json.loads(found[1])["keys"]
 
@@ -390,8 +390,8 @@ def test_the_command_writes_papers_for_a_class(tmp_path: Path) -> None:
     assert {p.relative_to(out).as_posix() for p in out.rglob("*.*")} == {
         f"{folder}works-that-cancel-{student}{end}"
         for student in ("a1", "b2")
-        for folder, end in (("", ".tex"), ("", ".html"), ("keys/", "-key.tex"))
-    }
+        for folder, end in (("", ".tex"), ("", ".html"), ("keys/", "-key.tex"), ("keys/", "-key.html"))
+    } | {"works-that-cancel.papers.json"}
     code = re.search(r"Form ([\w.-]+)", (out / "works-that-cancel-a1.tex").read_text())[1]
     again = run("--from-code", code, "--seed", "s", "--format", "tex", "--key", "-o", str(tmp_path / "again"))
     assert again.exit_code == 0, again.output

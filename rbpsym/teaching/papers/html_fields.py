@@ -1,4 +1,4 @@
-"""The fields of a page in which answers are typed or picked, and what its script checks them against."""
+"""The fields of a page in which answers are typed or picked, and what its script checks them against (None: nothing)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rbpsym.teaching.papers.samples import sample_points, sampled
 from rbpsym.teaching.units import UNITS, si
 from rbpsym.teaching.wording import plain_text
 
-Fields = Iterator[tuple[str, dict]]
+Fields = Iterator[tuple[str, dict | None]]
 
 
 def _choice(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
@@ -63,15 +63,13 @@ def _number(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
 def _formula(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     key = item.key
     found = _formula_key(key.value, key.anticipated, key.names, item, worksheet, page)
-    if found is not None:
-        yield _field(f"{inline_math(key.left, page)} =", to_text(key.left, page.notation)), found
+    yield _field(f"{inline_math(key.left, page)} =", to_text(key.left, page.notation)), found
 
 
 def _blanks(item: m.Item, worksheet: m.Worksheet, page: Page) -> Fields:
     for blank in item.key.blanks:
         found = _formula_key(blank.value, blank.anticipated, item.key.names, item, worksheet, page)
-        if found is not None:
-            yield _field(f"{inline_math(m.blank(blank.number), page)} =", str(blank.number)), found
+        yield _field(f"{inline_math(m.blank(blank.number), page)} =", str(blank.number)), found
 
 
 def _formula_key(value: Node, anticipated, names, item: m.Item, worksheet: m.Worksheet, page: Page) -> dict | None:

@@ -1,7 +1,7 @@
-"""A worksheet as one HTML file that checks itself: no server, no network, nothing that is typed is run.
+"""A worksheet as one HTML file: no server, no network, nothing that is typed is run.
 
-The script gets values of the key at some points, not the key itself: a typed formula is right if it has the same
-values there. The key stands behind a fold, also where scripts are off.
+The paper holds fields and nothing of the key. With its key it checks itself: its script gets values of the key at some
+points, and a typed formula is right if it has the same values there; the key stands behind a fold, also where scripts are off.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ VERDICTS = {"right": "correct", "wrong": "wrong", "invalid": "invalid", "unit": 
             "few": "too_few_digits", "many": "too_many_digits"}  # fmt: skip
 
 
-def write_html(worksheet: m.Worksheet) -> str:
-    """The file."""
+def write_html(worksheet: m.Worksheet, *, is_key: bool = False) -> str:
+    """The file; with the key it checks itself."""
     document = numbered(_without_areas(paper_document(worksheet), worksheet))
     page = page_for(document, PAPER, COLUMN)
     keys: dict[str, dict] = {}
-    body = "\n".join(_sections(document, worksheet, page, keys))
+    body = "\n".join(_sections(document, worksheet, page, keys, is_key=is_key))
     language, student = worksheet.language, worksheet.student
     words = {verdict: plain_text(f"paper.{key}", language) for verdict, key in VERDICTS.items()}
     return shell(
@@ -47,12 +47,12 @@ def write_html(worksheet: m.Worksheet) -> str:
         student=(student.name or student.id) if student else "",
         points=points_text(worksheet.points, language),
         code=plain_text("paper.form", language, code=worksheet.code),
-        noscript=plain_text("paper.noscript", language),
+        noscript=plain_text("paper.noscript", language) if is_key else "",
         style=Markup(style()),
         font=Markup(font()),
         body=Markup(body),
         keys=Markup(_safe_json({"keys": keys, "words": words})),
-        script=Markup((data_folder("templates") / "worksheet.js").read_text(encoding="utf-8")),
+        script=Markup((data_folder("templates") / "worksheet.js").read_text(encoding="utf-8")) if is_key else "",
     )
 
 
@@ -78,15 +78,19 @@ def _without_areas(document: Document, worksheet: m.Worksheet) -> Document:
     return replace(document, sections=tuple(map(kept, document.sections)))
 
 
-def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict) -> Iterator[str]:
-    """Statements and tasks; under each task its fields and the fold with its key."""
-    solved = {part.blocks[0].number: part for part in numbered(key_document(worksheet)).sections if _is_task(part)}
+def _sections(document: Document, worksheet: m.Worksheet, page: Page, keys: dict, *, is_key: bool) -> Iterator[str]:
+    """Statements and tasks; under each task its fields and, with the key, the fold with it."""
+    tasks = filter(_is_task, numbered(key_document(worksheet)).sections) if is_key else ()
+    solved = {part.blocks[0].number: part for part in tasks}
     for part in document.sections:
         if not _is_task(part):
             yield titled_section(part, page)
             continue
         item = worksheet.item(part.blocks[0].number)
         yield page.blocks(part.blocks, "\n")
+        if not is_key:
+            yield from (f'<div class="answer">{fields}</div>' for fields, _ in FIELDS[type(item.key)](item, worksheet, page))
+            continue
         yield from _areas(item, page, worksheet, keys)
         fold = page.blocks(tuple(b for b in solved[item.id].blocks), "\n")
         yield f'<details class="key"><summary>{escape(plain_text("paper.key", page.language))}</summary>{fold}</details>'
@@ -101,6 +105,9 @@ def _areas(item: m.Item, page: Page, worksheet: m.Worksheet, keys: dict) -> Iter
     button = escape(plain_text("paper.show", page.language))
     for place, (fields, key) in enumerate(FIELDS[type(item.key)](item, worksheet, page)):
         name = f"{item.id}.{place}"
+        if key is None:
+            yield f'<div class="answer">{fields}</div>'
+            continue
         keys[name] = key
         told = '<p class="verdict" role="status"></p>'
         yield f'<div class="answer" data-key="{name}">{fields}<button type="button">{button}</button>{told}</div>'
