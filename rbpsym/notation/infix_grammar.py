@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, RbpsymError
@@ -220,12 +221,13 @@ def _root(reader: Reader) -> t.Node:
 def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
     """What stands under a root without parentheses: a factor, perhaps those behind it, and what these are divided by."""
     what, hint = "this can be read in two ways: does it stand under the root?", "Write sqrt(x)*y, or sqrt(x*y)."
+    decided = partial(reader.decide, what, hint, changes_value=True, usual=True)
     start, closed = reader.token.start, reader.sees("(")
     factors = [_factor(reader)]
-    while not closed and _begins_factor(reader) and not is_call(reader) and reader.decide(what, hint, usual=True):
+    while not closed and _begins_factor(reader) and not is_call(reader) and decided():
         factors.append(_factor(reader))
     under = _one(factors, start, reader)
-    if closed or not reader.sees("/") or not t.names(under) or not reader.decide(what, hint, usual=True):
+    if closed or not reader.sees("/") or not t.names(under) or not decided():
         return under
     reader.take()
     return _spanned(t.Div(under, _factor(reader)), start, reader)

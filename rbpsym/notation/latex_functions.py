@@ -1,4 +1,4 @@
-"""LaTeX tokens -> functions, with or without parentheses around what they are taken of.
+"""LaTeX tokens -> functions, roots, magnitudes; functions with or without parentheses around what they are taken of.
 
 Without parentheses, the argument is a number and the factors side by side behind it: cos ωt, sin 2θ, sin(θ/2).
 It ends at a further function, a sign, a spacing command, a parenthesis or a dotted symbol, as in sin θ φ̇ and
@@ -7,12 +7,15 @@ cos θ (1 + x). Dimensions tell where it ends otherwise: in cos ωt only ωt is 
 
 from __future__ import annotations
 
+from fractions import Fraction as Rational
+
 from rbpsym.notation import tree as t
 from rbpsym.notation.hyperbolic import HYPERBOLIC
-from rbpsym.notation.latex_grammar import SPACING, argument, atom, begins_factor, factor, power_of
+from rbpsym.notation.latex_grammar import SPACING, argument, atom, begins_factor, between, factor, number, power_of
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token
+from rbpsym.notation.limits import MAX_EXPONENT
 
 FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})
@@ -107,3 +110,33 @@ def _divided(reader: Reader, whole: t.Node, start: int) -> t.Node:
         return whole
     reader.take()
     return reader.spanned(t.Div(whole, factor(reader)), start)
+
+
+@begins(r"\lvert", "|", r"\Vert")
+def _absolute(reader: Reader) -> t.Node:
+    start = reader.token
+    double = start.text == reader.ahead().text == "|"
+    reader.position += double
+    node = between(reader, r"\rvert" if start.text == r"\lvert" else start.text)
+    if double:
+        reader.expect("|", start)
+    return reader.spanned(t.Abs(node), start.start)
+
+
+@begins(r"\sqrt")
+def _root(reader: Reader) -> t.Node:
+    start = reader.take().start
+    order = _root_order(reader) if reader.sees_sign("[") else 2
+    arg = argument(reader)
+    whole = t.Sqrt(arg) if order == 2 else t.Pow(arg, t.Num(Rational(1, order)))
+    return reader.spanned(whole, start)
+
+
+def _root_order(reader: Reader) -> int:
+    """n of \\sqrt[n]{x}, from 2 to 64."""
+    opening = reader.take()
+    node = number(reader) if reader.token.kind == "digit" else None
+    if node is None or not isinstance(node.value, int) or not 2 <= node.value <= MAX_EXPONENT:
+        raise reader.error(f"the order of a root is a number from 2 to {MAX_EXPONENT}", "", opening)
+    reader.expect("]", opening)
+    return node.value

@@ -11,7 +11,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
 from rbpsym.notation.latex_table import COMMANDS, Reader, begins
-from rbpsym.notation.limits import MAX_EXPONENT, check_exponent, number_of
+from rbpsym.notation.limits import check_exponent, number_of
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 BELOW = "is this factor above or below the slash?"
@@ -177,10 +177,20 @@ def factor(reader: Reader) -> t.Node:
     base = atom(reader)
     while reader.sees_sign("^"):
         reader.take()
-        base = power_of(reader, base, argument(reader), start)
+        base = power_of(reader, base, _exponent(reader), start)
     if reader.sees_sign("_", "'"):
         raise reader.error("only a symbol can have a subscript or prime")
     return base
+
+
+def _exponent(reader: Reader) -> t.Node:
+    """What is raised; in a typed x^1/2 it may be one half, since nobody writes a first power."""
+    node = argument(reader)
+    half = node == t.ONE and reader.sees_sign("/") and reader.ahead().kind == "digit" and reader.table.faults
+    if not half or not reader.decide("is the exponent a fraction?", "Write x^{1/2}.", yes=1):
+        return node
+    reader.take()
+    return t.Div(node, number(reader))
 
 
 def power_of(reader: Reader, base: t.Node, exponent: t.Node, start: int) -> t.Node:
@@ -196,7 +206,7 @@ def atom(reader: Reader) -> t.Node:
     """A number, a name, or what a command begins."""
     token = reader.token
     if token.kind == "digit":
-        return _number(reader)
+        return number(reader)
     with reader.deeper():
         if reader.sees_differential() and (derivative := COMMANDS["d/"](reader)):
             return derivative
@@ -231,7 +241,7 @@ def _missing(reader: Reader) -> RbpsymError:
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
 
 
-def _number(reader: Reader) -> t.Node:
+def number(reader: Reader) -> t.Node:
     """A number of adjacent digits, with perhaps a decimal mark."""
     start, digits, commas = reader.token.start, "", 0
     while reader.token.kind == "digit" or (reader.sees_sign(".", "{,}") and _in_number(reader)):
@@ -287,33 +297,3 @@ def between(reader: Reader, closing: str) -> t.Node:
     reader.integrals, reader.bars = waiting
     reader.expect(closing, opening)
     return node
-
-
-@begins(r"\lvert", "|", r"\Vert")
-def _absolute(reader: Reader) -> t.Node:
-    start = reader.token
-    double = start.text == reader.ahead().text == "|"
-    reader.position += double
-    node = between(reader, r"\rvert" if start.text == r"\lvert" else start.text)
-    if double:
-        reader.expect("|", start)
-    return reader.spanned(t.Abs(node), start.start)
-
-
-@begins(r"\sqrt")
-def _root(reader: Reader) -> t.Node:
-    start = reader.take().start
-    order = _root_order(reader) if reader.sees_sign("[") else 2
-    arg = argument(reader)
-    whole = t.Sqrt(arg) if order == 2 else t.Pow(arg, t.Num(Rational(1, order)))
-    return reader.spanned(whole, start)
-
-
-def _root_order(reader: Reader) -> int:
-    """n of \\sqrt[n]{x}, from 2 to 64."""
-    opening = reader.take()
-    node = _number(reader) if reader.token.kind == "digit" else None
-    if node is None or not isinstance(node.value, int) or not 2 <= node.value <= MAX_EXPONENT:
-        raise reader.error(f"the order of a root is a number from 2 to {MAX_EXPONENT}", "", opening)
-    reader.expect("]", opening)
-    return node.value

@@ -12,6 +12,7 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
+from rbpsym.teaching.grading.decimals import agrees, rounded, without_number
 from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.reading import read_all, read_formula
@@ -51,11 +52,14 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     """The judgement on a typed formula. Errors of the student are judgements, never exceptions."""
     if not text.strip():
         return j.EMPTY
+    text, number = without_number(text, sought.ground.book)
     try:
         found = judge_tree(read_formula(text, sought.ground.book), sought)
     except RbpsymError as error:
-        return _in_all_ways(text, sought, j.invalid(error))
-    return found if found.status in EARNING else _in_all_ways(text, sought, found)
+        found = j.invalid(error)
+    found = found if found.status in EARNING else _in_all_ways(text, sought, found)
+    agreed = number is None or found.status is not Status.RIGHT or agrees(number, sought.value, sought.ground)
+    return found if agreed else found.with_remark("number beside")
 
 
 def _in_all_ways(text: str, sought: Sought, usual: Judgement) -> Judgement:
@@ -253,7 +257,11 @@ def _value(node: t.Node, ground: Ground) -> Scalar | None:
         return None
 
 
-LOOKS = (_carried, _slip, _unfinished, _dimension, _near_miss)
+def _rounded(answer: t.Node, sought: Sought) -> Judgement | None:
+    return rounded(answer, sought.value, sought.ground)
+
+
+LOOKS = (_carried, _slip, _unfinished, _dimension, _rounded, _near_miss)
 
 
 # --- an equation that is not solved for what is asked

@@ -57,6 +57,14 @@ class Sampling:
             return near if is_close and near not in (0, 1) and abs(near) < MOST_DENOMINATOR else None
         return None
 
+    def are_near(self, left: Node, right: Node, share: Fraction) -> bool:
+        """Do the sides differ by at most this share of the right one, at all points?"""
+        sides = [(self._at(left, point), self._at(right, point)) for point in self._points(left, right)]
+        if not sides or not all(None not in pair and e.sign_of(pair[1]) for pair in sides):
+            return False
+        ratios = [end for one, other in sides for end in e.ends(one * e.reciprocal(other))]
+        return all(abs(ratio - 1) <= share for ratio in ratios)
+
     def _points(self, left: Node, right: Node) -> list[Point]:
         names = frozenset((t.names(left) | t.names(right)) - {"pi"})
         if names not in self.chosen:

@@ -1,0 +1,125 @@
+"""Typed answers that can be read in two ways: the one with the right dimension is meant, else it is asked; decimals."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem
+from rbpsym.teaching.grading.answer import grade_answer
+from rbpsym.teaching.grading.ground import Ground, ground_of
+
+
+@cache
+def rod() -> Ground:
+    return ground_of(Study(load_problem(find_problem("rod-pendulum"))))
+
+
+BY_DIMENSION = [  # typed, key: one reading has the right dimension, and is told
+    ("√3g/ℓ", "sqrt(3*g/ell)"),
+    ("√2gℓ", "sqrt(2*g*ell)"),
+    ("2π√L/g", "2*pi*sqrt(ell/g)"),
+    ("sqrt 2gl", "sqrt(2*g*ell)"),
+    ("sqrt2gl", "sqrt(2*g*ell)"),
+    ("√2gl", "sqrt(2*g*ell)"),
+    ("(2gl)^1/2", "sqrt(2*g*ell)"),
+    (r"(2g\ell)^1/2", "sqrt(2*g*ell)"),
+    ("1/2ω", "1/(2*theta_dot)"),
+    (r"1/2\omega", "1/(2*theta_dot)"),
+    ("3/2l", "3/(2*ell)"),
+    ("3g/2l", "3*g/(2*ell)"),
+    ("π/2ω", "pi/(2*theta_dot)"),
+]
+
+
+@pytest.mark.parametrize(("typed", "key"), BY_DIMENSION)
+def test_the_reading_with_the_right_dimension_is_meant(typed: str, key: str) -> None:
+    found = grade_answer(typed, key, rod())
+    assert found.status.value == "right"
+    assert [remark.key for remark in found.remarks] == ["read as"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "key"),
+    [
+        ("1/2π√(g/l)", "1/(2*pi)*sqrt(g/ell)"),
+        ("θ^1/3", "theta^(1/3)"),
+        ("√2θ", "sqrt(2*theta)"),
+        ("√θ/3", "sqrt(theta/3)"),
+        ("1/2θ", "1/(2*theta)"),
+    ],
+)
+def test_what_dimensions_do_not_tell_is_asked(typed: str, key: str) -> None:
+    found = grade_answer(typed, key, rod())
+    assert found.status.value == "invalid"
+    assert "two ways" in found.remarks[0].slots["why"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "key"),
+    [
+        ("1/2 M ω^2 l^2", "M*theta_dot**2*ell**2/2"),
+        ("√2M", "M*sqrt(2)"),
+        ("θ^2/3", "theta**2/3"),
+        ("√3/2", "sqrt(3)/2"),
+        ("√(2gl)M", "M*sqrt(2*g*ell)"),
+    ],
+)
+def test_the_usual_reading_is_right_where_it_is_right(typed: str, key: str) -> None:
+    found = grade_answer(typed, key, rod())
+    assert (found.status.value, found.remarks) == ("right", ())
+
+
+@pytest.mark.parametrize(("typed", "key"), [("1/2 M ω^2 l^2", "M*theta_dot**2*ell**2/3"), ("√2gl", "sqrt(3*g*ell)")])
+def test_what_is_wrong_in_each_reading_is_wrong(typed: str, key: str) -> None:
+    assert grade_answer(typed, key, rod()).status.value == "wrong"
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "ω = √(3g/ℓ) ≈ 5.42 rad/s",
+        "√(3g/ℓ) = 5.42 rad/s",
+        "ω = √3g/ℓ ≈ 5.42 s^-1",
+        r"$\omega=\sqrt{3g/\ell}\approx 5.42\,\mathrm{rad/s}$",
+        "√(3g/ℓ) ≈ 5.42",
+    ],
+)
+def test_a_number_behind_a_formula_is_not_judged_for_it(typed: str) -> None:
+    found = grade_answer(typed, "sqrt(3*g/ell)", rod())
+    assert found.status.value == "right"
+    assert "number beside" not in [remark.key for remark in found.remarks]
+
+
+@pytest.mark.parametrize(("typed", "key"), [("√(3g/ℓ) ≈ 5.42 m", "sqrt(3*g/ell)"), ("π/4 ≈ 0.9", "pi/4")])
+def test_a_number_that_does_not_agree_is_told(typed: str, key: str) -> None:
+    assert [remark.key for remark in grade_answer(typed, key, rod()).remarks] == ["number beside"]
+
+
+@pytest.mark.parametrize("typed", ["ω = √(g/ℓ) ≈ 5.42 rad/s", "ω = 5.42 rad/s", "Mg ≈ 5.42 N"])
+def test_a_right_number_makes_no_formula_right(typed: str) -> None:
+    assert grade_answer(typed, "sqrt(3*g/ell)", rod(), target="theta_dot").status.value != "right"
+
+
+@pytest.mark.parametrize(
+    ("typed", "key"),
+    [
+        ("0.333Mℓ²", "M*ell**2/3"),
+        ("3.14ℓ²", "pi*ell**2"),
+        ("0.33Mℓ²", "M*ell**2/3"),
+        ("arcsin(0.667 sin θ)", "asin(2/3*sin(theta))"),
+    ],
+)
+def test_a_rounded_decimal_gets_a_sentence_and_a_teacher(typed: str, key: str) -> None:
+    found = grade_answer(typed, key, rod())
+    assert [remark.key for remark in found.remarks] == ["rounded"]
+    assert found.is_for_teacher
+    assert not found.credit
+
+
+def test_other_decimals_are_exact_or_wrong() -> None:
+    assert grade_answer("0.5Mℓ²", "M*ell**2/2", rod()).status.value == "right"
+    assert [remark.key for remark in grade_answer("0.35Mℓ²", "M*ell**2/3", rod()).remarks] == ["factor"]
