@@ -15,13 +15,14 @@ from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.pushing import check_pushes
 from rbpsym.mechanics.study import Study
+from rbpsym.methods import work_energy
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
 from rbpsym.verify.agreement import agreement
 
 MOST_PRODUCTS = 250_000
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
-AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, oscillations.write)
+AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write)
 
 
 def derive(problem: Problem, *, simulation: bool = True) -> Derivation:

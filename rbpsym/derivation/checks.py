@@ -6,8 +6,9 @@ integral differentiated, a moment taken over the mass itself, a solution substit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Value
@@ -22,18 +23,10 @@ from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
+from rbpsym.notation.tree import relations
 
 MOST_PRODUCTS = 250_000  # of a single check: what takes more stays undecided
 Check = Callable[[Context, Step], Verdict]
-
-
-def relations(statement: t.Node) -> Iterable[tuple[t.Node, str, t.Node]]:
-    """All single relations that a statement asserts."""
-    if isinstance(statement, t.System):
-        for row in statement.rows:
-            yield from relations(row)
-    elif isinstance(statement, t.Chain):
-        yield from zip(statement.items, statement.ops, statement.items[1:], strict=False)
 
 
 def weakest(verdicts: Iterable[Verdict]) -> Verdict:
@@ -68,10 +61,12 @@ def _components(found: Value) -> tuple[Scalar, ...]:
 
 def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
     """Whether two scalars are equal, on the conditions that tie the coordinates if there are any."""
+    if getattr(context, "is_hasty", False) and not _may_be_equal(a - b, context):
+        return Verdict(UNDECIDED, reason="not proved at once")
     found = scalars_equal(a, b, context.assumptions)
     if found.kind is not PROVED and _is_unsolved(context, a - b):
         return _by_equations_of_motion(context, a - b)
-    ties = [condition.value for condition in getattr(getattr(context, "study", None), "ties", ())]
+    ties = [condition.value for condition in getattr(context, "ties", ())]
     if found.kind is PROVED or not ties:
         return found
     if vanishes_on(a - b, ties):
@@ -79,12 +74,16 @@ def same(context: Context, a: Scalar, b: Scalar) -> Verdict:
     return Verdict(UNDECIDED, reason="the coordinates are tied by conditions that were not solved in closed form")
 
 
+def _may_be_equal(rest: Scalar, context: Context) -> bool:
+    """False for what is surely no identity in sines, cosines and symbols."""
+    plain = all(atoms.atom(index).kind in ("symbol", "cos", "sin") for index in rest.atoms())
+    return not plain or bool(context.ties) or _is_unsolved(context, rest) or is_zero(rest)
+
+
 def _is_unsolved(context: Context, rest: Scalar) -> bool:
     """Whether accelerations stand in it for which there is no closed formula."""
-    study = getattr(context, "study", None)
-    if study is None or study.dynamics.accelerations is not None:
-        return False
-    return any(derivative(rest, name) for name in study.system.accelerations)
+    unsolved = getattr(context, "unsolved", ())
+    return any(derivative(rest, name) for name in unsolved)
 
 
 def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
@@ -96,38 +95,60 @@ def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
     return Verdict(UNDECIDED, reason="the accelerations of so many coupled coordinates have no closed formula here")
 
 
-def _each(context: Context, step: Step, see: Callable[[Value], Value]) -> Verdict:
+def _each(context: Context, step: Step, depth: str) -> Verdict:
     def one(left: t.Node, op: str, right: t.Node) -> Verdict:
-        a, b = see(context.value(left)), see(context.value(right))
+        a, b = context.value(left), context.value(right)
         if op == "=":
-            return _equal(a, b, context)
+            pairs = (
+                zip(_components(a), _components(b), strict=True)
+                if isinstance(a, Space) or isinstance(b, Space)
+                else [(a, b)]
+            )
+            return weakest([agree(context, x, y, depth) for x, y in pairs])
+        a, b = seen(context, a, depth), seen(context, b, depth)
         low, high = (a, b) if op in ("<", "<=") else (b, a)
         return compare(low, high, context.assumptions, strict=op in ("<", ">"))
 
     return weakest(guarded(lambda r=r: one(*r)) for r in relations(step.statement))
 
 
+def seen(context: Context, value: Scalar, depth: str) -> Scalar:
+    """A value in every state ("state"), on the motion ("motion"), or along it from the start ("along")."""
+    return context.along(value) if depth == "along" else context.on_motion(value) if depth == "motion" else value
+
+
+def agree(context: Context, a: Scalar, b: Scalar, depth: str) -> Verdict:
+    """Whether two values are equal as seen at that depth."""
+    if getattr(context, "is_hasty", False) and (quick := context.agree_by_numbers(a - b, depth)) is not None:
+        return Verdict(PROVED, how="by numbers") if quick else Verdict(UNDECIDED, reason="not by numbers")
+    return same(context, seen(context, a, depth), seen(context, b, depth))
+
+
 def identity(context: Context, step: Step) -> Verdict:
     """Each relation holds for all positions, speeds, accelerations and unknown forces."""
-    return _each(context, step, lambda found: found)
+    return _each(context, step, "state")
 
 
 def on_motion(context: Context, step: Step) -> Verdict:
     """Each relation holds with the accelerations and forces that the free bodies give."""
-    return _each(context, step, context.on_motion)
+    return _each(context, step, "motion")
 
 
 def along_motion(context: Context, step: Step) -> Verdict:
     """Each relation holds with the speeds of the motion from the start as well."""
-    return _each(context, step, lambda v: context.along(v) if isinstance(v, Scalar) else v)
+    return _each(context, step, "along")
 
 
-def _by_rates(context: Context, step: Step, see: Callable[[Scalar], Scalar]) -> Verdict:
+def _by_rates(context: Context, step: Step, *depths: str) -> Verdict:
+    """Both sides begin alike and grow at the same rate, as seen at one of the depths."""
+
     def one(left: t.Node, right: t.Node) -> Verdict:
-        rates = same(context, see(context.rate(left)), see(context.rate(right)))
-        if rates.kind is not PROVED:
-            return rates
-        return weakest([rates, same(context, _begin(context, left), _begin(context, right))])
+        grown = context.rate(left), context.rate(right)
+        for depth in depths:
+            rates = agree(context, *grown, depth)
+            if rates.kind is PROVED:
+                return weakest([rates, same(context, _begin(context, left), _begin(context, right))])
+        return rates
 
     return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))
 
@@ -152,13 +173,12 @@ def _begin(context: Context, node: t.Node) -> Scalar:
 
 def rates(context: Context, step: Step) -> Verdict:
     """Both sides are zero at the start (or equal there) and grow at the same rate, identically."""
-    return _by_rates(context, step, lambda found: found)
+    return _by_rates(context, step, "state")
 
 
 def rates_on_motion(context: Context, step: Step) -> Verdict:
     """The same, with the accelerations and forces of the motion (and the speeds, where they are needed)."""
-    found = _by_rates(context, step, context.on_motion)
-    return found if found.kind is PROVED else _by_rates(context, step, context.along)
+    return _by_rates(context, step, "motion", "along")
 
 
 def power_of_works(context: Context, step: Step) -> Verdict:
@@ -254,7 +274,16 @@ def torque_by_components(context: Context, step: Step) -> Verdict:
     """Σ (x F_y - y F_x) + couples (`data`: "forces", "origin" Vector, "value")."""
     from rbpsym.derivation.mass import torque
 
+    _use_forces(context, step)
     return same(context, torque(step.data["forces"], step.data["origin"]), step.data["value"])
+
+
+def _use_forces(context: Context, step: Step) -> None:
+    """The forces are those that other steps told of."""
+    for force in step.data["forces"]:
+        id = f"force.{force.name}.{force.on}"
+        if id != step.id and id in context.steps:
+            context.use(id)
 
 
 def combination(context: Context, step: Step) -> Verdict:
@@ -266,46 +295,14 @@ def combination(context: Context, step: Step) -> Verdict:
 
     total = difference(step.statement)
     for factor, premise in step.data["terms"]:
+        context.use(premise.id)
         total = total - difference(premise.statement) * factor
     return same(context, total, NOTHING)
 
 
-def solution(context: Context, step: Step) -> Verdict:
-    """The values satisfy the equations (`data`: "rows" Scalars = 0, "values"), and only they do."""
-
-    rows, values = step.data["rows"], step.data["values"]
-    found = _stated(context, step, values)
-    return found if found.kind is not PROVED else _solved(context, tuple(rows), tuple(values.items()))
-
-
-def _stated(context: Context, step: Step, values: Mapping[str, Scalar]) -> Verdict:
-    """What the step states of an unknown, at the end of its chain, is the value that is checked."""
-    rows = step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
-    chains = [row.items for row in rows if isinstance(row, t.Chain)]
-    stated = [(items[0].name, items[-1]) for items in chains if isinstance(items[0], t.Sym)]
-    return weakest([_equal(context.value(right), values[name], context) for name, right in stated if name in values])
-
-
-def _solved(context: Context, rows: tuple[Scalar, ...], values: tuple[tuple[str, Scalar], ...]) -> Verdict:
-    key = (rows, values)
-    if key not in context.solved:
-        context.solved[key] = _substituted_back(context, rows, dict(values))
-    return context.solved[key]
-
-
-def _substituted_back(context: Context, rows: tuple[Scalar, ...], values: Mapping[str, Scalar]) -> Verdict:
-    """The values make every row vanish, and the rows determine them (a pivot for each unknown)."""
-    from rbpsym.mechanics.elimination import has_full_rank
-
-    if not has_full_rank(rows, tuple(values)):
-        return Verdict(UNDECIDED, reason="the equations do not determine " + ", ".join(values))
-    return weakest([same(context, substitute(row, values), NOTHING) for row in rows])
-
-
 def constant(context: Context, step: Step) -> Verdict:
     """d/dt of the first item vanishes on the motion (`data`: "value")."""
-    found = context.on_motion(context.rate_of(step.data["value"]))
-    return same(context, found, NOTHING)
+    return agree(context, context.rate_of(step.data["value"]), NOTHING, "motion")
 
 
 def vanishing(context: Context, step: Step) -> Verdict:
@@ -319,17 +316,22 @@ def conservative(context: Context, step: Step) -> Verdict:
     """The forces do the work -dU: Σ F·V + τ ω + dU/dt = 0 (`data`: "forces", "value")."""
     from rbpsym.derivation.mass import power
 
+    _use_forces(context, step)
     total = power(context.study.system, step.data["forces"]) + context.rate_of(step.data["value"])
     return same(context, total, NOTHING)
 
 
-def start_state(context: Context, step: Step) -> Verdict:
-    """At the start q̇² has its start value, and 2 q̈ = d(q̇²)/dq (`data`: "name", "value")."""
-    name, square = step.data["name"], step.data["value"]
-    start, speed = context.scope.start, f"{name}_dot"
-    begin = context.start(square) - start.get(speed, NOTHING) ** 2
+def first_integral(context: Context, step: Step) -> Verdict:
+    """What is stated of q̇² follows from what is conserved; or it is so at the start, and 2 q̈ = d(q̇²)/dq (`data`: "name")."""
+    found = along_motion(context, step)
+    if found.is_proved:
+        return found
+    [(_, _, right)] = list(relations(step.statement))
+    name, square = step.data["name"], context.value(right)
+    speed = f"{name}_dot"
+    begin = context.start(square) - context.start(symbol(speed)) ** 2
     growth = context.rate_of(square) - symbol(speed) * symbol(f"{name}_ddot") * 2
-    return weakest([same(context, begin, NOTHING), same(context, context.along(growth), NOTHING)])
+    return weakest([same(context, begin, NOTHING), agree(context, growth, NOTHING, "along")])
 
 
 def _divides(factor: Scalar, value: Scalar) -> Verdict:

@@ -35,11 +35,11 @@ def slip(context: Context, step: Step) -> Verdict:
 
 def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
     """A value with constant acceleration, and its rate, as functions of the time t."""
-    start, scope = context.scope.start, context.study.system.scope
+    scope = context.study.system.scope
     rate = time_derivative(value, scope)
-    gain = context.study.on_motion(time_derivative(rate, scope))
-    speed = antiderivative(gain, "t") + substitute(rate, start)
-    return antiderivative(speed, "t") + substitute(value, start), speed
+    gain = context.on_motion(time_derivative(rate, scope))
+    speed = antiderivative(gain, "t") + context.start(rate)
+    return antiderivative(speed, "t") + context.start(value), speed
 
 
 def _of(context: Context, name: str) -> Scalar:
@@ -57,8 +57,8 @@ def reached_then(context: Context, step: Step) -> Verdict:
     if phase.event == "reaches":
         return same(context, _at(time, _course(context, _of(context, phase.subject))[0]), scalar(phase.value))
     slip = slip_at(context.study.system, context.study.system.element(phase.subject))
-    gain = context.study.on_motion(time_derivative(slip, context.study.system.scope))
-    return same(context, substitute(slip, context.scope.start) + gain * time, NOTHING)
+    gain = context.on_motion(time_derivative(slip, context.study.system.scope))
+    return same(context, context.start(slip) + gain * time, NOTHING)
 
 
 def reached_there(context: Context, step: Step) -> Verdict:

@@ -14,11 +14,13 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space, Vector
+from rbpsym.derivation.facts import Fact
+from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import Undecided
 from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import Condition
 from rbpsym.notation.tree import Add, Delta, Deriv, Integral, Node, PathIntegral, Sym, walk
 
 
@@ -26,17 +28,40 @@ from rbpsym.notation.tree import Add, Delta, Deriv, Integral, Node, PathIntegral
 class Context:
     """The meanings so far: `scalars` and `vectors` of defined quantities over the problem's own.
 
-    `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name;
-    `solved`: verdicts on systems that several steps share. `assumed`: what a step assumes instead of the problem.
+    `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name. `introduced`: by which step or
+    fact a letter has its meaning, and the formula that says it (None if its value holds no other letter). `steps`,
+    `facts`: by id; `rests`: on which introductions the letters of a step rest; `rows`: what is known of premises
+    already. `assumed`: what a step assumes instead of the problem. `is_hasty`: what is not proved at once need
+    not be refuted.
     """
 
-    study: Study
+    whole: Study
     scalars: dict[str, Scalar] = field(default_factory=dict)
     vectors: dict[str, Space] = field(default_factory=dict)
     moments: dict[str, Mapping[int, Scalar]] = field(default_factory=dict)
     works: dict[str, Scalar] = field(default_factory=dict)
-    solved: dict[object, Verdict] = field(default_factory=dict)
+    introduced: dict[str, tuple[str, Node | None]] = field(default_factory=dict)
+    steps: dict[str, Step] = field(default_factory=dict)
+    facts: dict[str, Fact] = field(default_factory=dict)
+    rests: dict[str, frozenset[str]] = field(default_factory=dict)
+    rows: dict[object, object] = field(default_factory=dict)
     assumed: Assumptions | None = None
+    is_hasty: bool = False
+
+    @property
+    def study(self) -> Study:
+        """The mechanics of the problem."""
+        return self.whole
+
+    @property
+    def ties(self) -> tuple[Condition, ...]:
+        """The conditions that tie coordinates to each other without an explicit solution."""
+        return self.whole.ties
+
+    @property
+    def unsolved(self) -> tuple[str, ...]:
+        """The accelerations, where there is no closed formula for them."""
+        return self.whole.system.accelerations if self.whole.dynamics.accelerations is None else ()
 
     @property
     def scope(self) -> Scope:

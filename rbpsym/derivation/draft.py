@@ -14,7 +14,10 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.vector import Space, Vector
+from rbpsym.derivation.binding import bound
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.facts import facts_of
+from rbpsym.derivation.letters import introduce
 from rbpsym.derivation.rules import certify
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
@@ -29,7 +32,7 @@ class Draft:
     """
 
     def __init__(self, study: Study) -> None:
-        self.study, self.context = study, Context(study)
+        self.study, self.context = study, Context(study, facts=dict(facts_of(study)))
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
         self.chapter = "statement"
@@ -49,24 +52,35 @@ class Draft:
         **slots: Any,
     ) -> Step:
         """Adds a step, checked; its id is made unique."""
-        known = {step.id for step in self.steps}
-        kept = tuple(p for p in premises if p in known)
         step = Step(
-            self._unique(id, known),
+            self._unique(id, {step.id for step in self.steps}),
             rule,
             statement,
             self.chapter,
             phrase,
             slots,
-            kept,
-            level,
-            is_result,
-            obligations,
-            data or {},
+            level=level,
+            is_result=is_result,
+            obligations=obligations,
+            data=data or {},
         )
-        step = self.certified(step)
+        introduce(self.context, step)
+        step = bound(self.context, step, self._named(step, premises))
         self.steps.append(step)
+        self.context.steps[step.id] = step
         return step
+
+    def _named(self, step: Step, premises: Iterable[str]) -> tuple[str, ...]:
+        """The premises as ids of steps or facts. Raises KeyError for one that is neither."""
+        found = tuple(premises)
+        for id in found:
+            if id not in self.context.steps and id not in self.context.facts:
+                raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
+        return found
+
+    def those(self, *ids: str) -> tuple[str, ...]:
+        """Those of the ids of which a step was made."""
+        return tuple(id for id in ids if id in self.context.steps)
 
     def certified(self, step: Step) -> Step:
         """The step with its certificate."""

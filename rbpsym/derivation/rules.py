@@ -15,6 +15,8 @@ from rbpsym.derivation import checks_places as places
 from rbpsym.derivation import checks_stability as s
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Certificate, Step
+from rbpsym.derivation.view import seen_by
+from rbpsym.equality.verdict import undecided
 
 RULES: Mapping[str, tuple[c.Check, ...]] = {
     "statement": (c.identity,),
@@ -32,19 +34,19 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "potential": (c.identity, c.conservative),
     "balance": (c.on_motion,),
     "identity": (c.identity,),
-    "combination": (c.combination, c.on_motion),
-    "solution": (c.solution, c.on_motion),
+    "combination": (c.combination,),
+    "solution": (c.on_motion,),
     "work": (c.rates,),
     "workless": (c.rates,),
     "power": (c.power_of_works,),
     "work_energy": (c.rates_on_motion,),
     "work_together": (c.rates_on_motion,),
     "work_integral": (c.rates,),
-    "work_sum": (c.combination, c.rates_on_motion),
+    "work_sum": (c.combination,),
     "work_done": (c.rates_on_motion,),
     "conservation": (c.identity, c.constant),
     "energy_rate": (c.identity, c.on_motion),
-    "first_integral": (c.along_motion, c.start_state),
+    "first_integral": (c.first_integral,),
     "substitution": (c.along_motion,),
     "stays": (c.along_motion,),
     "rest": (o.forces_at_rest,),
@@ -76,7 +78,23 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
 
 
 def certify(context: Context, step: Step) -> Certificate:
-    """All checks of the step's rule, and the weakest of their verdicts."""
-    found = RULES[step.rule]
-    verdict = c.weakest(c.guarded(lambda check=check: check(context, step)) for check in found)
-    return Certificate(tuple(check.__name__ for check in found), verdict)
+    """What the checks of the step's rule find with its premises and the declared signs, and with nothing else.
+
+    A premise that is not known raises KeyError; one that no check asked for makes the step UNDECIDED.
+    """
+    for id in step.premises:
+        if id not in context.steps and id not in context.facts:
+            raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
+    found, used = examined(context, step)
+    idle = [id for id in step.premises if id not in used]
+    if found.verdict.is_proved and idle:
+        return Certificate(found.checks, undecided(f"nothing is concluded from “{idle[0]}”"))
+    return found
+
+
+def examined(context: Context, step: Step) -> tuple[Certificate, set[str]]:
+    """The certificate, and the premises that were used."""
+    view = seen_by(context, step)
+    checks = RULES[step.rule]
+    verdict = c.weakest(c.guarded(lambda check=check: check(view, step)) for check in checks)
+    return Certificate(tuple(check.__name__ for check in checks), verdict), view.used

@@ -50,7 +50,8 @@ class Certificate:
 class Step(Shown):
     """One step.
 
-    rule: name in `rules.RULES`. premises: ids of the steps it uses. statement: a relation, a
+    rule: name in `rules.RULES`. premises: ids of the steps and facts from which it follows, none of which can be
+    left out. cites: steps that it tells the reader of beside these. statement: a relation, a
     chain or a system, all asserted. phrase and slots: the sentence that says why. chapter:
     where it belongs. level: from which detail on it is shown (1 brief .. 3 full). is_result:
     shown in a box. obligations: conditions under which it holds (trees).
@@ -63,6 +64,7 @@ class Step(Shown):
     phrase: str
     slots: Mapping[str, Any] = field(default_factory=dict)
     premises: tuple[str, ...] = ()
+    cites: tuple[str, ...] = ()
     level: int = STANDARD
     is_result: bool = False
     obligations: tuple[Node, ...] = ()

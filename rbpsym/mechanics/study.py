@@ -61,7 +61,12 @@ class Study:
     @cached_property
     def newton_euler_rows(self) -> list[Scalar]:
         """M A - F (x and y) and I α - τ_cm of every body, which vanish."""
-        return [value for _, _, value in newton_euler_rows(self.system)]
+        return [value for _, _, value in self.labelled_rows]
+
+    @cached_property
+    def labelled_rows(self) -> list[tuple[str, str, Scalar]]:
+        """The same with the body and "x", "y" or "rotation"."""
+        return newton_euler_rows(self.system)
 
     @cached_property
     def motion_rows(self) -> tuple[Scalar, ...]:

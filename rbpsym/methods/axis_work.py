@@ -61,7 +61,7 @@ def _add(draft: Draft, label: str, power: Scalar, shown: t.Node) -> None:
         "work_energy",
         t.equation(letter, shown, _growth(draft, label)),
         "work.axis",
-        premises=[f"moment.{b}.{label}" for b in bodies] + [f"moment.together.{label}", "theorem.whole"],
+        premises=draft.those(*(f"moment.{b}.{label}" for b in bodies), f"moment.together.{label}", "theorem.whole"),
         point=t.Sym(label),
         bodies=PhraseRef("bodies", {"bodies": [BodyRef(b) for b in bodies], "count": len(bodies)}),
         count=len(bodies),

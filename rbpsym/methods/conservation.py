@@ -114,7 +114,7 @@ def _kinetic(draft: Draft) -> None:
         t.equation(*items),
         "energy.kinetic",
         count=len(terms),
-        premises=[f"speed.{n}" for n in bodies] + [f"moment.{n}" for n in bodies],
+        premises=draft.those(*(f"{kind}.{n}" for kind in ("speed", "moment") for n in bodies)),
         data={"bodies": tuple(bodies), "value": total},
     )
 

@@ -135,14 +135,14 @@ def _bodies(balance: Balance) -> PhraseRef:
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     """Rate of change of angular momentum = net torque."""
     momenta = _momenta(draft, balance)
-    premises = [net.id, *(f"momentum.{b}.{balance.label}" for b in balance.bodies), f"momentum.total.{balance.label}"]
+    momentum = [f"momentum.{b}.{balance.label}" for b in (*balance.bodies, "total")]
     statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}",
         "balance",
         statement,
         f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
-        premises=premises,
+        premises=[net.id, *draft.those(*momentum)],
         point=_point(draft, balance),
         bodies=_bodies(balance),
         net=StepRef(net.id),

@@ -104,7 +104,9 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
         "work_energy",
         t.equation(t.add(*unknown, *(since_start(draft, work) for work in known)), show_gained(draft, growth)),
         "work.alone",
-        premises=[f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body] + _theorems(draft, body),
+        premises=draft.those(
+            *(f"work.{i.force}.{i.on}" for i in draft.study.works if i.on == body), *_theorems(draft, body)
+        ),
         body=BodyRef(body),
         works=[letters[k] for k in acting],
         forces=[t.Vec(k) for k in acting or [k for k in letters if body in parties[k]]],

@@ -51,9 +51,15 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     axis_work.write(draft)
     if parts is not None:
         work_by_bodies.write(draft, parts)
-    for item in works:
-        _done(draft, item)
     return _acceleration(draft)
+
+
+def write_done(draft: Draft) -> None:
+    """The works along the motion, once the forces along it are known."""
+    draft.chapter = "work"
+    for item in draft.study.works:
+        if draft.has(f"work.{item.force}.{item.on}"):
+            _done(draft, item)
 
 
 def name_of(draft: Draft, item: ForceWork, half: str) -> str:
@@ -90,7 +96,7 @@ def _integrals(draft: Draft, item: ForceWork) -> None:
         "work",
         statement,
         "work.none" if silent else "work.integrals",
-        premises=[f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"],
+        premises=draft.those(f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"),
         body=BodyRef(item.on),
         force=force_node(draft, _forces(draft, item)[0]),
     )
@@ -179,12 +185,18 @@ def _done(draft: Draft, item: ForceWork) -> None:
             "work_done",
             t.equation(*items),
             "work.done",
-            premises=[f"work.{item.force}.{item.on}"],
+            premises=[f"work.{item.force}.{item.on}", *_along_motion(draft, item)],
             body=BodyRef(item.on),
             force=force_node(draft, _forces(draft, item)[0]),
             half=word,
             level=2,
         )
+
+
+def _along_motion(draft: Draft, item: ForceWork) -> tuple[str, ...]:
+    """The steps that say what the unknown parts of a force are, in the end along the motion."""
+    names = [name for force in _forces(draft, item) for name in force.unknowns]
+    return draft.those(*(f"{kind}.{name}" for name in names for kind in ("along", "reaction")))
 
 
 def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:

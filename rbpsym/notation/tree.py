@@ -278,6 +278,15 @@ def walk(node: Node) -> Iterator[Node]:
         yield from walk(child)
 
 
+def relations(statement: Node) -> Iterator[tuple[Node, str, Node]]:
+    """All single relations that a statement asserts."""
+    if isinstance(statement, System):
+        for row in statement.rows:
+            yield from relations(row)
+    elif isinstance(statement, Chain):
+        yield from zip(statement.items, statement.ops, statement.items[1:], strict=False)
+
+
 def names(node: Node) -> set[str]:
     """Names of all scalar and vector quantities in the tree."""
     return {part.name for part in walk(node) if isinstance(part, (Sym, Vec))}

@@ -1,10 +1,15 @@
 """Laws for every step of every shipped problem."""
 
+import itertools
+import os
+import zlib
 from dataclasses import fields, replace
 
-from rbpsym.derivation.checks import relations
+import pytest
+
 from rbpsym.derivation.rules import RULES, certify
 from rbpsym.notation import tree as t
+from rbpsym.notation.tree import relations
 
 
 def test_every_step_is_proved(draft):
@@ -16,8 +21,40 @@ def test_ids_are_unique_and_premises_come_before(draft):
     seen = set()
     for step in draft.steps:
         assert step.id not in seen
-        assert set(step.premises) <= seen
+        assert set(step.premises) <= seen | draft.context.facts.keys()
+        assert set(step.cites) <= seen | draft.context.facts.keys()
+        assert not set(step.premises) & set(step.cites)
         seen.add(step.id)
+
+
+def test_no_premise_can_be_left_out(draft):
+    """Of every step one premise, drawn by its name, is left out: it is proved no more."""
+    idle = []
+    for step in draft.steps:
+        for id in _drawn(step):
+            fewer = replace(step, premises=tuple(other for other in step.premises if other != id))
+            if certify(draft.context, fewer).verdict.is_proved:
+                idle.append((step.id, step.rule, id))
+    assert not idle
+
+
+def _drawn(step):
+    if os.environ.get("RBPSYM_THOROUGH"):
+        return step.premises
+    return step.premises and [step.premises[zlib.crc32(step.id.encode()) % len(step.premises)]]
+
+
+def test_a_premise_too_many_is_noticed(draft):
+    """An earlier step from which nothing is concluded is no premise."""
+    for before, step in itertools.pairwise(draft.steps):
+        if before.id not in step.premises:
+            more = certify(draft.context, replace(step, premises=(*step.premises, before.id)))
+            assert not more.verdict.is_proved, (step.id, before.id)
+
+
+def test_an_unknown_premise_raises(draft):
+    with pytest.raises(KeyError, match="nonsense"):
+        certify(draft.context, replace(draft.steps[-1], premises=("nonsense",)))
 
 
 def test_every_step_asserts_something(draft):
@@ -61,4 +98,4 @@ def _others(statement):
 def test_steps_are_values(draft):
     for step in draft.steps:
         assert step == replace(step)
-        assert {f.name for f in fields(step)} >= {"id", "rule", "premises", "statement", "obligations", "certificate"}
+        assert {f.name for f in fields(step)} >= {"id", "rule", "premises", "cites", "statement", "obligations", "certificate"}

@@ -215,7 +215,7 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
         t.equation(t.add(t.neg(right), left), t.ZERO) if same else t.equation(left, right),
         f"kinematics.condition.{element.kind}_speed",
         level=FULL if same else STANDARD,
-        premises=[f"condition.{element.name}"],
+        premises=draft.those(f"condition.{element.name}"),
         body=BodyRef(on) if on else BodyRef(by),
         by=BodyRef(by) if by else PhraseRef("kinematics.nothing"),
         on=_where(element, by, met.normal),

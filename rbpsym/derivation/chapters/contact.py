@@ -63,7 +63,7 @@ def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
             t.equation(t.Sym(name), shown),
             level=level,
             phrase="contact.along",
-            premises=[f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)],
+            premises=draft.those(f"reaction.{name}", *(f"square.{n}" for n in draft.study.squares)),
             force=t.Sym(name),
             sources=[StepRef(f"square.{n}") for n in draft.study.squares if draft.has(f"square.{n}")],
             reaction=StepRef(f"reaction.{name}"),
@@ -113,7 +113,8 @@ def _friction(draft: Draft, need: FrictionNeed) -> None:
     """How large the coefficient of static friction must be."""
     force, normal = t.Sym(need.friction), t.Sym(need.constraint)
     slots = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
-    premises = [f"{kind}.{n}" for n in (need.friction, need.constraint) for kind in ("along", "reaction")]
+    forces = (need.friction, need.constraint)
+    premises = draft.those(*(f"{kind}.{n}" for n in forces for kind in ("along", "reaction")))
     if need.needed is None:
         shown = _with_tangent(draft, need.ratio)
         draft.add(

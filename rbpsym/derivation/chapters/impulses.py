@@ -114,7 +114,7 @@ def _balance(draft: Draft, blow: Blow, name: str):
         "impulse",
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
         "phases.impulse",
-        premises=["state.speed", "state.place"],
+        premises=draft.those("state.speed", "state.place"),
         body=BodyRef(name),
         data={"body": name, "blow": blow},
     )

@@ -47,7 +47,7 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
         "angular_momentum",
         statement,
         _phrase(orbital, spin),
-        premises=[f"position.{body}", f"velocity.{body}", f"moment.{body}"],
+        premises=draft.those(f"position.{body}", f"velocity.{body}", f"moment.{body}"),
         body=BodyRef(body),
         point=t.Sym(label),
         data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin},
@@ -108,7 +108,7 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
         "angular_momentum",
         t.equation(t.Vec(name), sum_, *_turning(draft, label), along_z(draft, value)),
         "momentum.total",
-        premises=[f"momentum.{b}.{label}" for b in bodies],
+        premises=draft.those(*(f"momentum.{b}.{label}" for b in bodies)),
         point=t.Sym(label),
         data={"origin": origin, "bodies": tuple(bodies), "value": value},
     )

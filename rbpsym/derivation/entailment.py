@@ -1,0 +1,193 @@
+"""What follows from equations that hold: unknowns replaced one after another, and squares of speeds.
+
+An equation is used for the unknown that stands in it linearly with the simplest coefficient; the coefficients that
+were divided by are kept, since they must not vanish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Set
+from dataclasses import dataclass
+from typing import Protocol
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.algebra.modular import PRIME, NoImage, value_of
+from rbpsym.algebra.normal import is_rooted, is_zero, shorten, without_even_roots
+from rbpsym.algebra.poly import ONE, Monomial, Poly
+from rbpsym.algebra.scalar import NOTHING, Scalar, quotient
+from rbpsym.mechanics.motion import with_squares
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A value that vanishes, and the premises that say so."""
+
+    value: Scalar
+    sources: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Pivot:
+    """name = value, by an equation in which the coefficient of the name is `divisor`."""
+
+    name: str
+    value: Scalar
+    divisor: Scalar
+    sources: frozenset[str]
+
+
+class Notes(Protocol):
+    """Where it is noted what was used, and by what was divided."""
+
+    divisors: list[Scalar]
+
+    def use(self, id: str) -> None:
+        """Notes a premise."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """Pivots in the order in which they are put in; squares of speeds."""
+
+    pivots: tuple[Pivot, ...]
+    squares: tuple[Pivot, ...]
+
+    def reduced(self, found: Scalar, notes: Notes) -> Scalar:
+        """The value with all unknowns replaced of which something is known."""
+        for pivot in self.pivots:
+            if depends_on(found, pivot.name):
+                _note(pivot, notes)
+                found = _short(substitute(found, {pivot.name: pivot.value}))
+        return found
+
+    def with_squares(self, found: Scalar, notes: Notes) -> Scalar:
+        """The value with squares of speeds replaced."""
+        for pivot in self.squares:
+            if depends_on(found, pivot.name):
+                _note(pivot, notes)
+                found = with_squares(found, {pivot.name.removesuffix("_dot"): pivot.value})
+        return found
+
+
+def _note(pivot: Pivot, notes: Notes) -> None:
+    for id in pivot.sources:
+        notes.use(id)
+    if pivot.divisor.number() is None:
+        notes.divisors.append(pivot.divisor)
+
+
+def _short(value: Scalar) -> Scalar:
+    num = shorten(value.num)
+    return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
+
+
+# --- the same by numbers: whether it is worth while, and with which rows
+
+
+def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], bool], is_even: Callable[[str], bool]):
+    """The sources of the rows of which a value is a linear combination, modulo a prime at one point; None if of none.
+
+    `counts`: the names that are not known, of which products are unknowns of their own; `is_even`: of these the ones of
+    which only squares are. Raises NoImage for a value without an image.
+    """
+    pivots: list[tuple[Monomial, dict[Monomial, int], frozenset[str]]] = []
+    for row in rows:
+        found, sources = _reduced_image(_image(row.value, counts, is_even), pivots)
+        if found:
+            key = min(found)
+            by = pow(found[key], -1, PRIME)
+            pivots.append((key, {k: v * by % PRIME for k, v in found.items()}, sources | row.sources))
+    left, sources = _reduced_image(_image(goal, counts, is_even), pivots)
+    return None if left else sources
+
+
+def _reduced_image(found: dict[Monomial, int], pivots: list) -> tuple[dict[Monomial, int], frozenset[str]]:
+    sources: frozenset[str] = frozenset()
+    for key, row, rests_on in pivots:
+        if factor := found.get(key, 0):
+            sources |= rests_on
+            for k, v in row.items():
+                found[k] = (found.get(k, 0) - factor * v) % PRIME
+    return {k: v for k, v in found.items() if v}, sources
+
+
+def _image(value: Scalar, counts: Callable[[str], bool], is_even: Callable[[str], bool]) -> dict[Monomial, int]:
+    """A value as a linear form in products of what is unknown."""
+    if value.den is not ONE and any(counts(name) for name in names_in(Scalar(value.den))):
+        raise NoImage
+    by = pow(value_of(value.den), -1, PRIME) if value.den is not ONE else 1
+    found: dict[Monomial, int] = {}
+    for m, c in (without_even_roots(value.num) if is_rooted(value.num) else value.num).terms.items():
+        key, rest = [], []
+        for index, exponent in m:
+            name = atoms.symbol_name(index)
+            is_free = counts(name) if name else atoms.atom(index).kind == "root"
+            kept = exponent - exponent % 2 if name and is_even(name) else exponent
+            if is_free and kept:
+                key.append((index, kept))
+            if not is_free or kept != exponent:
+                rest.append((index, exponent if not is_free else exponent - kept))
+        image = value_of(Poly({tuple(rest): c})) * by
+        found[tuple(key)] = (found.get(tuple(key), 0) + image) % PRIME
+    return {k: v for k, v in found.items() if v}
+
+
+def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int], speeds: Set[str]) -> Known:
+    """What the rows say of the names that are `wanted`, and of those that they are tied to.
+
+    `unknown` ranks the names that may be replaced (0: none of them); speeds are replaced by their squares alone.
+    """
+    pivots: list[Pivot] = []
+    squares: list[Pivot] = []
+    for row in _concerned(list(rows), wanted, lambda name: unknown(name) or name in speeds):
+        value, sources = row.value, row.sources
+        for pivot in pivots:
+            if depends_on(value, pivot.name):
+                value, sources = _short(substitute(value, {pivot.name: pivot.value})), sources | pivot.sources
+        names = [name for name in names_in(value) if unknown(name)]
+        choice = min(filter(None, (_slope(value, name, unknown(name)) for name in names)), default=None)
+        if choice is not None:
+            pivots.append(_pivot(value, choice[-1], sources))
+        elif not names:
+            found = (_as_square(value, speed, sources) for speed in sorted(speeds & names_in(value)))
+            squares += [square for square in found if square is not None]
+    return Known(tuple(pivots), tuple(squares))
+
+
+def _concerned(rows: list[Row], wanted: Set[str], counts: Callable[[str], object]) -> list[Row]:
+    """The rows in which a wanted name stands, or one that stands in such a row, and so on; in their order."""
+    names = [{name for name in names_in(row.value) if counts(name)} for row in rows]
+    near, kept = set(wanted), set()
+    while more := {k for k, own in enumerate(names) if k not in kept and own & near}:
+        kept |= more
+        near |= set().union(*(names[k] for k in more))
+    return [rows[k] for k in sorted(kept)]
+
+
+def _slope(value: Scalar, name: str, rank: int) -> tuple[int, bool, int, int, str] | None:
+    """How simple it is to solve for the name: its rank, and the size of its coefficient; None if it stands not linearly."""
+    if value.den is not ONE and depends_on(Scalar(value.den), name):
+        return None
+    slope = derivative(value, name)
+    if not slope or depends_on(slope, name) or is_zero(slope):
+        return None
+    size = len(slope.num) + (len(slope.den) if slope.den is not ONE else 0)
+    return (rank, slope.number() is None, size, sum(map(len, slope.num.terms)), name)
+
+
+def _pivot(value: Scalar, name: str, sources: frozenset[str]) -> Pivot:
+    slope = derivative(value, name)
+    return Pivot(name, _short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources)
+
+
+def _as_square(value: Scalar, speed: str, sources: frozenset[str]) -> Pivot | None:
+    """q̇² from a q̇² + b = 0."""
+    index = atoms.intern("symbol", speed)
+    if index in value.den.atoms():
+        return None
+    parts = value.num.by_power(index)
+    if set(parts) - {0, 2} or 2 not in parts:
+        return None
+    slope, rest = Scalar(parts[2]), Scalar(parts[0]) if 0 in parts else NOTHING
+    return None if is_zero(slope) else Pivot(speed, -(rest / slope), slope, sources)

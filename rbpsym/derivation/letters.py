@@ -1,0 +1,68 @@
+"""Which letters stand in a formula, and by what each has its meaning: a step or a fact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.facts import definition
+from rbpsym.derivation.step import Step
+from rbpsym.notation import tree as t
+
+
+def introduce(context: Context, step: Step) -> None:
+    """Notes which letters the step introduces; one that stands in it and was never introduced is a fact of its own."""
+    for row in _rows(step.statement):
+        first = row.items[0]
+        if isinstance(first, (t.Sym, t.Vec)) and row.ops[0] == "=" and _is_letter(context, first):
+            context.introduced.setdefault(first.name, (step.id, _said(context, row)))
+    for name in letters(context, step.statement):
+        if name not in context.introduced:
+            fact = definition(name)
+            context.facts[fact.id] = fact
+            context.introduced[name] = (fact.id, None)
+
+
+def _rows(statement: t.Node) -> Iterator[t.Chain]:
+    if isinstance(statement, t.System):
+        for row in statement.rows:
+            yield from _rows(row)
+    elif isinstance(statement, t.Chain):
+        yield statement
+
+
+def _said(context: Context, row: t.Chain) -> t.Node | None:
+    """What a chain says of its letter: None if it ends in what holds no further letter."""
+    plain = [item for item in row.items[1:] if not letters(context, item)]
+    return None if plain else row.items[-1]
+
+
+def letters(context: Context, node: t.Node) -> list[str]:
+    """Names in a formula that have a meaning of their own (an unknown force has none: its vector has)."""
+    found = {part.name for part in t.walk(node) if isinstance(part, (t.Sym, t.Vec)) and _is_letter(context, part)}
+    return sorted(found)
+
+
+def _is_letter(context: Context, part: t.Sym | t.Vec) -> bool:
+    if isinstance(part, t.Vec):
+        return part.name in context.vectors
+    if part.name in context.scalars or part.name in context.works:
+        return True
+    return part.name in context.vectors and part.name not in context.whole.system.unknowns
+
+
+def introducers(context: Context, statements: Iterable[t.Node]) -> list[str]:
+    """Ids of what introduced the letters in these, and those in what is said of them."""
+    found: dict[str, None] = {}
+    left = [name for node in statements for name in letters(context, node)]
+    while left:
+        id, said = context.introduced.get(left.pop(), ("", None))
+        if id and id not in found:
+            found[id] = None
+            left += [] if said is None else letters(context, said)
+    return list(found)
+
+
+def fixed(context: Context) -> frozenset[str]:
+    """The facts about starts and shapes, which no letter names."""
+    return frozenset(id for id, fact in context.facts.items() if fact.kind in ("start", "shape"))

@@ -1,0 +1,364 @@
+"""What a step may use: the letters, laws, starts and ranges that its premises grant, and nothing else.
+
+A letter whose definition is not among the premises is a quantity of which nothing is known; an acceleration,
+an unknown force or the square of a speed is known only where a premise tells it. What was used is noted:
+a premise that no check asked for is no premise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+
+from rbpsym.algebra.calculus import depends_on, names_in
+from rbpsym.algebra.evaluate import Scope, Value, value
+from rbpsym.algebra.modular import NoImage
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.vector import EX, EY, Space
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.entailment import Known, Row, known_by, used_by_numbers
+from rbpsym.derivation.facts import MOTION, law_rows
+from rbpsym.derivation.letters import fixed, introducers
+from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.mechanics.motion import with_squares
+from rbpsym.mechanics.system import Condition
+from rbpsym.notation import tree as t
+
+NOTHING_KNOWN = Known((), ())
+GRANTS = {  # what of the mechanics has to be granted by a premise
+    "dynamics": MOTION,
+    "on_motion": MOTION,
+    "motion_rows": MOTION,
+    "power_balance": MOTION,
+    "newton_euler_rows": MOTION,
+    "first_integral": MOTION,
+    "squares": MOTION,
+    "reactions_along_motion": MOTION,
+    "works": MOTION,
+}
+
+
+class Granted:
+    """A study of which only what the premises grant can be asked."""
+
+    def __init__(self, view: View) -> None:
+        self._view = view
+
+    def __getattr__(self, name: str) -> object:
+        view = object.__getattribute__(self, "_view")
+        if name in GRANTS:
+            view.use(GRANTS[name])
+        return getattr(view.whole, name)
+
+
+@dataclass(frozen=True)
+class View(Context):
+    """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use."""
+
+    step: Step | None = None
+    order: tuple[str, ...] = ()
+    trail: list[set[str]] = field(default_factory=lambda: [set()])
+    divisors: list[Scalar] = field(default_factory=list)
+    opaque: set[str] = field(default_factory=set)
+
+    @cached_property
+    def premises(self) -> frozenset[str]:
+        """Ids that the step may use."""
+        return frozenset(self.order)
+
+    @property
+    def used(self) -> set[str]:
+        """Ids of the premises that were used so far."""
+        return self.trail[-1]
+
+    def use(self, id: str) -> None:
+        """Notes that a premise is used. Raises Undecided if it is none of the step's."""
+        if id not in self.premises:
+            raise Undecided(f"“{id}” is not among the premises")
+        self.trail[-1].add(id)
+
+    @contextmanager
+    def noting(self) -> Iterator[set[str]]:
+        """Within it, uses are noted apart."""
+        self.trail.append(set())
+        try:
+            yield self.trail[-1]
+        finally:
+            self.trail.pop()
+
+    @property
+    def study(self) -> Granted:
+        """The mechanics, as far as the premises grant it."""
+        return Granted(self)
+
+    @property
+    def ties(self) -> tuple[Condition, ...]:
+        """The conditions that tie coordinates: part of what the law of motion says."""
+        if self.whole.ties:
+            self.use(MOTION)
+        return self.whole.ties
+
+    @cached_property
+    def assumptions(self) -> Assumptions:
+        """Declared signs, and the ranges of parameters and of those coordinates that are premises."""
+        if self.assumed is not None:
+            return self.assumed
+        given = self.whole.assumptions
+        moving = {c.name for c in self.whole.problem.coordinates} | set(self.whole.problem.implicit)
+        free = {n: r for n, r in given.ranges.items() if n not in moving or f"range.{n}" in self.premises}
+        self.trail[0].update(f"range.{n}" for n in free if n in moving)
+        return Assumptions(given.signs, free)
+
+    # --- letters
+
+    @cached_property
+    def scope(self) -> Scope:
+        """The meanings that the premises grant; the start state as far as it is a premise."""
+        base = self.whole.system.scope
+        start = {key: found for key, found in base.start.items() if self._is_granted_start(key)}
+        tables = (_Letters(self, self.scalars, self._opaque), _Letters(self, self.vectors, self._opaque_vector))
+        return Scope(*tables, self._rates, start, self.body_integral, _Letters(self, self.works, self._opaque_rate))
+
+    @cached_property
+    def _rates(self) -> dict[str, Scalar]:
+        return dict(self.whole.system.scope.rates)
+
+    def _is_granted_start(self, key: str) -> bool:
+        id = f"start.{key.removesuffix('_dot')}"
+        return id not in self.facts or id in self.premises
+
+    def meaning(self, letter: str, table: Mapping, opaque: Callable[[str], Value]) -> Value:
+        """What a letter stands for: as the step that introduced it says, if this is the step itself or a premise."""
+        id, said = self.introduced.get(letter, ("", None))
+        if self.step is not None and id == self.step.id:
+            return table[letter]
+        if id not in self.premises:
+            return opaque(letter)
+        self.use(id)
+        if said is None:
+            return table[letter]
+        return self.rate(said) if table is self.works else self.value(said)
+
+    def _opaque(self, name: str) -> Scalar:
+        self.opaque.add(name)
+        self._rates.setdefault(name, symbol(f"{name}'"))
+        return symbol(name)
+
+    def _opaque_rate(self, name: str) -> Scalar:
+        return symbol(f"{name}'")
+
+    def _opaque_vector(self, name: str) -> Space:
+        x, y, z = (self._opaque(f"{name}.{axis}") for axis in "xyz")
+        return Space(EX * x + EY * y, z)
+
+    def body_integral(self, integrand: Scalar, body: str) -> Scalar:
+        """∫ f dm, where the shape of the body is a premise."""
+        self.use(f"shape.{body}")
+        return super().body_integral(integrand, body)
+
+    # --- values
+
+    def start(self, found: Scalar) -> Scalar:
+        """The value in the start state, where that is a premise."""
+        for name in names_in(found) & self.whole.system.scope.start.keys():
+            id = f"start.{name.removesuffix('_dot')}"
+            if id in self.facts:
+                self.use(id)
+        return super().start(found)
+
+    def rate(self, node: t.Node) -> Scalar:
+        """d/dt of a tree; an integral along the motion begins at the start, which must be a premise."""
+        return self._once("rate", node, self._rate)
+
+    def value(self, node: t.Node) -> Value:
+        """The value of a tree in what the premises grant."""
+        return self._once("value", node, self._value)
+
+    def _rate(self, node: t.Node) -> Scalar:
+        for part in t.walk(node):
+            if isinstance(part, t.Integral):
+                self.start(symbol(part.var))
+        return super().rate(node)
+
+    def _value(self, node: t.Node) -> Value:
+        for part in t.walk(node):
+            if isinstance(part, t.Delta):
+                self.start(value(part.arg, self.scope))
+        return super().value(node)
+
+    def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Value:
+        """What is found, if no other view with the same premises for these letters has found it already."""
+        rests = frozenset(introducers(self, [node])) | fixed(self)
+        key = (kind, node, rests & self.premises, self.step.id)
+        if key not in self.rows:
+            before = set(self.opaque)
+            with self.noting() as noted:
+                found = find(node)
+            self.rows[key] = (found, frozenset(noted), frozenset(self.opaque - before))
+        found, noted, opaque = self.rows[key]
+        self.trail[-1] |= noted
+        for name in opaque:
+            self._opaque(name)
+        return found
+
+    def on_motion(self, found: Value) -> Value:
+        """Accelerations, unknown forces and letters replaced by what the premises say of them."""
+        if isinstance(found, Space):
+            x, y, z = (self.on_motion(part) for part in found.components())
+            return Space(EX * x + EY * y, z)
+        found = self._by_laws(found)
+        return self._known(found).reduced(found, self)
+
+    def _by_laws(self, found: Scalar) -> Scalar:
+        """Accelerations and unknown forces replaced by what all laws together make of them, where that is a premise."""
+        if MOTION not in self.premises or not names_in(found) & self._moving:
+            return found
+        self.use(MOTION)
+        return self.whole.on_motion(found)
+
+    def along(self, found: Scalar) -> Scalar:
+        """Squares of speeds replaced too."""
+        found = self.on_motion(found)
+        found = self._known(found).with_squares(found, self)
+        if MOTION not in self.premises or not any(depends_on(found, f"{n}_dot") for n in self.whole.squares):
+            return found
+        self.use(MOTION)
+        for name in self.whole.squares:
+            self.use(f"start.{name}")
+        return with_squares(found, self.whole.squares)
+
+    @cached_property
+    def _moving(self) -> frozenset[str]:
+        system = self.whole.system
+        return frozenset((*system.accelerations, *system.unknowns))
+
+    # --- what the premises say
+
+    def agree_by_numbers(self, gap: Scalar, depth: str) -> bool | None:
+        """Whether a gap seems to close at that depth, with what is used noted; None if numbers do not tell."""
+        speeds = frozenset(self.whole.system.speeds) if depth == "along" else frozenset()
+        rows = [row for one in self._keys for row in self.rows[one][0]] if depth != "state" else []
+        gap = self._by_laws(gap) if depth != "state" else gap
+        if depth == "along" and MOTION in self.premises:
+            return None
+        try:
+            sources = used_by_numbers(rows, gap, lambda n: n in speeds or bool(self._rank(n)), speeds.__contains__)
+        except (NoImage, ValueError, ZeroDivisionError):
+            return None
+        self.trail[-1] |= sources or set()
+        return sources is not None
+
+    def _known(self, found: Scalar) -> Known:
+        """What follows for the accelerations, unknown forces, letters and squares of speeds in a value."""
+        speeds = frozenset(self.whole.system.speeds)
+        wanted = frozenset(name for name in names_in(found) if self._rank(name) or name in speeds)
+        key = (wanted, *self._keys)
+        if wanted and key not in self.rows:
+            rows = [row for one in self._keys for row in self.rows[one][0]]
+            self.rows[key] = known_by(rows, wanted, self._rank, speeds)
+        return self.rows[key] if wanted else NOTHING_KNOWN
+
+    @cached_property
+    def _keys(self) -> tuple[object, ...]:
+        """The premises that say something, as keys under which their rows are found."""
+        return tuple(key for id in self.order if self.rows[key := self._told(id)][0])
+
+    def _rank(self, name: str) -> int:
+        """1 for a letter without meaning, 2 for an acceleration or an unknown force, 0 for what stays."""
+        return 2 if name in self._moving else 1 if name in self.opaque or name.endswith("'") else 0
+
+    def _told(self, id: str) -> object:
+        """The key of a premise's rows, which other views may have worked out with the same premises in use."""
+        key = (id, self.rests.get(id, frozenset()) & self.premises, MOTION in self.premises)
+        if key not in self.rows:
+            before = set(self.opaque)
+            found = tuple(row for row in self._rows_of(id) if row.value)
+            self.rows[key] = (found, frozenset(self.opaque - before))
+        for name in self.rows[key][1]:
+            self._opaque(name)
+        return key
+
+    def _rows_of(self, id: str) -> Iterator[Row]:
+        """Values that vanish because of a premise, each with all that they rest on."""
+        made = self.steps.get(id)
+        if made is None:
+            fact = self.facts.get(id)
+            rows = law_rows(self.whole, fact) if fact is not None and fact.kind == "law" and fact.subject else ()
+            yield from (Row(row, frozenset((id,))) for row in rows)
+            return
+        for read in (_values, _growths, _constants):
+            with suppress(RbpsymError, ZeroDivisionError), self.noting() as noted:
+                for row in read(self, made):
+                    yield Row(self._by_laws(row), frozenset((id, *noted)))
+
+
+def seen_by(context: Context, step: Step) -> View:
+    """The context as a step with these premises sees it."""
+    shared = {item.name: getattr(context, item.name) for item in fields(Context)}
+    return View(**shared, step=step, order=step.premises)
+
+
+class _Letters(Mapping):
+    """A table of letters that gives those meanings alone which the view grants."""
+
+    def __init__(self, view: View, table: Mapping[str, Value], opaque: Callable[[str], Value]) -> None:
+        self._view, self._table, self._opaque = view, table, opaque
+
+    def __getitem__(self, name: str) -> Value:
+        if name not in self._table:
+            raise KeyError(name)
+        return self._view.meaning(name, self._table, self._opaque)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._table
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._table)
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+
+def _pairs(step: Step) -> Iterator[tuple[t.Node, t.Node]]:
+    for left, op, right in t.relations(step.statement):
+        if op == "=":
+            yield left, right
+
+
+def _components(found: Value) -> tuple[Scalar, ...]:
+    return found.components() if isinstance(found, Space) else (found,)
+
+
+def _values(view: View, step: Step) -> Iterator[Scalar]:
+    """left - right of each equation that has values."""
+    for left, right in _pairs(step):
+        if not _holds_integral(view, left) and not _holds_integral(view, right):
+            a, b = view.value(left), view.value(right)
+            if isinstance(a, Space) == isinstance(b, Space):
+                yield from (x - y for x, y in zip(_components(a), _components(b), strict=True))
+
+
+def _growths(view: View, step: Step) -> Iterator[Scalar]:
+    """left - right of the rates, where both are integrals along the motion or changes."""
+    for left, right in _pairs(step):
+        if _holds_integral(view, left) or _holds_integral(view, right):
+            yield view.rate(left) - view.rate(right)
+
+
+def _constants(view: View, step: Step) -> Iterator[Scalar]:
+    """What is conserved: its rate vanishes, and it is what it was at the start."""
+    if step.rule == "conservation":
+        kept = step.data["value"]
+        yield view.rate_of(kept)
+        yield kept - view.start(kept)
+
+
+def _holds_integral(view: View, node: t.Node) -> bool:
+    return any(
+        isinstance(part, (t.Integral, t.PathIntegral, t.Delta)) or (isinstance(part, t.Sym) and part.name in view.works)
+        for part in t.walk(node)
+    )
