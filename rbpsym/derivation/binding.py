@@ -73,7 +73,8 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
 def _irredundant(context: Context, step: Step, premises: tuple[str, ...]) -> tuple[str, ...]:
     """Without those that the step is proved without."""
     for id in reversed(premises):
-        fewer = tuple(other for other in premises if other != id)
-        if examined(context, replace(step, premises=fewer))[0].verdict.is_proved:
-            premises = fewer
+        if id in premises:
+            found, used = examined(context, replace(step, premises=tuple(other for other in premises if other != id)))
+            if found.verdict.is_proved:
+                premises = tuple(other for other in premises if other in used)
     return premises

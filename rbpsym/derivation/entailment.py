@@ -99,6 +99,8 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], b
             by = pow(found[key], -1, PRIME)
             pivots.append((key, {k: v * by % PRIME for k, v in found.items()}, sources | row.sources))
     left, sources = _reduced_image(_image(goal, counts, is_even), pivots)
+    if any(len(key) > 1 for key in left):
+        raise NoImage  # a product of unknowns, of which one may be told
     return None if left else sources
 
 
