@@ -14,6 +14,7 @@ from rbpsym.showing import Shown
 from rbpsym.statement.course import Course, CoursePart
 
 BRIEF, STANDARD, FULL = 1, 2, 3
+FACTS = ("law.", "start.", "range.", "shape.", "def.")  # how the ids of facts begin (`facts.Fact`)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +71,11 @@ class Step(Shown):
     obligations: tuple[Node, ...] = ()
     data: Mapping[str, Any] = field(default_factory=dict)
     certificate: Certificate | None = None
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Ids of the steps that it rests on or tells of (its premises but the facts, and what it cites)."""
+        return tuple(id for id in (*self.premises, *self.cites) if not id.startswith(FACTS))
 
 
 @dataclass(frozen=True, slots=True)

@@ -124,7 +124,7 @@ SOLUTIONS = ("torque.solved", "torque.solved_zero")
 
 def manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
     """What accelerations that are found together have in common."""
-    return step.phrase, step.premises if step.phrase == "torque.solved" else ()
+    return step.phrase, step.reasons if step.phrase == "torque.solved" else ()
 
 
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:

@@ -35,7 +35,7 @@ GROUPS = (
 def brief_steps(derivation: Derivation) -> frozenset[str]:
     """Ids of the steps that a book would print, and of the angular momenta that they start from."""
     kept = [step for step in derivation.steps if step.is_result or _is_brief(step)]
-    cited = {id for step in kept if step.chapter == "motion" for id in step.premises}
+    cited = {id for step in kept if step.chapter == "motion" for id in step.reasons}
     momenta = {step.id for step in derivation.chapter("momentum") if step.id in cited}
     return frozenset(step.id for step in kept) | momenta
 

@@ -75,7 +75,7 @@ class Bench:
         by_id = {s.id: s for s in self.derivation.steps}
         kept, front = [step], [step]
         while front and len(kept) < most:
-            near = [p for id in front for p in by_id[id].premises if p not in kept]
+            near = [p for id in front for p in by_id[id].reasons if p not in kept]
             front = list(dict.fromkeys(near))[: most - len(kept)]
             kept += front
         order = [s.id for s in self.derivation.steps]

@@ -58,7 +58,7 @@ def precedence(bench: Bench, ids: list[str]) -> set[tuple[int, int]]:
 def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
     seen, front = set(), [id]
     while front:
-        for premise in by_id[front.pop()].premises:
+        for premise in by_id[front.pop()].reasons:
             if premise not in seen:
                 seen.add(premise)
                 front.append(premise)

@@ -45,7 +45,7 @@ def hint(bench: Bench, setting: Setting, target: Target, level: int) -> Inlines:
     """With much help (level 0): the relations from which it follows."""
     if level or not target.step:
         return ()
-    premises = [bench.derivation.step(id) for id in bench.derivation.step(target.step).premises]
+    premises = [bench.derivation.step(id) for id in bench.derivation.step(target.step).reasons]
     kept = [s for s in premises if s.rule in WEIGHTS][-MOST_RELATIONS:]
     relations = [row for step in kept for row in gist(step.statement)]
     return spoken(setting.said, "hint.relations", relations=relations) if relations else ()

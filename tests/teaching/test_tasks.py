@@ -164,7 +164,7 @@ def test_orders_are_decided_by_the_graph(name: str) -> None:
         assert not key.accepts(tuple(range(len(key.pieces))))
         assert not key.accepts(key.sample[:-1]) and not key.accepts((*key.sample[:-1], key.sample[0]))
         for later, piece in enumerate(key.pieces):
-            for premise in by_id[piece.id].premises:
+            for premise in by_id[piece.id].reasons:
                 earlier = next((k for k, other in enumerate(key.pieces) if other.id == premise), None)
                 assert earlier is None or (earlier, later) in key.before
         assert not key.accepts(tuple(reversed(key.sample)))
@@ -215,7 +215,7 @@ def test_explanations_name_what_they_stand_on() -> None:
     for name in PROBLEMS:
         by_id = {step.id: step for step in plan(name).parts[0].bench.derivation.steps}
         for _, item in items(name, "explain")[:1]:
-            wanted = {by_id[id].statement for id in by_id[item.asked.step].premises}
+            wanted = {by_id[id].statement for id in by_id[item.asked.step].reasons}
             assert {c.formula for c in item.rubric if c.formula is not None} <= wanted
             assert item.key.sample
 

@@ -47,7 +47,7 @@ def _interest(step: Step) -> int:
 
 def _premises(bench: Bench, step: Step) -> list[Step]:
     """What it stands on, the last first named; at most so many."""
-    return [bench.derivation.step(id) for id in step.premises][:MOST_PREMISES]
+    return [bench.derivation.step(id) for id in step.reasons][:MOST_PREMISES]
 
 
 def _item(bench: Bench, setting: Setting, wish: Wish, step: Step) -> Item:
