@@ -110,8 +110,13 @@ class Derivation(Shown):
         return (*self.steps, *later)
 
     def step(self, id: str) -> Step:
-        """The step of an id (KeyError if there is none)."""
-        return {step.id: step for step in self.steps}[id]
+        """The step of an id, "phase2.motion.theta" say for one of a later phase (KeyError if there is none)."""
+        later = {
+            f"phase{number}.{step.id}": step
+            for number, phase in enumerate(self.phases, 2)
+            for step in (*phase.begins, *phase.derivation.steps)
+        }
+        return {**later, **{step.id: step for step in self.steps}}[id]
 
     def show(self, *ids: str) -> Excerpt:
         """Some of its steps, which show themselves in a notebook as the notes print them."""

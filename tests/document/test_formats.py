@@ -228,15 +228,38 @@ def test_the_code_of_a_notebook_runs_from_top_to_bottom() -> None:
     assert space["summary"]["proved"] == len(ladder().steps)
 
 
-def test_a_kernel_runs_the_notebook_and_shows_pages() -> None:
+PHASED = ["ball-slipping-to-rolling", "box-against-ridge", "falling-rod-hooked"]
+
+
+@pytest.mark.parametrize("name", PHASED)
+def test_the_results_of_all_phases_show_themselves(name: str) -> None:
+    space: dict = {}
+    shown = 0
+    for cell in cells(rbpsym.notes(rbpsym.load_problem(rbpsym.find_problem(name)))):
+        if cell["cell_type"] == "code":
+            source = "".join(cell["source"])
+            exec(compile(source, "cell", "exec"), space)
+            if source.startswith("derivation.show"):
+                assert "<math" in eval(source, space)._repr_mimebundle_()["text/html"]
+                shown += "phase2." in source
+    assert shown and space["summary"]["refuted"] == 0
+
+
+@pytest.mark.parametrize("name", ["sliding-ladder", PHASED[0]])
+def test_a_kernel_runs_the_notebook_and_shows_pages(name: str) -> None:
     """In Jupyter itself: no error, and a derivation shows itself as HTML."""
     nbformat = pytest.importorskip("nbformat")
     client = pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
-    notebook = nbformat.reads(writer("ipynb")(rbpsym.notes(ladder())), 4)
+    notebook = nbformat.reads(writer("ipynb")(rbpsym.notes(rbpsym.load_problem(rbpsym.find_problem(name)))), 4)
     client.NotebookClient(notebook, timeout=240, startup_timeout=240, kernel_name="python3").execute()
     data = [output["data"] for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
     assert sum("text/html" in found and "<math" in found["text/html"] for found in data) >= 3
+
+
+def test_a_notebook_says_what_follows_a_change_and_what_it_needs() -> None:
+    first = "".join(cells(rbpsym.notes(ladder()))[0]["source"])
+    assert "pip install rbpsym" in first and "stay those of the statement as it was" in first
 
 
 @given(st.text(max_size=200))
