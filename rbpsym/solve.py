@@ -74,6 +74,7 @@ def results(study: Study) -> dict[str, Any]:
         "equilibria_complete": _complete(study.rest),
         "balance": _balance(study),
         "conditions": [_condition(loss, study) for loss in study.losses],
+        "conditions_complete": _complete(study.ended) | {"open": [_condition(loss, study) for loss in study.ended.open_]},
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "phases": _phases(study),
     }
@@ -228,7 +229,9 @@ def _there(item: Balance) -> Scalar | None:
 
 
 def _condition(loss, study: Study) -> dict[str, Any]:
-    return {"force": loss.force, "vanishes": text(loss.factor, study), "at": _table(loss.at, study) or None}
+    at = _table(loss.at, study) or None
+    valid = _demands(loss.valid, study)
+    return {"force": loss.force, "vanishes": text(loss.factor, study), "at": at, "valid_where": valid}
 
 
 def _need(item, study: Study) -> dict[str, Any]:

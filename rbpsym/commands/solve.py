@@ -187,7 +187,8 @@ def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
         yield click.style("loss of contact", dim=True)
     for item in answer["conditions"]:
         where = f"at {_places(item['at'], drawn)}" if item["at"] else f"where {drawn.formula(item['vanishes'])} = 0"
-        yield f"  {drawn.formula(item['force'])} vanishes {where}"
+        yield f"  {drawn.formula(item['force'])} vanishes {where}{_valid(item, drawn)}"
+    yield from _not_all("losses of contact", answer["conditions_complete"])
 
 
 def _friction(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:

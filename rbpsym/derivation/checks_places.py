@@ -36,6 +36,41 @@ def can_rest(context: Context, step: Step) -> Verdict:
     return weakest([nothing, *_exists(context, step), *_within(context, step), *_holds(context, step)])
 
 
+def comes_first(context: Context, step: Step) -> Verdict:
+    """From the start to the stated place (without one: to the end of the range, where the force has changed its sign)
+    the speed does not vanish and all one-sided forces keep their sign (`data`: "name", "at", "value")."""
+    context, name = under(context, step), step.data["name"]
+    start = context.scope.start
+    begin, speed = start[name], start.get(f"{name}_dot", NOTHING)
+    drive = speed if not is_zero(speed) else substitute(context.on_motion(symbol(f"{name}_ddot")), start)
+    ends = [step.data["at"][name]] if step.data["at"] else context.assumptions.range_of(name)
+    return next((v for end in ends if end is not None and (v := _first(context, step, begin, drive, end)).is_proved), UNSEEN)
+
+
+UNSEEN = Verdict(UNDECIDED, reason="it is not decided whether the motion comes there first")
+
+
+def _first(context: Context, step: Step, begin: Scalar, drive: Scalar, end: Scalar) -> Verdict:
+    name, given = step.data["name"], context.assumptions
+    side = 1 if _beyond(context, begin, end).is_proved else -1
+    lower, upper = (begin, end) if side > 0 else (end, begin)
+    between = given.with_range(name, lower, upper)
+    at_start, there = (substitute(step.data["value"], {name: place}) for place in (begin, end))
+    changed = [compare(NOTHING, at_start, given, strict=False)]
+    changed += [] if step.data["at"] else [compare(there, NOTHING, given)]
+    system = context.study.system
+    forces = [context.along(symbol(n)) for e in system.problem.constraints for n in pushes(e)]
+    kept = [value for value in forces if step.data["at"] or not is_zero(value - step.data["value"])]
+    return weakest(
+        [
+            _beyond(context, lower, upper),
+            compare(NOTHING, drive * side, given, strict=False),
+            *changed,
+            *(compare(NOTHING, value, between) for value in (context.study.squares[name], *kept)),
+        ]
+    )
+
+
 def _exists(context: Context, step: Step) -> Iterator[Verdict]:
     for _, _, right in relations(step.statement):
         for condition in conditions(right, context.scope):

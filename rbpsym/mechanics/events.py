@@ -1,44 +1,73 @@
-"""Where a contact is lost: the first zero of its normal force along the motion."""
+"""Where a contact is lost: the first zero of its normal force along the motion, in the sense of the motion.
+
+A zero counts if it exists, lies ahead and within the range, if the motion comes there (the square of the speed is
+positive up to it), if the force goes through zero there, and if no one-sided force or limit of friction gives way
+before. What of this depends on parameters is the condition under which the contact is lost there.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.roots import factor_zeros, numerator_factors
+from rbpsym.mechanics.demands import Demand, assuming, existence, settle
+from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.roots import factor_zeros, numerator_factors, period
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 from rbpsym.statement.paths import tensions
 
-EDGE = 1e-9  # a zero at the end of the range is not a loss on the way
+TURNS = range(-4, 5)
 
 
 @dataclass(frozen=True, slots=True)
 class Loss:
-    """`force` vanishes where `factor` does; `at` are the places in closed form, by coordinate."""
+    """`force` vanishes where `factor` does, under the conditions `valid`; `at` are the places in closed form."""
 
     force: str
     factor: Scalar
     at: Mapping[str, Scalar]
     coordinate: str
+    valid: tuple[Demand, ...] = ()
 
 
-def losses(system: System, along: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> tuple[Loss, ...]:
-    """The contacts that end during the motion from the start (none where coordinates stay tied implicitly).
+@dataclass(frozen=True, slots=True)
+class Losses:
+    """The losses that come first; whether there is no other, and why that is not decided (complete: None); `open_` are
+    those of which it is not decided whether they happen."""
 
-    `squares` are those of the speeds as functions of position: where one is negative, the motion does not come.
-    """
-    found: list[Loss] = []
-    if system.implicit:
-        return ()
-    for element in system.problem.constraints:
-        for name in pushes(element):
-            found += _of(system, name, along[name], squares) if name in along else []
-    return tuple(found)
+    found: tuple[Loss, ...] = ()
+    complete: bool | None = True
+    reason: str = ""
+    open_: tuple[Loss, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """How one coordinate moves from its start: in a sense, with the square of its speed; `asked`: where it does so."""
+
+    name: str
+    start: Scalar
+    sense: int
+    square: Scalar
+    asked: tuple[Demand, ...] = ()
+
+    def ahead(self, place: Scalar) -> Scalar:
+        """How far ahead of the start a place is."""
+        return (place - self.start) * self.sense
+
+    def until(self, place: Scalar, given: Assumptions) -> Assumptions:
+        """The coordinate lies between the start and a place."""
+        ends = (self.start, place) if self.sense > 0 else (place, self.start)
+        return given.with_range(self.name, *ends)
 
 
 def pushes(element: Element) -> tuple[str, ...]:
@@ -48,49 +77,128 @@ def pushes(element: Element) -> tuple[str, ...]:
     return tensions(element) if element.kind == "string" else (element.name,)
 
 
-def _of(system: System, name: str, value: Scalar, squares: Mapping[str, Scalar]) -> list[Loss]:
-    result = []
-    for factor in map(Scalar, numerator_factors(value)):
-        coordinate = next((n for n in system.independent if depends_on(factor, n)), None)
-        if coordinate is None:
-            continue
-        square = squares.get(coordinate)
-        places = [z for z in factor_zeros(factor, coordinate) if _reached(system, coordinate, z, square)]
-        if places or _changes_sign(system, coordinate, factor, square):
-            result.append(Loss(name, factor, {coordinate: places[0]} if places else {}, coordinate))
-    return result
+def losses(
+    system: System,
+    dynamics: Dynamics,
+    along: Mapping[str, Scalar] | None,
+    squares: Mapping[str, Scalar],
+    given: Assumptions,
+) -> Losses:
+    """The contacts that end during the motion from the start."""
+    known = dynamics.reactions if along is None else along
+    forces = {name: known[name] for e in system.problem.constraints for name in pushes(e) if name in known}
+    forces = {name: value for name, value in forces.items() if sign(value, given).kind != "positive"}
+    if not forces:
+        return Losses()
+    if along is None or system.implicit:
+        return Losses((), None, "the forces are not known as functions of the position alone")
+    names = {n for value in forces.values() for n in (*system.coordinates, "t") if depends_on(value, n)}
+    if len(names) != 1 or not names <= squares.keys() & system.scope.start.keys():
+        what = "a force is constant, and its sign depends on the parameters" if not names else "several coordinates move"
+        return Losses((), None, what)
+    [name] = names
+    held = [*forces.values(), *_grips(system, along)]
+    return _joined([_on_way(way, forces, held, given) for way in ways(system, dynamics, name, squares[name], given)])
 
 
-def _bounds(system: System, name: str, numbers: Mapping[str, float]) -> tuple[float, float]:
-    from rbpsym.algebra.evaluate import scalar
+def _grips(system: System, along: Mapping[str, Scalar]) -> Iterator[Scalar]:
+    """What stays positive as long as friction stays below its limits."""
+    for element in system.problem.constraints:
+        if element.values.get("limit") is not None:
+            most = along[element.name] * scalar(element["limit"])
+            yield from (most - along[element["friction"]], most + along[element["friction"]])
 
-    coordinate = system.problem.coordinate(name)
-    low, high = (None if b is None else number(scalar(b), numbers) for b in (coordinate.lower, coordinate.upper))
-    return (-3.2 if low is None else low), (3.2 if high is None else high)
+
+def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: Assumptions) -> list[Way]:
+    """The senses in which a coordinate may start: that of its speed, or from rest that of its acceleration."""
+    start, gains = system.scope.start, dynamics.accelerations or {}
+    speed = start.get(f"{name}_dot", NOTHING)
+    drive = speed if not is_zero(speed) else substitute(gains.get(f"{name}_ddot", NOTHING), start)
+    if is_zero(drive):  # it leaves a place of rest: to where there is room
+        upper = given.range_of(name)[1]
+        at_top = upper is not None and is_zero(upper - start[name])
+        return [Way(name, start[name], -1 if at_top else 1, square)]
+    asked = {side: settle([Demand(drive * side)], given) for side in (1, -1)}
+    return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
 
-def _reached(system: System, name: str, place: Scalar, square: Scalar | None) -> bool:
-    numbers = sample(system.problem)
-    try:
-        low, high = _bounds(system, name, numbers)
-        here = number(place, numbers)
-        return low + EDGE < here < high - EDGE and _is_on_the_way(name, here, square, numbers)
-    except (ValueError, ZeroDivisionError, KeyError):
+def _joined(parts: list[Losses]) -> Losses:
+    first = next((part for part in parts if part.complete is not True), Losses())
+    found, open_ = [loss for part in parts for loss in part.found], [loss for part in parts for loss in part.open_]
+    return Losses(tuple(found), first.complete, first.reason, tuple(x for k, x in enumerate(open_) if x not in open_[:k]))
+
+
+def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
+    found, open_, reasons = [], [], []
+    for force, value in forces.items():
+        for factor in (f for f in map(Scalar, numerator_factors(value)) if depends_on(f, way.name)):
+            if not factor_zeros(factor, way.name) and not _is_clear(factor, way, given):
+                surely = _changes_sign(way, value, factor, held, given)
+                (found if surely else open_).append(Loss(force, factor, {}, way.name))
+                reasons += [] if surely else [f"where {force} vanishes has no closed form"]
+            for place in _places(factor, way, given):
+                valid = _asked(way, place, value, held, given)
+                if valid is None:
+                    continue
+                first = _comes_first(way, place, held, assuming(given, valid))
+                (found if first else open_).append(Loss(force, factor, {way.name: place}, way.name, valid))
+                reasons += [] if first else [f"it is not decided whether the motion comes to a zero of {force} first"]
+    return Losses(tuple(found), None if reasons else True, "; ".join(dict.fromkeys(reasons)), tuple(open_))
+
+
+def _changes_sign(way: Way, force: Scalar, factor: Scalar, held: list[Scalar], given: Assumptions) -> bool:
+    """Whether the motion goes on to the end of the range, where the force has the other sign, and all others keep theirs."""
+    end = given.range_of(way.name)[way.sense > 0]
+    if end is None or way.asked:
         return False
+    between, others = way.until(end, given), [value for value in held if value is not force]
+    sides = [sign(substitute(factor, {way.name: place}), given).kind for place in (way.start, end)]
+    kept = [sign(value, between).kind == "positive" for value in (way.square, *others)]
+    rest = sign(short(force / factor), between).kind
+    return all(kept) and sides in (["positive", "negative"], ["negative", "positive"]) and rest == sides[0]
 
 
-def _is_on_the_way(name: str, here: float, square: Scalar | None, numbers: Mapping[str, float]) -> bool:
-    """Does the motion come there: is the square of the speed not negative?"""
-    return square is None or number(square, {**numbers, name: here}) > -EDGE
+def _is_clear(factor: Scalar, way: Way, given: Assumptions) -> bool:
+    lower, upper = given.range_of(way.name)
+    end = upper if way.sense > 0 else lower
+    return sign(factor, given if end is None else way.until(end, given)).is_nonzero
 
 
-def _changes_sign(system: System, name: str, factor: Scalar, square: Scalar | None, steps: int = 200) -> bool:
-    """Whether sample numbers show a zero inside the range (only then is a condition reported)."""
-    numbers = sample(system.problem)
-    low, high = _bounds(system, name, numbers)
-    signs = set()
-    for k in range(1, steps):
-        here = low + (high - low) * k / steps
-        if _is_on_the_way(name, here, square, numbers):
-            signs.add(number(factor, {**numbers, name: here}) > 0)
-    return len(signs) == 2
+def _places(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
+    """The zeros of a factor that may lie ahead."""
+    found: list[Scalar] = []
+    turn = period(factor, way.name)
+    lower, upper = given.range_of(way.name)
+    for root in factor_zeros(factor, way.name):
+        for place in [root] if turn is None else [root + turn * k for k in TURNS]:
+            asked = [Demand(way.ahead(place))]
+            asked += [] if lower is None else [Demand(place - lower)]
+            asked += [] if upper is None else [Demand(upper - place)]
+            asked += [] if turn is None else [Demand(turn * turn - way.ahead(place) ** 2)]
+            if settle(asked, given) is not None and not any(is_zero(place - old) for old in found):
+                found.append(place)
+    return found
+
+
+def _asked(
+    way: Way, place: Scalar, force: Scalar, held: list[Scalar], given: Assumptions
+) -> tuple[Demand, ...] | None:
+    """Under which conditions a force goes through zero at a place to which the motion comes; None if it does not."""
+    there = {way.name: place}
+    lower, upper = given.range_of(way.name)
+    asked = [*way.asked, *existence(place), Demand(way.ahead(place))]
+    asked += [] if lower is None else [Demand(place - lower)]
+    asked += [] if upper is None else [Demand(upper - place)]
+    try:
+        asked.append(Demand(short(substitute(way.square, there))))
+        asked.append(Demand(short(substitute(derivative(force, way.name), there)) * -way.sense))
+        asked += [Demand(short(substitute(value, there)), ">=") for value in held if value is not force]
+        return settle(asked, given)
+    except ZeroDivisionError:
+        return None
+
+
+def _comes_first(way: Way, place: Scalar, held: list[Scalar], given: Assumptions) -> bool:
+    """Whether up to the place the motion goes on, and every force keeps its sign."""
+    between = way.until(place, given)
+    return all(sign(value, between).kind == "positive" for value in (way.square, *held))

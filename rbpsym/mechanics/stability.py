@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from rbpsym.algebra.scalar import UNITY, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -46,5 +48,10 @@ def essential(value: Scalar, assumptions: Assumptions) -> Scalar:
             product = product * factor
     for found in (product, -product):
         if sign(short(value / found), assumptions).kind == "positive":
-            return short(found)
+            return _primitive(short(found))
     return value
+
+
+def _primitive(value: Scalar) -> Scalar:
+    """Without a common number."""
+    return Scalar(value.num.scaled(1 / abs(Fraction(value.num.content()[0]))), value.den)

@@ -192,11 +192,16 @@ class Study:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
         return None if self.equilibria else balance.balance(self.system, self.dynamics, self.assumptions)
 
-    @cached_property
+    @property
     def losses(self) -> tuple[events.Loss, ...]:
         """Contacts that end."""
+        return self.ended.found
+
+    @cached_property
+    def ended(self) -> events.Losses:
+        """Contacts that end, and whether there are no others."""
         along = self.reactions_along_motion
-        return events.losses(self.system, along, self.squares) if along else ()
+        return events.losses(self.system, self.dynamics, along, self.squares, self.assumptions)
 
     @cached_property
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

@@ -86,12 +86,13 @@ def test_ladder_on_the_other_wall(name: str) -> None:
             "works/N_f/ladder/rotational/value",
             "conditions/0/vanishes",
         )
+        if answer(original)["conditions"] or not p.startswith("conditions")
     }
     paths |= {
         f"angular_momentum/O/ladder/{half}": (f"angular_momentum/O/ladder/{half}", -1) for half in ("orbital", "spin")
     }
-    if answer(original)["conditions"][0]["vanishes"] != answer(variant)["conditions"][0]["vanishes"]:
-        del paths["conditions/0/vanishes"]
+    if [c["vanishes"] for c in answer(original)["conditions"]] != [c["vanishes"] for c in answer(variant)["conditions"]]:
+        paths.pop("conditions/0/vanishes", None)
     assert not changed(original, variant, {}, paths)
     assert not complaints(variant)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import depends_on, substitute
@@ -17,7 +16,6 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss, pushes
 from rbpsym.mechanics.friction import FrictionNeed
-from rbpsym.mechanics.numbers import number, sample
 from rbpsym.notation import tree as t
 
 LONGEST = 60  # nodes of a formula that is worth showing in standard detail
@@ -29,12 +27,13 @@ def write(draft: Draft) -> None:
     along = draft.study.reactions_along_motion
     if along and draft.study.squares:
         _along(draft, along)
-        found = _first(draft)
         for name in _one_sided(draft, along):
             if not any(loss.force == name for loss in draft.study.losses):
                 _holds(draft, name, along[name])
-        if found is not None:
-            _loss(draft, found, along)
+        for loss in draft.study.losses:
+            _loss(draft, loss, along)
+        for force in dict.fromkeys(loss.force for loss in draft.study.ended.open_):
+            _may_end(draft, force, along[force])
     for need in draft.study.friction_needs:
         _friction(draft, need)
 
@@ -74,18 +73,6 @@ def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
 def _one_sided(draft: Draft, along: Mapping[str, Scalar]) -> list[str]:
     """Forces that can only push (or pull)."""
     return [name for element in draft.study.problem.constraints for name in pushes(element) if name in along]
-
-
-def _first(draft: Draft) -> Loss | None:
-    """The loss that comes first, as far as sample numbers tell: what would come later does not happen."""
-    numbers = sample(draft.study.problem)
-
-    def way(loss: Loss) -> float:
-        start = draft.study.system.scope.start.get(loss.coordinate)
-        place = loss.at.get(loss.coordinate)
-        return math.inf if None in (start, place) else abs(number(place, numbers) - number(start, numbers))
-
-    return min(draft.study.losses, key=way, default=None)
 
 
 def _holds(draft: Draft, name: str, value: Scalar) -> None:
@@ -171,7 +158,8 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         force=t.Sym(loss.force),
         is_result=True,
         coordinate=t.Sym(loss.coordinate),
-        data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor},
+        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in loss.valid),
+        data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor, "name": loss.coordinate},
     )
     if place is None:
         return
@@ -192,6 +180,23 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
             force=t.Sym(name),
             lost=t.Sym(loss.force),
         )
+
+
+def _may_end(draft: Draft, force: str, value: Scalar) -> None:
+    """What would have to vanish for the force to vanish, where it is not decided whether the motion comes there."""
+    factor = next(loss.factor for loss in draft.study.ended.open_ if loss.force == force)
+    shown = draft.show(factor, factor=True)
+    if length(shown) > LONGEST:
+        return
+    draft.add(
+        f"may_end.{force}",
+        "may_vanish",
+        t.equation(shown, t.ZERO),
+        f"contact.may_end.{_manner(draft, force)}",
+        premises=[f"along.{force}"],
+        force=t.Sym(force),
+        data={"value": value, "at": {}, "factor": factor},
+    )
 
 
 def _is_grip(draft: Draft, name: str, normal: str) -> bool:
