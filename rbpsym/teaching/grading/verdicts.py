@@ -8,8 +8,10 @@ from rbpsym.equality.decide import equal
 from rbpsym.equality.domain import Condition, conditions, holds_at
 from rbpsym.equality.enclosure import sign_of
 from rbpsym.equality.points import Point, points
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
+from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.grading.fractional_powers import equal_with_roots
 from rbpsym.teaching.grading.ground import Ground
@@ -30,6 +32,8 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
     found = _by_algebra(answer, key, ground.assumptions, ground.scope) if is_short else TOO_LARGE
     if found.is_proved and found.open_obligations and has_other_domain(answer, key, ground):
         return undecided("equal where both have a value, but they have one at different places")
+    if found.is_proved and _open_powers(answer, ground) != _open_powers(key, ground):
+        return undecided("a power with this exponent has a value only where its base is positive")
     if found.is_proved or found.is_refuted:
         return found
     by_point = ground.sampling.differ(answer, key)
@@ -44,6 +48,20 @@ def _by_algebra(answer: Node, key: Node, assumptions: Assumptions, scope: Scope)
         return undecided(error.what)
     except ZeroDivisionError:
         return undecided("a denominator is identically zero")
+
+
+def _open_powers(node: Node, ground: Ground) -> set[Node]:
+    """The powers x^a, read as exp(a ln x), whose base may be negative: (x^2)^a is then not x^(2a)."""
+    calls = (part.arg for part in t.walk(node) if isinstance(part, t.Fn) and part.name == "exp")
+    raised = [part for part in calls if isinstance(part, t.Mul) and isinstance(part.factors[-1], t.Fn)]
+    return {p for p in raised if p.factors[-1].name == "ln" and not _is_positive(p.factors[-1].arg, ground)}
+
+
+def _is_positive(base: Node, ground: Ground) -> bool:
+    try:
+        return sign(scalar(base, ground.scope), ground.assumptions).kind == "positive"
+    except (ReadError, LimitError, Undecided, ZeroDivisionError):
+        return False
 
 
 SIGNED = (">=", ">")
