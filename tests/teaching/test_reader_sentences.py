@@ -34,7 +34,10 @@ READERS = (
         HOUSE / "notation" / f"latex_{name}.py"
         for name in ("calculus", "calls", "functions", "grammar", "names", "reader", "rows", "table", "tokens")
     ),
-    *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "standard", "typed", "units")),
+    *(
+        HOUSE / "teaching" / "grading" / f"{name}.py"
+        for name in ("integrals", "quantity", "reading", "standard", "typed", "units")
+    ),
 )
 FOREIGN = tuple(language for language in languages() if language != "en")
 SENTENCE = re.compile(r"[A-Za-z]{2,}'? [A-Za-z“{*\\0-9<(\]]|[”}] [a-z]|^[A-Z][a-z]+ ")

@@ -7,9 +7,12 @@ from functools import cache
 import pytest
 
 from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.grading.answer import grade_answer
+from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import Ground, ground_of
 
 
@@ -123,3 +126,68 @@ def test_a_rounded_decimal_gets_a_sentence_and_a_teacher(typed: str, key: str) -
 def test_other_decimals_are_exact_or_wrong() -> None:
     assert grade_answer("0.5Mℓ²", "M*ell**2/2", rod()).status.value == "right"
     assert [remark.key for remark in grade_answer("0.35Mℓ²", "M*ell**2/3", rod()).remarks] == ["factor"]
+
+
+# --- integrals, in a blank that holds one
+
+
+@cache
+def ladder() -> Sought:
+    ground = ground_of(Study(load_problem(find_problem("sliding-ladder"))))
+    integrand, low, high = (read_infix(text, ground.book.names) for text in ("ell*N_f*cos(theta)", "theta_0", "theta"))
+    return Sought(t.Integral(integrand, "theta", low, high), ground)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "∫_{θ0}^{θ} ℓ N_f cosθ dθ",
+        "l∫_θ0^θ N_f cos θ dθ",
+        "-∫_θ^θ0 l N_f cos θ dθ",
+        "Integral(ell*N_f*cos(theta), (theta, theta_0, theta))",
+        "integrate(l*N_f*cos(theta), theta, theta_0, theta)",
+        "int(N_f*l*cos(theta), theta=theta_0..theta)",
+        "Integrate[l N_f Cos[θ],{θ,θ0,θ}]",
+        r"\int_{\theta_0}^{\theta} \ell N_f\cos\theta\,d\theta",
+        r"\int_{\theta_0}^{\theta} d\theta\, \ell N_f\cos\theta",
+        "M g l (sin θ - sin θ0 - 3 sin θ0 (sin²θ - sin²θ0) + 3 (sin³θ - sin³θ0))/4",  # carried out
+    ],
+)
+def test_an_integral_is_right_typed_or_carried_out(typed: str) -> None:
+    assert judge_formula(typed, ladder()).status.value == "right"
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "∫_θ0^θ l N_f sin θ dθ",
+        "∫_0^θ l N_f cos θ dθ",
+        "2∫_θ0^θ l N_f cos θ dθ",
+        "ℓ N_f (sin θ - sin θ0)",  # the force is no constant
+        "M g l (sin θ - sin θ0 - 3 sin θ0 (sin²θ - sin²θ0) + 2 (sin³θ - sin³θ0))/4",
+    ],
+)
+def test_another_integral_is_wrong(typed: str) -> None:
+    assert judge_formula(typed, ladder()).status.value == "wrong"
+
+
+@pytest.mark.parametrize("typed", ["∫ l N_f cos θ dθ", "Integral(l*N_f, q, 0, 1)", "Integral(l*N_f)"])
+def test_an_integral_without_its_parts_gets_a_sentence(typed: str) -> None:
+    assert "Integral(f, theta, a, b)" in judge_formula(typed, ladder()).remarks[0].slots["why"]
+
+
+# --- powers with a variable exponent
+
+
+@pytest.mark.parametrize(
+    ("typed", "key", "positive", "real"),
+    [
+        ("(a^b)^c", "a^(b*c)", "right", "undecided"),
+        ("(a^2)^b", "a^(2*b)", "right", "undecided"),
+        ("2*a^b", "a^b*2", "right", "right"),
+        ("2^(a+b)", "2^a*2^b", "right", "right"),
+    ],
+)
+def test_powers_of_what_may_be_negative_are_not_called_equal(typed: str, key: str, positive: str, real: str) -> None:
+    for sign, wanted in (("positive", positive), ("real", real)):
+        assert grade_answer(typed, key, dict.fromkeys("abc", sign)).status.value == wanted

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from rbpsym.errors import Place, ReadError
 from rbpsym.notation import tree as t
@@ -10,6 +11,7 @@ from rbpsym.notation.infix import Ways, read_infix, read_relation, read_ways
 from rbpsym.notation.latex_reader import latex_ways, read_latex
 from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import latex, without_unit
+from rbpsym.teaching.grading.integrals import with_integral
 from rbpsym.teaching.grading.standard import EULER, MADE, mapped, standard
 from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
 
@@ -23,12 +25,16 @@ def read_formula(text: str, book: Book, *, labels: bool = True) -> t.Node:
     Raises ReadError, LimitError (with a caret) for what is no valid answer.
     """
     told = _told(text, book, labels)
-    return _made(_latex(told, book) if is_latex(told) else _typed(told, book), told, book)
+    if is_latex(told):
+        return _made(_latex(told, book), told, book)
+    return with_integral(told, book, partial(read_formula, labels=False)) or _made(_typed(told, book), told, book)
 
 
 def read_all(text: str, book: Book, *, labels: bool = True) -> Ways:
     """Every way to read an answer that can be read in several. Raises as `read_formula`."""
     told = _told(text, book, labels)
+    if not is_latex(told) and (whole := with_integral(told, book, partial(read_formula, labels=False))):
+        return Ways((whole,), None, ((),))
     if is_latex(told):
         ways = latex_ways(_latex_text(told, book), book.table)
     else:

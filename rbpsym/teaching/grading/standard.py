@@ -36,20 +36,23 @@ MADE: Mapping[str, Made] = MappingProxyType({
     "cotan": FUNCTIONS["cot"], "tangent": FUNCTIONS["tan"], "sine": FUNCTIONS["sin"], "cosine": FUNCTIONS["cos"],
     **dict.fromkeys(("asec", "arcsec"), _of_reciprocal("acos")), **dict.fromkeys(("acsc", "arccsc"), _of_reciprocal("asin")),
 })  # fmt: skip
-PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain)
+PLAIN = (t.Num, t.Sym, t.Add, t.Neg, t.Mul, t.Div, t.Pow, t.Sqrt, t.Fn, t.Abs, t.Group, t.Deriv, t.Chain,
+         t.Integral)
 EULER = "e"
 
 
 def standard(node: t.Node, typed: Mapping[str, str], has_euler: bool) -> t.Node:
     """The tree with names as the problem has them, e as a number, and powers as exponentials where they vary.
 
-    Raises ReadError for what is no formula of an answer (a vector, an integral, a word).
+    Raises ReadError for what is no formula of an answer (a vector, an integral without limits, a word).
     """
     if not isinstance(node, PLAIN):
         raise ReadError("only numbers, symbols, roots and functions can be read here", instead="Enter the result.")
     if isinstance(node, t.Sym):
         return _name(node, typed, has_euler)
     inner = mapped(node, lambda part: standard(part, typed, has_euler))
+    if isinstance(inner, t.Integral):
+        return replace(inner, var=typed.get(inner.var, inner.var))
     return _power(inner) if isinstance(inner, t.Pow) else inner
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.evaluate import Scope, at_start, rate, scalar
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import equal
+from rbpsym.equality.decide import equal, scalars_equal
 from rbpsym.equality.domain import Condition, conditions, holds_at
 from rbpsym.equality.enclosure import sign_of
 from rbpsym.equality.points import Point, points
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.equality.verdict import Verdict, all_of, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
@@ -25,6 +25,8 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
 
     One point is tried first, since most answers that differ do so there; then algebra; then more points.
     """
+    if ground.has_motion and any(isinstance(part, t.Integral) for side in (answer, key) for part in t.walk(side)):
+        return _equal_along(answer, key, ground)
     first = ground.sampling.differ(answer, key, most=1)
     if first.is_refuted:
         return first
@@ -38,6 +40,21 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
         return found
     by_point = ground.sampling.differ(answer, key)
     return by_point if by_point.is_refuted else found
+
+
+def _equal_along(answer: Node, key: Node, ground: Ground) -> Verdict:
+    """Whether formulas with integrals from the start are equal there, and grow alike on the motion."""
+    scope, assumptions = ground.scope, ground.assumptions
+    moved = {name: ground.on_motion(scalar(t.Sym(name), scope)) for name in t.names(answer) | t.names(key)}
+    on_motion = scope.with_scalars({**scope.scalars, **moved})
+    try:
+        begin = [at_start(ground.on_motion(scalar(side, scope)), scope) for side in (answer, key)]
+        grown = [ground.along(rate(side, on_motion)) for side in (answer, key)]
+        return all_of(scalars_equal(*pair, assumptions) for pair in (begin, grown))
+    except (ReadError, LimitError, Undecided) as error:
+        return undecided(error.what)
+    except ZeroDivisionError:
+        return undecided("a denominator is identically zero")
 
 
 def _by_algebra(answer: Node, key: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
