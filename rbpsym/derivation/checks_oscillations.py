@@ -19,9 +19,11 @@ from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.elimination import short
 
 Matrix = list[list[Scalar]]
@@ -170,15 +172,20 @@ def positive_minors(context: Context, step: Step) -> Verdict:
     expected = minors(held(context, step, near_place(context, step).pull))
     for (left, _, right), minor in zip(relations(step.statement), expected, strict=True):
         value = context.value(left)
-        found += [same(context, value, minor), positive(context, value - context.value(right))]
+        found += [same(context, value, minor), positive(context, step, value - context.value(right))]
     return weakest(found)
 
 
-def positive(context: Context, value: Scalar) -> Verdict:
-    """Whether it is, for all declared signs and ranges; √(h²) is h where h is positive, which is proved."""
-    given = context.assumptions
-    plain = tidied(value, lambda name: given.sign_of(name) == "positive", lambda total: False)
-    return weakest([same(context, plain, value), compare(NOTHING, plain, given, strict=True)])
+def given(context: Context, step: Step) -> Assumptions:
+    """Declared signs and ranges, and what the place asks of the parameters (`data`: "valid", an obligation)."""
+    return assuming(context.assumptions, step.data.get("valid", ()))
+
+
+def positive(context: Context, step: Step, value: Scalar) -> Verdict:
+    """Whether it is, for all that is `given`; √(h²) is h where h is positive, which is proved."""
+    known = given(context, step)
+    plain = tidied(value, lambda name: known.sign_of(name) == "positive", lambda total: False)
+    return weakest([same(context, plain, value), compare(NOTHING, plain, known, strict=True)])
 
 
 def _leibniz(matrix: Matrix) -> Scalar:
@@ -287,7 +294,7 @@ def critical(context: Context, step: Step) -> Verdict:
         return Verdict(UNDECIDED, reason="the damping is not proportional to the parameter")
     spread = damping * damping - step.data["square"] * 4
     found = same(context, spread, each * each * (symbol(name) * symbol(name) - value * value))
-    return weakest([found, positive(context, value)])
+    return weakest([found, positive(context, step, value)])
 
 
 def rate_of_mode(context: Context, step: Step) -> Verdict:
@@ -314,10 +321,10 @@ def routh_conditions(powers: Sequence[Scalar]) -> list[Scalar]:
 def hurwitz(context: Context, step: Step) -> Verdict:
     """What is stated are the conditions for a factor of the polynomial: those that are positive, and by name those that
     are where one of the open "conditions" is, from which it differs by a positive factor (`data`: "at", "powers")."""
-    powers, given = step.data["powers"], step.data["conditions"]
-    found = [divides(context, near_place(context, step), powers), positive(context, powers[0])]
+    powers, known = step.data["powers"], step.data["conditions"]
+    found = [divides(context, near_place(context, step), powers), positive(context, step, powers[0])]
     for (left, op, right), value in zip(relations(step.statement), routh_conditions(powers), strict=True):
         found.append(same(context, context.value(right if op == "=" else left), value))
-        if op == "=" and not any(positive(context, value / condition).is_proved for condition in given):
+        if op == "=" and not any(positive(context, step, value / condition).is_proved for condition in known):
             found.append(Verdict(UNDECIDED, reason="none of the named conditions says that this is positive"))
     return weakest(found)

@@ -10,6 +10,7 @@ from rbpsym.derivation.checks_oscillations import (
     Matrix,
     coefficients,
     divides,
+    given,
     held,
     minors,
     near_place,
@@ -40,7 +41,7 @@ def _symmetric(context: Context, *matrices: Matrix) -> list[Verdict]:
 
 def _minimum(context: Context, step: Step, near: Nearby) -> Verdict:
     """The stiffness is positive; the forces at rest have a potential; nothing but loss is added to it (Lagrange-Dirichlet)."""
-    signs = [positive(context, minor) for minor in minors(held(context, step, near.pull))]
+    signs = [positive(context, step, minor) for minor in minors(held(context, step, near.pull))]
     study = context.study
     names, rates = study.system.independent, study.system.scope.rates
     forces = [-still(context, row, dict.fromkeys(study.system.accelerations, NOTHING)) for row in study.motion_rows]
@@ -70,7 +71,7 @@ def _asymptotic(context: Context, step: Step, near: Nearby) -> Verdict:
     pairs = zip(whole, own, strict=True)
     found = [same(context, a * own[0], b * whole[0]) for a, b in pairs]
     needed = [value for powers in step.data["factors"] for value in (powers[0], *routh_conditions(powers))]
-    return weakest([*found, *(positive(context, value) for value in needed)])
+    return weakest([*found, *(positive(context, step, value) for value in needed)])
 
 
 def _unstable(context: Context, step: Step, near: Nearby) -> Verdict:
@@ -79,11 +80,11 @@ def _unstable(context: Context, step: Step, near: Nearby) -> Verdict:
     known = [coefficients(singular(near, symbol(RATE))), *step.data["factors"]]
     for powers in known:
         tests = powers[1:] if not all(powers) else routh_conditions(powers)
-        if any(sign(value * powers[0], context.assumptions).kind == "negative" for value in tests):
+        if any(sign(value * powers[0], given(context, step)).kind == "negative" for value in tests):
             return divides(context, near, powers)
     stiffness = held(context, step, near.pull)
     lowest = [*(row[k] for k, row in enumerate(stiffness)), *minors(stiffness)]
-    if any(sign(value, context.assumptions).kind == "negative" for value in lowest):
+    if any(sign(value, given(context, step)).kind == "negative" for value in lowest):
         return weakest([*_symmetric(context, near.pull, near.drag), Verdict(PROVED, how="negative stiffness")])
     return Verdict(UNDECIDED, reason="no direction in which the displacement grows was found")
 

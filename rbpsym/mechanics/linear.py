@@ -17,7 +17,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
@@ -52,16 +52,19 @@ class Linear:
 
 def linearized(system: System, dynamics: Dynamics, assumptions: Assumptions, there) -> Linear:
     """The linear equations where `there` puts the place into a value at rest."""
-    ways = [{n: derivative(system.scope.rates[n], speed) for n in system.coordinates} for speed in system.speeds]
+    rates = system.scope.rates
+    ways = [{n: there(derivative(rates[n], speed)) for n in system.coordinates} for speed in system.speeds]
 
     def slope(force: Scalar, way: Mapping[str, Scalar]) -> Scalar:
-        return there(-sum((derivative(force, name) * part for name, part in way.items() if part), NOTHING))
+        """Of the numerator alone, since the force vanishes there."""
+        parts = (there(derivative(Scalar(force.num), name)) * part for name, part in way.items() if part)
+        return there(-total(parts) / there(Scalar(force.den)))
 
     stiffness = tuple(tuple(slope(force, way) for way in ways) for force in dynamics.forcing)
-    damping = tuple(tuple(there(-derivative(force, s)) for s in system.speeds) for force in dynamics.forcing)
+    damping = tuple(tuple(slope(force, {speed: UNITY}) for speed in system.speeds) for force in dynamics.forcing)
     inertia = tuple(tuple(there(entry) for entry in row) for row in dynamics.mass_matrix)
     others = (name for name in system.coordinates if name not in system.independent)
-    tied = {name: tuple(there(way[name]) for way in ways) for name in others}
+    tied = {name: tuple(way[name] for way in ways) for name in others}
     return Linear(inertia, damping, stiffness, *_factors(inertia, damping, stiffness, assumptions), tied)
 
 
@@ -165,15 +168,12 @@ def gains_nothing(system: System, dynamics: Dynamics, assumptions: Assumptions) 
     from rbpsym.algebra.evaluate import scalar
     from rbpsym.mechanics.energy import potentials
 
-    if len(system.independent) == 1:
-        [force], [speed] = dynamics.forcing, system.speeds
-        if is_zero(force - substitute(force, {speed: -symbol(speed)})):
-            return True
-    if system.has_clock:
-        return False
     without = {name for name, energy in potentials(system).items() if energy is None}
-    dampers = [element for element in system.problem.interactions if element.name in without]
-    return all(
-        element.kind in DAMPERS and sign(scalar(element["coefficient"]), assumptions).is_nonnegative
-        for element in dampers
-    )
+    others = [element for element in system.problem.interactions if element.name in without]
+    losses = (e.kind in DAMPERS and sign(scalar(e["coefficient"]), assumptions).is_nonnegative for e in others)
+    if not system.has_clock and all(losses):
+        return True
+    if len(system.independent) > 1:
+        return False
+    [force], [speed] = dynamics.forcing, system.speeds
+    return is_zero(force - substitute(force, {speed: -symbol(speed)}))

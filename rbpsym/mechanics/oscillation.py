@@ -57,6 +57,11 @@ class Equilibrium:
         """M."""
         return self.linear.inertia
 
+    @property
+    def facts(self) -> dict[str, object]:
+        """Where it is, how tied coordinates move with the others there, and what it asks of the parameters."""
+        return {"at": self.at, "tied": self.linear.tied, "valid": self.valid}
+
 
 def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions, found: Rest) -> tuple[Equilibrium, ...]:
     """The positions of rest, and what is said of the motion close to them."""

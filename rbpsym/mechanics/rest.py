@@ -61,9 +61,13 @@ def _unfit(system: System, dynamics: Dynamics) -> str:
 def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     """All positions of rest, as far as closed forms go."""
     reason = _unfit(system, dynamics)
-    if reason:
-        return Rest((), None, reason)
     forces = resting_forces(system, dynamics)
+    if reason:
+        tied = all(dynamics.ideal.values()) and system.implicit and not system.has_clock
+        values = [*forces, *(condition.value for condition in system.implicit)]
+        stated = [at for at in _stated(system, system.coordinates) if _balances(values, at, given)] if tied else []
+        kept = [(at, valid) for at in stated if (valid := _demands(system, dynamics, at, given)) is not None]
+        return Rest(tuple(kept), None, reason)
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return Rest((), True, "the forces are the same everywhere")

@@ -15,7 +15,7 @@ from tests.derivation.conftest import drafted
 
 RULES = {"linearization", "linear_system"}
 DAMPED = ("rod-on-damped-cart", "rods-with-rotary-damper", "disk-on-viscous-bearing", "rod-with-damper")
-MORE = ("cart-and-rod", "spring-coupled-pendulums", "elastic-pendulum", "linear-molecule", "rod-on-two-strings")
+MORE = ("cart-and-rod", "spring-coupled-pendulums", "elastic-pendulum", "linear-molecule")
 
 
 def steps_of(name, rules):

@@ -7,8 +7,6 @@ conditions all roots have negative real parts. Meriam & Kraige, Dynamics, 8.2; G
 
 from __future__ import annotations
 
-from typing import Any
-
 from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
@@ -35,10 +33,6 @@ def write(draft: Draft, item: Equilibrium, place: int) -> None:
         way(draft, item, powers, f"{place}.{k}", f"_{k}" if len(item.linear.factors) > 1 else "")
 
 
-def _data(item: Equilibrium, **more: Any) -> dict[str, Any]:
-    return {"at": item.at, "tied": item.linear.tied, **more}
-
-
 def _polynomial(draft: Draft, item: Equilibrium, place: int) -> None:
     letter, linear = t.Sym(draft.free("lamda")), item.linear
     factors = [_in_powers(draft, powers, letter) for powers in linear.factors]
@@ -54,7 +48,7 @@ def _polynomial(draft: Draft, item: Equilibrium, place: int) -> None:
         premises=[f"linear.{place}"],
         letter=letter,
         growth=t.Fn("exp", t.mul(letter, t.Sym("t"))),
-        data=_data(item),
+        data=item.facts,
     )
 
 
@@ -85,7 +79,7 @@ def _rate(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -
         premises=[f"characteristic.{id.split('.')[0]}"],
         is_result=True,
         letter=letter,
-        data=_data(item),
+        data=item.facts,
     )
 
 
@@ -104,7 +98,7 @@ def _pair(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -
         premises=[f"characteristic.{id.split('.')[0]}"],
         is_result=True,
         letter=letter,
-        data=_data(item, decay=square * 0, square=square),
+        data={**item.facts, "decay": square * 0, "square": square},
     )
     return None
 
@@ -116,7 +110,7 @@ def swinging(draft: Draft, item: Equilibrium, damping: Scalar, square: Scalar, i
     damped = short(square - damping * damping / 4)
     draft.context.scalars[letter.name] = root(damped)
     said = SWINGS.get(sign(damped, draft.study.assumptions).kind, "perhaps")
-    data = _data(item, decay=damping / 2, square=square)
+    data = {**item.facts, "decay": damping / 2, "square": square}
     near = f"{'linear' if of == 'alone' else 'characteristic'}.{id.split('.')[0]}"
     draft.add(
         f"decay.{id}",
@@ -183,7 +177,7 @@ def _conditions(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: 
         level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
         premises=[f"characteristic.{id.split('.')[0]}"],
         conditions=left,
-        data=_data(item, powers=powers, conditions=item.nature.conditions),
+        data={**item.facts, "powers": powers, "conditions": item.nature.conditions},
     )
 
 

@@ -54,7 +54,7 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
         "oscillations.linear_system",
         level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
         premises=[f"equilibrium.{place}", *(f"motion.{name}" for name in names)],
-        data={"at": item.at, "tied": linear.tied},
+        data=item.facts,
     )
 
 
@@ -81,7 +81,7 @@ def _stability(draft: Draft, item: Equilibrium, place: int) -> None:
         level=FULL,
         premises=[f"equilibrium.{place}"],
         count=len(rows),
-        data={"at": item.at, "tied": item.linear.tied},
+        data=item.facts,
     )
 
 
@@ -102,7 +102,7 @@ def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
         level=STANDARD if length(shown) <= LONGEST else FULL,
         premises=[f"linear.{place}"],
         letter=t.Sym(LAMBDA),
-        data={"at": item.at, "tied": item.linear.tied},
+        data=item.facts,
     )
 
 
@@ -121,7 +121,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         count=len(rows),
         is_result=True,
         premises=[f"characteristic.{place}"],
-        data={"at": item.at, "tied": item.linear.tied},
+        data=item.facts,
     )
     ratios = [_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
     if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
@@ -155,5 +155,5 @@ def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, 
         frequency=t.Sym(_name(draft, "vartheta", place, k)),
         first=t.Sym(first),
         second=t.Sym(second),
-        data={"at": item.at, "tied": item.linear.tied, "square": square},
+        data={**item.facts, "square": square},
     )

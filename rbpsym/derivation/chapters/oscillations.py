@@ -59,7 +59,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         count=len(rows),
         place=rows,
         told=linear,
-        data={"at": item.at, "proved": proved, "factors": item.linear.factors, "tied": item.linear.tied},
+        data={**item.facts, "proved": proved, "factors": item.linear.factors},
         obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in item.valid),
     )
     if linear:
@@ -126,7 +126,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node
         premises=[f"linear.{place}"],
         is_result=not damping,
         letter=letter,
-        data={"at": item.at, "decay": NOTHING, "square": square, "undamped": bool(damping)},
+        data={**item.facts, "decay": NOTHING, "square": square, "undamped": bool(damping)},
     )
     if damping:
         decay.swinging(draft, item, damping, square, str(place), letter.name.removeprefix("vartheta"), "alone")
