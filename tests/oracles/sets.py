@@ -49,8 +49,8 @@ def _set(study: Study, source: random.Random) -> Numbers | None:
 
 def bounds(study: Study, name: str, numbers: Numbers) -> tuple[float | None, float | None]:
     """The declared range of a parameter or coordinate at these numbers."""
-    ends = study.assumptions.ranges.get(name, (None, None))
-    return tuple(None if end is None else number(end, numbers) for end in ends)
+    low, high = (None if e is None else number(e, numbers) for e in study.assumptions.ranges.get(name, (None, None)))
+    return (0.0 if low is None and study.assumptions.sign_of(name) == "positive" else low), high
 
 
 def _keeps(study: Study, name: str, numbers: Numbers) -> bool:

@@ -8,25 +8,24 @@ from __future__ import annotations
 
 import cmath
 import math
-import os
-import random
+from collections import Counter
+from itertools import islice
 
 import numpy as np
 import pytest
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import results
-from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
 from rbpsym.verify.simulation_bench import Bench, Derived
+from tests.library.derived import NAMES, problem
+from tests.oracles.conftest import DRAWS, SETS
+from tests.oracles.sets import Numbers, bounds, drawn
 
-SETS = int(os.environ.get("RBPSYM_SETS", "20"))
-MOST_DRAWS = 40  # per set: places that do not exist for the numbers are drawn again
+FEW, MANY = 2, 20
+MOST_DRAWS = 40  # per set
 CLOSE = 1e-6
-STEP = 2e-3
+STEP = 2e-4
 STENCIL = ((1, 0.8), (2, -0.2), (3, 4 / 105), (4, -1 / 280))  # central differences of the eighth order
 FUNCTIONS = {n: getattr(cmath, n) for n in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "pi")}
 FUNCTIONS["ln"] = cmath.log
@@ -36,23 +35,7 @@ def evaluated(text: str, numbers: dict[str, float]) -> complex:
     return complex(eval(text, {"__builtins__": {}}, {**numbers, **FUNCTIONS}))  # our own output, in a test
 
 
-def drawn(problem, source: random.Random) -> dict[str, float]:
-    """Numbers with ratios log-uniform in [1/5, 5], within declared signs and bounds."""
-    base = sample(problem)
-    while True:
-        found = dict(base)
-        for quantity in problem.parameters:
-            found[quantity.name] = base[quantity.name] * 5 ** source.uniform(-0.5, 0.5)
-        if all(_inside(quantity, found[quantity.name], found) for quantity in problem.parameters):
-            return found
-
-
-def _inside(quantity, value: float, numbers) -> bool:
-    low, high = (None if b is None else number(scalar(b), numbers) for b in (quantity.lower, quantity.upper))
-    return (low is None or low < value) and (high is None or value < high)
-
-
-def placed(problem, item, numbers) -> dict[str, float] | None:
+def placed(study: Study, item, numbers: Numbers) -> Numbers | None:
     """The coordinates of the place, None if it does not exist for these numbers or lies outside its range."""
     at = dict(numbers)
     try:
@@ -61,16 +44,11 @@ def placed(problem, item, numbers) -> dict[str, float] | None:
             if abs(value.imag) > 1e-12:
                 return None
             at[name] = value.real
-        inside = all(_inside(c, at[c.name], at) for c in problem.coordinates if _strict(c, at))
+        pairs = ((at[name], *bounds(study, name, at)) for name in item["at"])
+        inside = all((low is None or low <= x) and (high is None or x <= high) for x, low, high in pairs)
     except (ValueError, ZeroDivisionError, KeyError):
         return None
     return at if inside else None
-
-
-def _strict(coordinate, at) -> bool:
-    """Whether it is not just at an end of its range."""
-    ends = [number(scalar(b), at) for b in (coordinate.lower, coordinate.upper) if b is not None]
-    return all(abs(at[coordinate.name] - end) > 1e-9 for end in ends)
 
 
 def jacobian(study: Study, at: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
@@ -138,32 +116,39 @@ def _apart(values: np.ndarray, value: complex) -> float:
     return abs(near[0] - near[1]) / max(abs(values)) if len(near) == 2 else 1.0
 
 
-def equilibria(name: str) -> Study:
-    return Study(load_problem(problem_files()[name]))
-
-
-@pytest.mark.parametrize("name", sorted(problem_files()))
-def test_eigenvalues(name):
-    study = equilibria(name)
-    if not study.equilibria:
-        pytest.skip("no position of rest in closed form")
-    source, answer, again = random.Random(name), results(study)["equilibria"], 0
+def compared(name: str, sets: int, record) -> None:
+    """At so many sets of numbers for each place; a set for which it does not exist is drawn again."""
+    study = Study(problem(name))
+    answer, again = results(study)["equilibria"], Counter()
     for item in answer:
-        done = 0
-        for _ in range(MOST_DRAWS * SETS):
-            if done == SETS:
-                break
-            numbers = placed(study.problem, item, drawn(study.problem, source))
-            if numbers is None or _undecided(item, numbers):
-                again += 1
+        done, source = 0, drawn(study, 2011)
+        for numbers in islice(source, MOST_DRAWS * sets):
+            at = placed(study, item, numbers)
+            if at is None or _undecided(item, at):
+                again["a place of rest that does not exist, or next to a bifurcation"] += 1
                 continue
             try:
-                agree(item, study, numbers)
-            except NotApplicable:
-                again += 1
+                agree(item, study, at)
+            except NotApplicable as reason:
+                again[reason.what] += 1
                 continue
             done += 1
-        assert done == SETS or done == 0 == len(item["at"]), (name, item["at"], done, again)
+            if done == sets:
+                break
+        assert done == sets, (name, item["at"], done)
+        record(SETS, done)
+    record(DRAWS, dict(again))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_eigenvalues(name, record_property):
+    compared(name, FEW, record_property)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", NAMES)
+def test_eigenvalues_at_many_sets(name, record_property):
+    compared(name, MANY, record_property)
 
 
 def _undecided(item, numbers) -> bool:
@@ -178,7 +163,7 @@ CART = {"m": 1.0, "M": 1.0, "ell": 1.0, "g": 9.8}
 @pytest.mark.parametrize(("c", "value"), [(2.0, -0.287 + 4.780j), (50.0, -0.110 + 3.843j)])
 def test_the_cart_with_its_damper(c, value):
     """The numbers of the finding: an undamped 4.850 was printed."""
-    [item, _] = results(equilibria("rod-on-damped-cart"))["equilibria"]
+    [item, _] = results(Study(problem("rod-on-damped-cart")))["equilibria"]
     assert item["frequencies_squared"] == [] and item["stability"] == "asymptotic"
     found, _ = printed(item, {**CART, "c": c})
     assert min(abs(root - value) for root in found) < 6e-4
