@@ -2,11 +2,16 @@
 
 from dataclasses import replace
 
+import pytest
+
 from rbpsym.derivation.rules import certify
 from rbpsym.document.notes import notation_of
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.latex_tokens import tokenize
+from rbpsym.notation.source import Source
 
 ALWAYS = {"O", "C", "t", "r"}
 
@@ -27,3 +32,14 @@ def test_what_is_printed_is_what_was_proved(draft):
         if not verdict.is_proved:
             wrong.append((step.id, text, verdict))
     assert not wrong
+
+
+def test_each_token_of_what_is_printed_has_a_meaning(draft):
+    notation = notation_of(_Derived(draft.study))
+    printed = {to_latex(step.statement, notation): step.statement for step in draft.steps}
+    text = max((text for text in printed if len(text) < 200), key=len)
+    names = t.names(printed[text]) | ALWAYS | {node.var for node in t.walk(printed[text]) if isinstance(node, t.Integral)}
+    read_latex(text, names, notation=notation)
+    for token in tokenize(Source(text), gaps=True)[:-1]:
+        with pytest.raises(RbpsymError):
+            read_latex(rf"{text[: token.start]} \zzz {text[token.end :]}", names, notation=notation)

@@ -35,7 +35,7 @@ def checked_length(text: str) -> str:
 
 def unframed(text: str) -> str:
     """The text without the marks of a formula ($ … $), a sign = before it, and a full stop after it."""
-    text = text.strip().replace("{,}", ".")
+    text = text.strip().replace("{,}", ",")
     for opening, closing in _FRAMES:
         if text.startswith(opening) and text.endswith(closing) and len(text) > len(opening) + len(closing):
             text = text[len(opening) : -len(closing)].strip()
