@@ -40,9 +40,8 @@ def comes_first(context: Context, step: Step) -> Verdict:
     """From the start to the stated place (without one: to the end of the range, where the force has changed its sign)
     the speed does not vanish and all one-sided forces keep their sign (`data`: "name", "at", "value")."""
     context, name = under(context, step), step.data["name"]
-    start = context.scope.start
-    begin, speed = start[name], start.get(f"{name}_dot", NOTHING)
-    drive = speed if not is_zero(speed) else substitute(context.on_motion(symbol(f"{name}_ddot")), start)
+    begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
+    drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
     ends = [step.data["at"][name]] if step.data["at"] else context.assumptions.range_of(name)
     return next((v for end in ends if end is not None and (v := _first(context, step, begin, drive, end)).is_proved), UNSEEN)
 
@@ -80,6 +79,8 @@ def _exists(context: Context, step: Step) -> Iterator[Verdict]:
 
 def _within(context: Context, step: Step) -> Iterator[Verdict]:
     for name, place in step.data["at"].items():
+        if name in context.whole.assumptions.ranges:
+            context.use(f"range.{name}")
         lower, upper = context.assumptions.range_of(name)
         turn = None not in (lower, upper) and is_zero(upper - lower - PI * 2)
         yield from () if lower is None else [_beyond(context, lower, place)]

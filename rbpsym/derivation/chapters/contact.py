@@ -154,7 +154,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         "vanishing",
         equation,
         f"contact.{'lost' if place is not None else 'lost_implicitly'}.{_manner(draft, loss.force)}",
-        premises=[f"along.{loss.force}"],
+        premises=[f"along.{loss.force}", *ground(draft, loss.coordinate)],
         force=t.Sym(loss.force),
         is_result=True,
         coordinate=t.Sym(loss.coordinate),
@@ -197,6 +197,12 @@ def _may_end(draft: Draft, force: str, value: Scalar) -> None:
         force=t.Sym(force),
         data={"value": value, "at": {}, "factor": factor},
     )
+
+
+def ground(draft: Draft, *names: str) -> list[str]:
+    """The laws, the starts and the ranges of coordinates, on which it rests what may happen along the motion."""
+    found = ["law.motion", *(f"start.{n}" for n in names), *(id for id in draft.context.facts if id.startswith("range."))]
+    return [id for id in found if id in draft.context.facts]
 
 
 def _is_grip(draft: Draft, name: str, normal: str) -> bool:
