@@ -14,6 +14,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.vector import Space, Vector
+from rbpsym.derivation.assertions import Said, settled, told
 from rbpsym.derivation.binding import bound
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import facts_of
@@ -66,6 +67,7 @@ class Draft:
         )
         introduce(self.context, step)
         step = bound(self.context, step, self._named(step, premises))
+        step = told(step, Said(self.study, steps=self.steps, context=self.context))
         self.steps.append(step)
         self.context.steps[step.id] = step
         return step
@@ -94,7 +96,8 @@ class Draft:
 
     def skip(self, name: str, phrase: str, **slots: Any) -> None:
         """Notes that the method called `name` does not apply, and why."""
-        self.skipped.append(Skipped(name, phrase, slots))
+        if settled(phrase, Said(self.study)):
+            self.skipped.append(Skipped(name, phrase, slots))
 
     def has(self, id: str) -> bool:
         """Whether a step of that id was made."""

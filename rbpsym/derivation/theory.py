@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation import checks as c
+from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import STANDARD, Certificate, Lesson, Step, StepRef
 from rbpsym.derivation.theory_ground import (
     ALPHA,
@@ -78,7 +79,7 @@ class Writer:
             is_result,
         )
         verdict = c.guarded(lambda: RULES[rule](context, step))
-        self.steps.append(replace(step, certificate=Certificate((rule, "by_particles"), verdict)))
+        self.steps.append(told(replace(step, certificate=Certificate((rule, "by_particles"), verdict))))
 
 
 def _about_fixed_axis() -> dict[str, object]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 
+from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
@@ -91,7 +92,8 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
     elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
         points = [t.Sym(label) for label in derivation.study.origins]
         count = len(derivation.study.system.bodies)
-        yield Paragraph(said.say(f"{key}.intro", points=points, count=count, **slots))
+        ground = Said(derivation.study)
+        yield Paragraph(said.say(f"{key}.intro", ground=ground, points=points, count=count, **slots))
 
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
@@ -167,8 +169,9 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
     """The equations of each body, then the unknown forces together."""
     teller = Teller(said)
     yield from _intro(_manner_of_motion(derivation, said), derivation, said)
-    others, reactions = by_kind(steps, ("newton_euler.reaction",))
+    others, known, reactions = by_kind(steps, ("newton_euler.known", "newton_euler.reaction"))
     yield from teller.steps(others)
+    yield from teller.together(known, "newton_euler.solved_many")
     yield from teller.together(
         reactions, "newton_euler.reactions_rest" if is_still(derivation) else "newton_euler.reactions"
     )
@@ -189,7 +192,7 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
     whole, *split = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
-        yield from _halves(halves, teller, said)
+        yield from _halves(halves, teller, said, Said(derivation.study))
     yield from teller.steps(step for step in steps if step.phrase.startswith(("work.spring.", "work.together.")))
     yield from teller.steps((*whole, *kinds["work_sum"], *kinds["solution"]))
     if kinds["work_done"]:
@@ -231,11 +234,10 @@ def _by_force(steps: list[Step]) -> list[list[Step]]:
     return groups
 
 
-def _halves(steps: list[Step], teller: Teller, said: Words) -> Iterator[Block]:
+def _halves(steps: list[Step], teller: Teller, said: Words, ground: Said) -> Iterator[Block]:
     """Both halves of the theorem, of all bodies under one number if there are few."""
-    turns = any(step.phrase == "work.theorem.rotational" for step in steps)
     if len(steps) <= MOST_ROWS:
-        yield Paragraph(said.say("work.theorem.halves" if turns else "work.theorem.half", count=len(steps)))
+        yield Paragraph(said.say("work.theorem.half", ground=ground, count=len(steps)))
         yield joined(steps, said)
         return
     yield Paragraph(said.say("work.theorem.halves_each"))
@@ -251,7 +253,7 @@ def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator
     still = [step for step in along if is_constant(step, derivation)]
     if still:
         forces = [step.slots["force"] for step in still]
-        yield Paragraph(said.say("contact.constant", forces=forces, count=len(still)))
+        yield Paragraph(said.say("contact.constant", ground=Said(steps=still), forces=forces, count=len(still)))
         yield joined(still, said)
     for boxed in (True, False):
         group = [step for step in along if step.is_result is boxed and step not in still]
@@ -281,7 +283,7 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
             yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
     if len(unstable) > 1:
         places = [said.say("oscillations.place", place=step.slots["place"]) for step in unstable]
-        yield Paragraph(said.say("oscillations.unstable_many", places=places))
+        yield Paragraph(said.say("oscillations.unstable_many", ground=Said(steps=unstable), places=places))
 
 
 BLOCKS: Mapping[str, Callable[[list[Step], Derivation, Words], Iterator[Block]]] = {

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import floor, log10
 
+from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.needless import is_still
@@ -50,13 +51,14 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     summary = derivation.summary()
     whole = summary["proved"] == summary["steps"]
     counts = {name: summary[name] for name in ("steps", "proved", "refuted", "undecided")}
-    own = checks_table(derivation.all_steps, said)
+    own, ground = checks_table(derivation.all_steps, said), Said(steps=derivation.all_steps, summary=summary)
     key = "checks.some" if not whole else "checks.short" if table is None else "checks.all"
-    intro = said.say(key, table=Ref(table or own.label), **counts)
+    intro = said.say(key, ground=ground, table=Ref(table or own.label), **counts)
     items = [
-        *_methods(summary, said),
-        *(() if is_still(derivation) else _oracles(summary, said)),
+        *_methods(summary, said, ground),
+        *(() if is_still(derivation) else _oracles(summary, said, ground)),
     ]
+    lead = said.say("checks.roads", ground=ground)
     skipped = [left_out(found, said) for found in derivation.skipped if not is_still(derivation)]
     if said.is_brief:
         told = Paragraph(sentences([intro, *items]))
@@ -64,7 +66,8 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     blocks: tuple[Block, ...] = (
         Paragraph(intro),
         *((own,) if table == "" or (not whole and not table) else ()),
-        *((Paragraph(said.say("checks.roads")), ItemList(tuple(items))) if items else ()),
+        *((Paragraph(lead),) if items and lead else ()),
+        *((ItemList(tuple(items)),) if items else ()),
         *((Paragraph(sentences(skipped)),) if skipped else ()),
     )
     return Section(said.say("section.checks"), blocks, said.prefix + "section.checks", level)
@@ -81,7 +84,7 @@ def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Se
     kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps)
     counts = {name: kinds[name] for name in ("proved", "refuted", "undecided")}
     key = "checks.course" if kinds["proved"] == len(steps) else "checks.some"
-    intro = said.say(key, steps=len(steps), table=Ref(label), **counts)
+    intro = said.say(key, ground=Said(steps=steps), steps=len(steps), table=Ref(label), **counts)
     table = replace(checks_table(steps, said), label=label)
     return Section(said.say("section.checks"), (Paragraph(intro), table), "section.checks", 1)
 
@@ -98,17 +101,18 @@ def checks_table(steps: Iterable[Step], said: Words) -> Table:
     return Table(header, rows, said.say("caption.checks"), "lr", said.prefix + "table.checks")
 
 
-def _methods(summary: dict, said: Words) -> Iterator[Inlines]:
+def _methods(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
     names = [said.say(f"method.{name}") for name in summary["methods"]]
     if len(names) > 1:
-        yield said.say("checks.methods" if summary["methods_agree"] else "checks.differ", methods=names)
+        yield said.say("checks.methods", ground=ground, methods=names)
 
 
-def _oracles(summary: dict, said: Words) -> Iterator[Inlines]:
+def _oracles(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
     if summary["lagrange"]:
-        yield said.say(f"checks.lagrange.{summary['lagrange']}")
+        yield said.say(f"checks.lagrange.{summary['lagrange']}", ground=ground)
     if summary["simulation"]:
-        yield said.say("checks.simulation", error=power_above(summary["simulation"]["max_relative_error"]))
+        error = power_above(summary["simulation"]["max_relative_error"])
+        yield said.say("checks.simulation", ground=ground, error=error)
 
 
 def power_above(error: float) -> Node:

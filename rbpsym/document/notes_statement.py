@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef, Derivation
 from rbpsym.document.model import Block, Inlines, Math, Paragraph, Ref, Section, Table, Text
 from rbpsym.document.notes_figures import figure_label, figure_with_forces, has_single_body, system_figure
@@ -19,8 +20,9 @@ from rbpsym.statement.model import Body, Coordinate, PlacedShape, Problem
 def statement_section(derivation: Derivation, said: Words, level: int) -> Section:
     """What the system is, how it starts, its drawing, its symbols and the conventions."""
     problem, pose = derivation.study.problem, DrawnPose(derivation.study)
-    text = [_bodies(problem, said), *element_sentences(pose, said)]
-    motion = [_freedom(derivation, said), *_start(problem, said), *_phases(problem, said)]
+    ground = Said(derivation.study)
+    text = [_bodies(problem, said, ground), *element_sentences(pose, said)]
+    motion = [_freedom(derivation, said), *_start(problem, said, ground), *_phases(problem, said)]
     symbols = symbols_table(derivation, said)
     figure = figure_with_forces if said.is_brief and has_single_body(derivation) else system_figure
     blocks: list[Block] = [
@@ -45,12 +47,10 @@ def _letters(symbols: Table, told: tuple[Inlines, ...], said: Words) -> Iterator
         yield said.say("statement.letters", letters=new)
 
 
-def _bodies(problem: Problem, said: Words) -> Inlines:
+def _bodies(problem: Problem, said: Words, ground: Said) -> Inlines:
     """ "A thin uniform rod of mass m and length ℓ moves in a vertical plane."""
     described = [_described(body, said) for body in problem.bodies]
-    falls = any(element.kind == "gravity" for element in problem.interactions)
-    slots = {"bodies": described, "count": len(described)}
-    return capital(said.say("statement.vertical" if falls else "statement.plane", **slots))
+    return capital(said.say("statement.vertical", ground=ground, bodies=described, count=len(described)))
 
 
 def _described(body: Body, said: Words) -> Inlines:
@@ -83,7 +83,7 @@ def _freedom(derivation: Derivation, said: Words) -> Inlines:
     own = [c for c in study.problem.coordinates if c.name in names]
     described = [_coordinate(c, said, len(own)) for c in own]
     if not own:
-        return said.say("statement.driven" if study.system.has_clock else "statement.still")
+        return said.say("statement.driven" if study.system.has_clock else "statement.still", ground=Said(study))
     key = f"number.{len(own)}"
     number = said.say(key) if said.has(key) else len(own)
     return said.say("statement.freedom", coordinates=described, number=number, count=len(own))
@@ -97,13 +97,13 @@ def _coordinate(coordinate: Coordinate, said: Words, count: int) -> Inlines:
     return said.say("statement.coordinate", letter=letter, meaning=meaning, count=count)
 
 
-def _start(problem: Problem, said: Words) -> Iterator[Inlines]:
+def _start(problem: Problem, said: Words, ground: Said) -> Iterator[Inlines]:
     """Where it starts, and how fast."""
     begun = [c for c in problem.coordinates if c.start is not None]
     places = [t.equation(t.Sym(c.name), c.start) for c in begun]
     speeds = [t.equation(t.Sym(f"{c.name}_dot"), c.speed) for c in begun if c.speed not in (None, t.ZERO)]
     if places:
-        yield said.say("statement.moving" if speeds else "statement.rest", place=places, speed=speeds)
+        yield said.say("statement.moving" if speeds else "statement.rest", ground=ground, place=places, speed=speeds)
 
 
 def _phases(problem: Problem, said: Words) -> Iterator[Inlines]:

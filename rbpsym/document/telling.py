@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, Step, StepRef
 from rbpsym.document.breaking import lines
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Text
@@ -55,7 +56,7 @@ class Teller:
         if len(steps) < 2:
             yield from self.steps(steps)
             return
-        yield Paragraph(self.said.say(key, count=len(steps), **slots))
+        yield Paragraph(self.said.say(key, ground=Said(steps=steps), count=len(steps), **slots))
         if is_tall(steps, self.said):
             yield from (display(step, self.said) for step in steps)
         else:

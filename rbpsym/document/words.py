@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from rbpsym.derivation.assertions import Said, on_page
 from rbpsym.derivation.step import BodyRef, PhraseRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
@@ -40,9 +41,13 @@ class Words:
         """How formulas are printed: in the notation of the problem and of the language."""
         return problem_notation(self.problem, self.language) if self.problem else usual_notation(self.language)
 
-    def say(self, key: str, **slots: Any) -> Inlines:
-        """A phrase with all its slots turned into words."""
-        return phrase(key, self.language, **self.slots(slots))
+    def say(self, key: str, *, ground: Said | None = None, **slots: Any) -> Inlines:
+        """A phrase with all its slots turned into words.
+
+        What asserts something of more than one step is said of a `ground` on which it is true; else what is true there.
+        """
+        found = on_page(key, ground)
+        return phrase(found, self.language, **self.slots(slots)) if found else ()
 
     def slots(self, slots: Mapping[str, Any]) -> dict[str, Any]:
         """The slots as the phrases take them; a body or a list of points is also there with a capital letter."""

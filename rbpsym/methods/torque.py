@@ -99,7 +99,8 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     together = draft.show(balance.right, factor=True)
     shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
     items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
-    silent = [f for f, part in zip(forces, parts, strict=True) if not part and f.unknowns]
+    loud = {f.name for f, part in zip(forces, parts, strict=True) if part}
+    silent = [f for f in forces if f.unknowns and f.name not in loud]
     return draft.add(
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
         "torque",
@@ -148,7 +149,7 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
         net=StepRef(net.id),
         momenta=momenta,
         variant="some" if balance.right else "zero",
-        data={"row": balance.row},
+        data={"row": balance.row, "origin": balance.where},
     )
 
 
@@ -186,7 +187,7 @@ def _push(draft: Draft, balance: Balance) -> Step:
         bodies=_bodies(balance),
         axis=axis,
         variant="whole" if whole else "one",
-        data={"row": balance.row},
+        data={"row": balance.row, "along": balance.where, "bodies": balance.bodies},
     )
 
 

@@ -12,6 +12,7 @@ from rbpsym.algebra.evaluate import Scope, Value, value
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation import checks as c
+from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import STANDARD, BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -48,7 +49,7 @@ class _Pair:
         """Adds a checked step."""
         step = Step(id, check.__name__, statement, "comparison", phrase, slots, (), STANDARD, is_result)
         verdict = c.guarded(lambda: check(self.context, step))
-        self.steps.append(replace(step, certificate=Certificate((check.__name__,), verdict)))
+        self.steps.append(told(replace(step, certificate=Certificate((check.__name__,), verdict))))
 
 
 def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
@@ -107,7 +108,7 @@ def _order(pair: _Pair) -> None:
     context = replace(pair.context, scalars=dict(zip(pair.compared.names, values, strict=True)))
     verdict = c.guarded(lambda: c.identity(context, step))
     checks = ("squares of positive numbers",) if pair.compared.power == 2 else (c.identity.__name__,)
-    pair.steps.append(replace(step, certificate=Certificate(checks, verdict)))
+    pair.steps.append(told(replace(step, certificate=Certificate(checks, verdict))))
 
 
 NAMES = {"<": "less", ">": "greater", "=": "equal", "<=": "less", ">=": "greater"}
@@ -198,7 +199,7 @@ def _spin_steps(pair: _Pair, name: str, free: Study, bound: Study) -> None:
             ("order",),
         )
         verdict = c.guarded(lambda context=context, step=step: c.identity(context, step))
-        pair.steps.append(replace(step, certificate=Certificate(("identity",), verdict)))
+        pair.steps.append(told(replace(step, certificate=Certificate(("identity",), verdict))))
 
 
 def _limit(pair: _Pair, part: CoursePart) -> None:

@@ -1,0 +1,189 @@
+"""Which sentences assert something of a system, and what has to be proved before they are said.
+
+A key stands for all that is below it, and for its variants `_again`, `_known` and `_unseen`. Each key of the phrase
+files is told in exactly one of `ASSERTIONS` and `NARRATION` (a test says so). Where the condition is refuted or not
+decided, the other sentence of the entry is said, if its own condition holds; "" means that nothing is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from rbpsym.algebra.effort import at_most
+from rbpsym.derivation import grounds as g
+from rbpsym.derivation.grounds import Said
+from rbpsym.derivation.step import PhraseRef, Step
+from rbpsym.errors import RbpsymError
+
+Condition = Callable[[Said], bool]
+Entry = tuple[Condition, str]
+MOST_PRODUCTS = 100_000
+
+IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
+CHAPTERS = "kinematics inertia momentum torque newton_euler work energy oscillations contact phases comparison theory"
+MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
+
+STEPS: Mapping[str, Entry] = {
+    **dict.fromkeys(CHAPTERS.split(), (g.is_proved, "")),  # what says no more than its formula
+    **{f"kinematics.condition.{kind}.identity": (g.is_identity, "") for kind in IDENTITY.split()},
+    "kinematics.dependent": (g.ties_to_others, "kinematics.determined"),
+    "kinematics.orbit": (g.is_steady, ""),
+    "kinematics.turning.opposite": (g.is_turned_back, "kinematics.turning.plain"),
+    "kinematics.turning.none": (g.does_not_turn, "kinematics.turning.plain"),
+    "inertia.steiner": (g.turns_about_point, ""),
+    "inertia.together": (g.turns_about_point, ""),
+    "momentum.orbital": (g.is_orbital, "momentum.both"),
+    "momentum.spin": (g.is_spin, "momentum.both"),
+    "torque.projected": (g.is_without_unknowns, ""),
+    "torque.silent": (g.silent_forces_have_no_torque, "torque.none"),
+    "torque.solved_zero": (g.ends_in_zero, ""),
+    "torque.added": (g.is_without_unknowns, ""),
+    "torque.free": (g.no_force_acts_along, "torque.even"),
+    "torque.net.contact": (g.point_moves, "torque.net.resting"),
+    "torque.net.moving": (g.point_moves, "torque.net.resting"),
+    "torque.net.crossing": (g.all_lines_meet, "torque.net.two"),
+    "torque.balance.moving": (g.point_moves, "torque.balance.resting"),
+    "torque.balance.crossing": (g.point_moves, "torque.balance.resting"),
+    "newton_euler.reaction": (g.is_of_position_and_speed, "newton_euler.known"),
+    "work.cancels": (g.works_cancel, "work.cancelled"),
+    "work.cancels.grip": (g.works_cancel_as_points_move_together, "work.cancelled"),
+    "work.cancels.joint": (g.works_cancel_as_points_move_together, "work.cancelled"),
+    "work.dissipated.damper": (g.is_never_positive, "work.drawn"),
+    "work.dissipated.friction": (g.works_do_not_cancel, "work.drawn"),
+    "work.theorem.whole.cancelled": (g.some_works_cancel, "work.theorem.whole.all"),
+    "work.added": (g.energy_is_conserved, "work.summed"),
+    "work.together.rotational": (g.rotational_work_is_opposite, "work.together.others_too"),
+    "work.together.turned": (g.does_not_turn_at_start, "work.together.grown"),
+    "energy.conserved": (g.energy_is_conserved, ""),
+    "energy.conserved.free": (g.no_force_acts, ""),
+    "energy.effective": (g.work_is_of_position, ""),
+    "energy.changes": (g.ends_otherwise, "energy.rated"),
+    "energy.square": (g.does_not_stay, "energy.square_resting"),
+    "energy.square_alone": (g.acceleration_is_alone, ""),
+    "energy.potential.force": (g.is_constant_action, "energy.potential.other"),
+    "energy.potential.couple": (g.is_constant_action, "energy.potential.other"),
+    "contact.along": (g.is_of_position, "contact.known"),
+    "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
+    "phases.taken": (g.only_friction_works, "phases.fallen"),
+    "phases.lost.some": (g.energy_is_lost, "phases.lost.change"),
+    "comparison.spin.free": (g.ends_in_zero, ""),
+    "skipped.no_freedom": (lambda said: not said.system.independent, ""),
+    "skipped.no_forces": (lambda said: not said.system.forces, ""),
+    "skipped.not_conserved": (lambda said: said.study.first_integral is None, ""),
+    "skipped.driven": (lambda said: said.system.has_clock, ""),
+    "skipped.one_equation": (lambda said: len(said.system.independent) > 1, ""),
+}
+
+
+
+def _all(key: str) -> Condition:
+    """Each of the steps is told by a sentence under the key, so that its condition holds."""
+    return lambda said: bool(said.steps) and all(f"{step.phrase}.".startswith(f"{key}.") for step in said.steps)
+
+
+PAGES: Mapping[str, Entry] = {
+    "statement.vertical": (g.moves_in_vertical_plane, "statement.plane"),
+    "statement.plane": (g.can_move, "statement.held"),
+    "statement.held": (g.rests_in_vertical_plane, "statement.held_flat"),
+    "statement.still": (g.is_still, ""),
+    "statement.driven": (g.is_driven, ""),
+    "statement.rest": (g.leaves_rest, "statement.rest_there"),
+    "statement.rest_there": (g.stays_at_rest, "statement.begins"),
+    **{f"kinematics.{kind}_many": (_all(f"kinematics.{kind}"), "") for kind in MANY},
+    "newton_euler.rest.intro": (g.is_still, ""),
+    "newton_euler.driven.intro": (g.is_driven, ""),
+    "newton_euler.reactions": (_all("newton_euler.reaction"), ""),
+    "torque.solved_all": (_all("torque.solved"), ""),
+    "torque.solved_zero_all": (_all("torque.solved_zero"), ""),
+    "work.cancel_all": (_all("work.cancels"), "work.cancelled_all"),
+    "work.theorem.half": (g.nothing_turns, "work.theorem.halves"),
+    "contact.along_all": (_all("contact.along"), ""),
+    "contact.along_plain": (_all("contact.along"), ""),
+    "contact.constant": (_all("contact.along"), ""),
+    "contact.other_forces": (_all("contact.other_force"), ""),
+    "oscillations.unstable_many": (_all("oscillations.unstable"), ""),
+    "checks.short": (g.all_steps_are_proved, ""),
+    "checks.all": (g.all_steps_are_proved, ""),
+    "checks.course": (g.all_steps_are_proved, ""),
+    "checks.roads": (g.is_confirmed, ""),
+    "checks.methods": (g.methods_agree, "checks.differ"),
+    "checks.differ": (g.methods_differ, "checks.open"),
+    "checks.lagrange.PROVED": (g.lagrange_agrees, ""),
+    "checks.simulation": (g.simulation_agrees, "checks.simulation_differs"),
+}
+
+ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
+
+NARRATIVE = """
+block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some dimension
+explorer figure forces functions grammar growth header index it latex library line list method notation notebook number part plain
+plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
+kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro momentum.intro torque.intro torque.none
+torque.settled newton_euler.alone newton_euler.brief newton_euler.intro newton_euler.reactions_rest
+newton_euler.solved_many work.intro work.intro_below work.integrals work.none work.done_intro work.done_below
+work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all phases.event phases.impulses
+phases.same_motion phases.title oscillations.brief oscillations.intro oscillations.place comparison.intro
+comparison.title comparison.because theory.intro theory.heading
+"""  # names things, says what is done next, or repeats the statement
+NARRATION = frozenset(NARRATIVE.split())
+
+LATER = ("_unseen", "_again", "_known")
+
+
+def base(key: str) -> str:
+    """The key without what says that it is said again, or of what is seen elsewhere."""
+    head, dot, tail = key.partition(".")
+    while any(head.endswith(mark) for mark in LATER):
+        head = head.rpartition("_")[0]
+    return head + dot + (base(tail) if tail else "")
+
+
+def entry(key: str) -> Entry | None:
+    """What is told of the longest part of a key that stands in one of the tables; None for narration."""
+    parts = base(key).split(".")
+    stems = [".".join(parts[:k]) for k in range(len(parts), 0, -1)]
+    found = next((stem for stem in stems if stem in ASSERTIONS or stem in NARRATION), "")
+    return ASSERTIONS.get(found)
+
+
+def settled(key: str, said: Said, variant: object = "") -> str:
+    """The sentence itself if it is true, else the one that is true without the condition; "" if there is none."""
+    while key and (found := entry(f"{key}.{variant}" if variant else key)):
+        if _holds(found[0], said):
+            return key
+        key = found[1]
+    return key
+
+
+def _holds(condition: Condition, said: Said) -> bool:
+    """What cannot be decided does not hold."""
+    try:
+        with at_most(MOST_PRODUCTS):
+            return bool(condition(said))
+    except (RbpsymError, ZeroDivisionError):
+        return False
+
+
+NOTHING_ELSE = Said()
+
+
+def told(step: Step, said: Said = NOTHING_ELSE) -> Step:
+    """The step with a sentence that is true of it."""
+    said = replace(said, step=step)
+    slots = {name: _silenced(value, said) for name, value in step.slots.items()}
+    return replace(step, phrase=settled(step.phrase, said, step.slots.get("variant", "")), slots=slots)
+
+
+def _silenced(value: object, said: Said) -> object:
+    """A sentence in a slot, or none in its place."""
+    return replace(value, key=settled(value.key, said) or "torque.none") if isinstance(value, PhraseRef) else value
+
+
+def on_page(key: str, ground: Said | None) -> str:
+    """The sentence of a page that is true on its ground; KeyError for one that asserts something and has none."""
+    if base(key) not in PAGES:
+        return key
+    if ground is None:
+        raise KeyError(f"“{key}” asserts something of a system, and is said of none")
+    return settled(key, ground)
