@@ -22,6 +22,7 @@ MOST_PRODUCTS = 100_000
 
 IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
 CHAPTERS = "kinematics inertia momentum torque newton_euler work energy oscillations contact phases comparison theory"
+RESTING = "oscillations.stable oscillations.unstable oscillations.unclear"
 MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
 
 STEPS: Mapping[str, Entry] = {
@@ -63,6 +64,7 @@ STEPS: Mapping[str, Entry] = {
     "energy.square_alone": (g.acceleration_is_alone, ""),
     "energy.potential.force": (g.is_constant_action, "energy.potential.other"),
     "energy.potential.couple": (g.is_constant_action, "energy.potential.other"),
+    **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
     "contact.along": (g.is_of_position, "contact.known"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
     "phases.taken": (g.only_friction_works, "phases.fallen"),
@@ -117,14 +119,14 @@ ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
 
 NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some dimension
-explorer figure forces functions grammar growth header index it latex library line list method notation notebook number part plain
-plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
+explorer figure forces functions grammar growth header index it latex library line list method notation notebook number
+part plain plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
 kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro momentum.intro torque.intro torque.none
 torque.settled newton_euler.alone newton_euler.brief newton_euler.intro newton_euler.reactions_rest
 newton_euler.solved_many work.intro work.intro_below work.integrals work.none work.done_intro work.done_below
 work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all phases.event phases.impulses
-phases.same_motion phases.title oscillations.brief oscillations.intro oscillations.place comparison.intro
-comparison.title comparison.because theory.intro theory.heading
+phases.same_motion phases.title oscillations.brief oscillations.doubtful oscillations.intro oscillations.place
+comparison.intro comparison.title comparison.because theory.intro theory.heading
 """  # names things, says what is done next, or repeats the statement
 NARRATION = frozenset(NARRATIVE.split())
 

@@ -61,8 +61,8 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     lead = said.say("checks.roads", ground=ground)
     skipped = [left_out(found, said) for found in derivation.skipped if not is_still(derivation)]
     if said.is_brief:
-        told = Paragraph(sentences([intro, *items]))
-        return Section(said.say("section.checks"), (told,), said.prefix + "section.checks", level)
+        told = (Paragraph(sentences([intro, *items])), *(() if whole else (own,)))
+        return Section(said.say("section.checks"), told, said.prefix + "section.checks", level)
     blocks: tuple[Block, ...] = (
         Paragraph(intro),
         *((own,) if table == "" or (not whole and not table) else ()),
