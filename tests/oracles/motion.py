@@ -201,9 +201,10 @@ def follow(
     solver = DOP853(bench.rate(account), 0.0, first, until, rtol=1e-11, atol=1e-13, max_step=step / STEPS)
     states = [first]
     turns, last_speed, begun = 0, start.rates, {}
+    mover = [bench.placement.names.index(name) for name in study.system.independent]
     while solver.status == "running":
         try:
-            with np.errstate(over="raise", divide="raise", invalid="raise"):
+            with np.errstate(over="raise"):
                 solver.step()
         except (OverflowError, FloatingPointError, NotApplicable):  # a singularity: what is well before it is kept
             return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
@@ -244,11 +245,11 @@ def follow(
         states.append(state.copy())
         q, speed = bench.placement.state(state[:size].tolist(), state[size : 2 * size].tolist(), states_q(near))
         near[0] = q
-        turns += int(np.any(speed * last_speed < 0)) if len(study.system.independent) == 1 else 0
+        turns += sum(speed[k] * last_speed[k] < 0 for k in mover) if len(mover) == 1 else 0
         last_speed = speed
         if turns >= 2:
             break
-    return Followed(states, None, turns >= 2 or time is not None, least)
+    return Followed(states, None, turns >= 2, least)
 
 
 def _moves(bench: Bench, start) -> bool:

@@ -1,0 +1,67 @@
+"""A random system derived and put to every oracle; what is refused gets a sentence, and nothing that is told is false."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from zlib import crc32
+
+from rbpsym.derive import derive
+from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.statement.loader import load_text
+from tests.oracles.compare import each, findings
+
+SETS, LONGEST = 2, 6.0
+CLOSE = 1e-6
+
+
+@dataclass
+class Judged:
+    """`wrong`: false verdicts and crashes; `refused`: the sentence of a refusal; `open_`: what was not decided."""
+
+    text: str
+    wrong: list[str] = field(default_factory=list)
+    refused: str = ""
+    open_: list[str] = field(default_factory=list)
+    sets: int = 0
+    compared: int = 0
+
+
+def judged(text: str) -> Judged:
+    """What is wrong with the derivation of a statement."""
+    found = Judged(text)
+    try:
+        derivation = derive(load_text(text))
+    except LimitError as error:
+        found.refused = f"limit: {error.what}"
+        return found
+    except RbpsymError as error:
+        found.refused = error.what
+        return found
+    except Exception as error:  # whatever it is: a refusal has a sentence
+        found.wrong.append(f"crash: {type(error).__name__}: {error}")
+        return found
+    for step in derivation.all_steps:
+        verdict = step.certificate.verdict
+        if verdict.is_refuted:
+            found.wrong.append(f"step {step.id} is refuted")
+        elif not verdict.is_proved:
+            found.open_.append(step.id)
+    for name, verdict in derivation.agreement.items():
+        found.wrong += [f"the method {name} differs"] if verdict.is_refuted else []
+    if derivation.lagrange is not None and derivation.lagrange.is_refuted:
+        found.wrong.append("Lagrange's equations differ")
+    report = derivation.simulation
+    if report is not None and not report.max_relative_error <= CLOSE:
+        worst = max(report.errors, key=lambda key: report.errors[key], default="drift")
+        found.wrong.append(f"the simulation differs by {report.max_relative_error:.1e}: {worst}")
+    try:
+        seen = findings(derivation.study, SETS, LONGEST, seed=crc32(text.encode()))
+    except RbpsymError as error:
+        found.open_.append(error.what)
+        return found
+    except Exception as error:
+        found.wrong.append(f"crash of the comparison: {type(error).__name__}: {error}")
+        return found
+    found.sets, found.compared = seen.sets, len(seen.compared)
+    found.wrong += list(each(seen))
+    return found
