@@ -196,8 +196,11 @@ def satisfies(point: Point, name: str, assumptions: Assumptions) -> bool:
     if not SIGN_TESTS[assumptions.sign_of(name)](e.sign_of(number)):
         return False
     lower, upper = assumptions.range_of(name)
-    above = lower is None or e.sign_of(number - point.value(lower)) == 1
-    return above and (upper is None or e.sign_of(point.value(upper) - number) == 1)
+    try:
+        above = lower is None or e.sign_of(number - point.value(lower)) == 1
+        return above and (upper is None or e.sign_of(point.value(upper) - number) == 1)
+    except e.Outside:  # a bound has no value there
+        return False
 
 
 def _fractions(text: str) -> tuple[Fraction, ...]:

@@ -86,7 +86,7 @@ def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
         "energy.changes",
         forces=[*nodes, *more],
         count=len(powers),
-        premises=["energy.letter", *(f"dissipation.{name}" for name in forces)],
+        premises=["energy.letter", *draft.those(*(f"dissipation.{name}" for name in forces))],
         is_result=True,
     )
 

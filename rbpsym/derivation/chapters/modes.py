@@ -53,7 +53,7 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
         t.System(tuple(rows)),
         "oscillations.linear_system",
         level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
-        premises=[f"equilibrium.{place}", *(f"motion.{name}" for name in names)],
+        premises=[f"equilibrium.{place}", *draft.those(*(f"motion.{name}" for name in names))],
         data=item.facts,
     )
 

@@ -37,7 +37,7 @@ def _rest(draft: Draft) -> None:
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
         "oscillations.rest",
         level=FULL,
-        premises=[f"motion.{n}" for n in draft.study.system.independent],
+        premises=draft.those(*(f"motion.{n}" for n in draft.study.system.independent)),
         count=len(rows),
     )
 
@@ -53,7 +53,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
         f"oscillations.{NATURES[proved]}" + (among if proved == "asymptotic" else ""),
         level=FULL,
-        premises=["rest", *(f"motion.{name}" for name in names)],
+        premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
         names=[t.Sym(name) for name in item.at],
         others=[t.Sym(name) for name in names if name not in item.at],
         count=len(rows),
@@ -98,7 +98,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
         t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
         f"{phrase}_damped" if damping and item.stable else phrase,
         place=there,
-        premises=[f"equilibrium.{place}", f"motion.{name}"],
+        premises=[f"equilibrium.{place}", *draft.those(f"motion.{name}")],
         coordinate=t.Sym(name),
         data={"name": name, "at": item.at},
     )
