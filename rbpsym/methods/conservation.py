@@ -222,7 +222,7 @@ def _speeds(draft: Draft) -> None:
             "first_integral",
             statement,
             "energy.square" if single else "energy.square_alone",
-            premises=["energy"] if single else [f"motion.{name}"],
+            premises=["energy"] if single else draft.those(f"motion.{name}"),
             is_result=True,
             data={"name": name, "value": value},
             source=StepRef("energy"),

@@ -62,7 +62,8 @@ def _reactions(draft: Draft, steps: list) -> None:
     values = draft.study.dynamics.reactions
     if not values:
         return
-    premises = [step.id for step in steps] + [f"motion.{name}" for name in draft.study.system.independent]
+    motion = draft.those(*(f"motion.{name}" for name in draft.study.system.independent))
+    premises = [*(step.id for step in steps), *motion]
     for name, value in values.items():
         shown = draft.show(value)
         draft.add(
