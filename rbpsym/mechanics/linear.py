@@ -17,6 +17,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -69,17 +70,36 @@ def linearized(system: System, dynamics: Dynamics, assumptions: Assumptions, the
 
 
 def _factors(inertia, damping, stiffness, assumptions: Assumptions) -> tuple[tuple[Powers, ...], int]:
-    """None where the determinant grows beyond the limits."""
+    """None where the determinant grows beyond the limits. Without damping a polynomial in λ² is factored."""
     letter, index, size = symbol(LAMBDA), atoms.intern("symbol", LAMBDA), range(len(inertia))
-    entries = [[(inertia[i][j] * letter + damping[i][j]) * letter + stiffness[i][j] for j in size] for i in size]
+    is_damped = any(entry for row in damping for entry in row)
+
+    def entry(i: int, j: int) -> Scalar:
+        head = inertia[i][j] * letter + damping[i][j] if is_damped else inertia[i][j]
+        return head * letter + stiffness[i][j]
+
     try:
-        whole = determinant(tuple(map(tuple, entries)))
+        whole = determinant(tuple(tuple(entry(i, j) for j in size) for i in size))
         zeros = min(whole.num.by_power(index), default=0)
         rest = whole / letter**zeros
         found = [_powers(factor, index, assumptions) for factor in numerator_factors(rest) if index in factor.atoms()]
     except RbpsymError:
         return (), 0
+    if not is_damped:
+        found, zeros = [tuple(x for value in powers for x in (value, NOTHING))[:-1] for powers in found], 2 * zeros
     return tuple(sorted(found, key=len)), zeros
+
+
+def squares(powers: Powers, assumptions: Assumptions) -> list[Scalar]:
+    """The squares of the frequencies of an even factor, as far as they have a closed form."""
+    even = powers[::2]
+    if len(even) == 2:
+        return [short(even[1] / even[0])]
+    if len(even) > 3:
+        return []
+    a, b, c = even
+    spread = simplified_root(short(b * b - 4 * a * c), lambda name: assumptions.sign_of(name) == "positive")
+    return [(b - spread) / (2 * a), (b + spread) / (2 * a)]
 
 
 def _powers(factor: Poly, index: int, assumptions: Assumptions) -> Powers:

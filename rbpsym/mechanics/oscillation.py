@@ -7,23 +7,19 @@ det(K - λ M).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import Matrix, determinant, short
-from rbpsym.mechanics.linear import LAMBDA, Linear, Nature, gains_nothing, is_symmetric, linearized, nature
+from rbpsym.mechanics.elimination import Matrix
+from rbpsym.mechanics.linear import Linear, Nature, gains_nothing, is_symmetric, linearized, nature, squares
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.rest import Rest, rooted
-from rbpsym.mechanics.roots import numerator_factors
 from rbpsym.mechanics.stability import stable_where
 from rbpsym.mechanics.system import System
 
@@ -85,8 +81,9 @@ def _describe(system: System, dynamics: Dynamics, at, valid, assumptions: Assump
         decided = None if where is None else sign(where, assumptions).kind
         if decided == "negative" or (decided == "positive" and is_kept):
             found, where = Nature("minimum" if decided == "positive" else "unstable"), None
-    squares = () if linear.is_damped else _frequencies(linear.stiffness, linear.inertia, assumptions)
-    return Equilibrium(at, _slowest_first(squares, system), linear, found, where, valid)
+    even = () if linear.is_damped else linear.factors
+    frequencies = [square for powers in even for square in squares(powers, assumptions)]
+    return Equilibrium(at, _slowest_first(frequencies, system), linear, found, where, valid)
 
 
 def _held(stiffness: Matrix, names, at) -> Matrix:
@@ -95,51 +92,10 @@ def _held(stiffness: Matrix, names, at) -> Matrix:
     return tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
 
 
-def _slowest_first(squares: tuple[Scalar, ...], system: System) -> tuple[Scalar, ...]:
+def _slowest_first(found: list[Scalar], system: System) -> tuple[Scalar, ...]:
     """In the order of their sizes at sample numbers; as they are where these give none."""
     numbers = sample(system.problem)
     try:
-        return tuple(sorted(squares, key=lambda square: number(square, numbers)))
+        return tuple(sorted(found, key=lambda square: number(square, numbers)))
     except (ValueError, ZeroDivisionError, KeyError):
-        return squares
-
-
-def _frequencies(stiffness: Matrix, inertia: Matrix, assumptions: Assumptions) -> tuple[Scalar, ...]:
-    """The non-zero roots λ of det(K - λ M) that have a closed form, factor by factor."""
-    unknown = symbol(LAMBDA)
-    size = range(len(stiffness))
-    if all(is_zero(matrix[i][j]) for matrix in (stiffness, inertia) for i in size for j in size if i != j):
-        return _distinct(short(stiffness[k][k] / inertia[k][k]) for k in size if not is_zero(stiffness[k][k]))
-    matrix = tuple(tuple(stiffness[i][j] - unknown * inertia[i][j] for j in size) for i in size)
-    try:
-        whole = determinant(matrix)
-        found: list[Scalar] = []
-        for factor in numerator_factors(whole):
-            found += _roots_of(Scalar(factor), assumptions)
-    except RbpsymError:
-        return ()
-    return tuple(found)
-
-
-def _distinct(values: Iterable[Scalar]) -> tuple[Scalar, ...]:
-    found: list[Scalar] = []
-    for value in values:
-        if not any(is_zero(value - other) for other in found):
-            found.append(value)
-    return tuple(found)
-
-
-def _roots_of(factor: Scalar, assumptions: Assumptions) -> list[Scalar]:
-    """Roots in λ of a linear or quadratic factor (λ itself is left out: no restoring force)."""
-    c = substitute(factor, {LAMBDA: NOTHING})
-    slope = derivative(factor, LAMBDA)
-    if not slope or is_zero(c):
-        return []
-    curvature = derivative(slope, LAMBDA)
-    if not curvature:
-        return [short(-(c / slope))]
-    if depends_on(curvature, LAMBDA):
-        return []
-    a, b = curvature / 2, substitute(slope, {LAMBDA: NOTHING})
-    spread = simplified_root(short(b * b - 4 * a * c), lambda name: assumptions.sign_of(name) == "positive")
-    return [(-b - spread) / (2 * a), (-b + spread) / (2 * a)]
+        return tuple(found)

@@ -7,6 +7,8 @@ conditions all roots have negative real parts. Meriam & Kraige, Dynamics, 8.2; G
 
 from __future__ import annotations
 
+from typing import Any
+
 from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
@@ -15,7 +17,7 @@ from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.linear import Powers, conditions
+from rbpsym.mechanics.linear import Powers, conditions, decaying
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.notation import tree as t
 
@@ -33,23 +35,21 @@ def write(draft: Draft, item: Equilibrium, place: int) -> None:
         way(draft, item, powers, f"{place}.{k}", f"_{k}" if len(item.linear.factors) > 1 else "")
 
 
+def _add(draft: Draft, item: Equilibrium, id: str, rule: str, statement: t.Node, phrase: str, **more: Any) -> None:
+    """A step that follows from the polynomial, but for other `premises`; `data` beside where the place is."""
+    told = {"premises": [f"characteristic.{id.split('.')[1]}"], "is_result": True, **more}
+    draft.add(id, rule, statement, f"oscillations.{phrase}", **{**told, "data": {**item.facts, **more.get("data", {})}})
+
+
 def _polynomial(draft: Draft, item: Equilibrium, place: int) -> None:
     letter, linear = t.Sym(draft.free("lamda")), item.linear
     factors = [_in_powers(draft, powers, letter) for powers in linear.factors]
     if linear.zeros:
         factors.insert(0, _power(letter, linear.zeros))
     shown = t.mul(*(t.Group(f) if isinstance(f, t.Add) and len(factors) > 1 else f for f in factors))
-    draft.add(
-        f"characteristic.{place}",
-        "polynomial",
-        t.equation(shown, t.ZERO),
-        "oscillations.polynomial",
-        level=STANDARD if length(shown) <= LONGEST else FULL,
-        premises=[f"linear.{place}"],
-        letter=letter,
-        growth=t.Fn("exp", t.mul(letter, t.Sym("t"))),
-        data=item.facts,
-    )
+    told = {"level": STANDARD if length(shown) <= LONGEST else FULL, "premises": [f"linear.{place}"], "is_result": False}
+    growth, id = t.Fn("exp", t.mul(letter, t.Sym("t"))), f"characteristic.{place}"
+    _add(draft, item, id, "polynomial", t.equation(shown, t.ZERO), "polynomial", letter=letter, growth=growth, **told)
 
 
 def _power(letter: t.Sym, exponent: int) -> t.Node:
@@ -71,114 +71,64 @@ def _rate(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -
     """One motion that dies out without swinging."""
     value = short(powers[1] / powers[0])
     letter = draft.define(draft.free(f"gamma{mark}"), value)
-    draft.add(
-        f"rate.{id}",
-        "rate_of_mode",
-        t.equation(letter, draft.show(value, factor=True)),
-        "oscillations.rate",
-        premises=[f"characteristic.{id.split('.')[0]}"],
-        is_result=True,
-        letter=letter,
-        data=item.facts,
-    )
+    said = t.equation(letter, draft.show(value, factor=True))
+    _add(draft, item, f"rate.{id}", "rate_of_mode", said, "rate", letter=letter)
 
 
 def _pair(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -> None:
     """A mode that swings, or would without its damping."""
-    square = short(powers[2] / powers[0])
-    if not is_zero(powers[1]):
-        return swinging(draft, item, short(powers[1] / powers[0]), square, id, mark, "mode")
-    letter = t.Sym(draft.free(f"vartheta{mark}"))
-    draft.context.scalars[letter.name] = root(square)
-    draft.add(
-        f"frequency.{id}",
-        "motion_of_mode",
-        t.equation(t.Pow(letter, t.TWO), draft.show(square, factor=True)),
-        "oscillations.undamped_mode",
-        premises=[f"characteristic.{id.split('.')[0]}"],
-        is_result=True,
-        letter=letter,
-        data={**item.facts, "decay": square * 0, "square": square},
-    )
-    return None
+    decay, square = decaying(powers)
+    if decay:
+        return swinging(draft, item, decay, square, id, mark, "mode")
+    letter = draft.define(draft.free(f"vartheta{mark}"), root(square))
+    said, data = t.equation(t.Pow(letter, t.TWO), draft.show(square, factor=True)), {"decay": decay, "square": square}
+    return _add(draft, item, f"frequency.{id}", "motion_of_mode", said, "undamped_mode", letter=letter, data=data)
 
 
-def swinging(draft: Draft, item: Equilibrium, damping: Scalar, square: Scalar, id: str, mark: str, of: str) -> None:
-    """λ² + (damping) λ + (square): the rate of decay, the damped frequency, and the critical damping."""
-    decay = draft.define(draft.free(f"gamma{mark}"), damping / 2)
-    letter = t.Sym(draft.free(f"vartheta{mark}_d"))
-    damped = short(square - damping * damping / 4)
-    draft.context.scalars[letter.name] = root(damped)
+def swinging(draft: Draft, item: Equilibrium, decay: Scalar, square: Scalar, id: str, mark: str, of: str) -> None:
+    """λ² + 2γλ + ϑ²: the rate of decay, the damped frequency, and the critical damping."""
+    rate, damped = draft.define(draft.free(f"gamma{mark}"), decay), short(square - decay * decay)
+    letter = draft.define(draft.free(f"vartheta{mark}_d"), root(damped))
     said = SWINGS.get(sign(damped, draft.study.assumptions).kind, "perhaps")
-    data = {**item.facts, "decay": damping / 2, "square": square}
-    near = f"{'linear' if of == 'alone' else 'characteristic'}.{id.split('.')[0]}"
-    draft.add(
-        f"decay.{id}",
-        "motion_of_mode",
-        t.equation(decay, draft.show(damping / 2, factor=True)),
-        f"oscillations.decay.{of}",
-        premises=[near],
-        is_result=True,
-        letter=decay,
-        data=data,
-    )
-    draft.add(
-        f"damped.{id}",
-        "motion_of_mode",
-        t.equation(t.Pow(letter, t.TWO), draft.show(damped, factor=True)),
-        f"oscillations.damped.{said}",
-        premises=[near, f"decay.{id}"],
-        is_result=said != "never",
-        letter=letter,
-        decay=decay,
-        data=data,
-    )
+    near = [f"{'linear' if of == 'alone' else 'characteristic'}.{id.split('.')[0]}"]
+    told = {"premises": near, "data": {"decay": decay, "square": square}}
+    dies = t.equation(rate, draft.show(decay, factor=True))
+    _add(draft, item, f"decay.{id}", "motion_of_mode", dies, f"decay.{of}", letter=rate, **told)
+    swings = t.equation(t.Pow(letter, t.TWO), draft.show(damped, factor=True))
+    _add(draft, item, f"damped.{id}", "motion_of_mode", swings, f"damped.{said}", letter=letter, **told)
     if said == "perhaps":
-        _critical(draft, item, damping, square, id)
+        _critical(draft, item, decay * 2, square, id)
 
 
 def _critical(draft: Draft, item: Equilibrium, damping: Scalar, square: Scalar, id: str) -> None:
     """The value of the one parameter to which the damping is proportional at which the mode ceases to swing."""
-    for quantity in draft.study.problem.parameters:
-        each = short(damping / symbol(quantity.name))
-        if depends_on(damping, quantity.name) and not any(depends_on(v, quantity.name) for v in (each, square)):
+    for name in (q.name for q in draft.study.problem.parameters):
+        each = short(damping / symbol(name))
+        if depends_on(damping, name) and not any(depends_on(value, name) for value in (each, square)):
             positive = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
             value = short(positive * 2 / each)
-            letter = draft.define(draft.free(f"{quantity.name}_crit"), value)
-            draft.add(
-                f"critical.{id}",
-                "critical",
-                t.equation(letter, draft.show(value, factor=True)),
-                "oscillations.critical",
-                premises=[f"damped.{id}"],
-                is_result=True,
-                name=t.Sym(quantity.name),
-                letter=letter,
-                data={"name": quantity.name, "damping": damping, "square": square},
-            )
-            return
+            letter = draft.define(draft.free(f"{name}_crit"), value)
+            said, data = t.equation(letter, draft.show(value, factor=True)), {"damping": damping, "square": square}
+            told = {"premises": [f"damped.{id}"], "name": t.Sym(name), "letter": letter, "data": {**data, "name": name}}
+            return _add(draft, item, f"critical.{id}", "critical", said, "critical", **told)
+    return None
 
 
 def _conditions(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -> None:
     """What has to be positive so that all motions of a factor die out; by name where it is not certain."""
-    rows, assumptions = [], draft.study.assumptions
+    rows: list[t.Node] = []
     for value in conditions(powers):
         shown = draft.show(value, factor=True)
-        if sign(value, assumptions).kind == "positive":
+        if sign(value, draft.study.assumptions).kind == "positive":
             rows.append(t.relation(shown, ">", t.ZERO))
         else:
             rows.append(t.equation(draft.define(draft.free(f"H_{len(rows) + 1}"), value), shown))
     left = [t.relation(draft.show(value, factor=True), ">", t.ZERO) for value in item.nature.conditions]
-    draft.add(
-        f"hurwitz.{id}",
-        "hurwitz",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
-        "oscillations.hurwitz_open" if left else "oscillations.hurwitz",
-        level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
-        premises=[f"characteristic.{id.split('.')[0]}"],
-        conditions=left,
-        data={**item.facts, "powers": powers, "conditions": item.nature.conditions},
-    )
+    said = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    told = {"level": STANDARD if all(length(row) <= LONGEST for row in rows) else FULL, "is_result": False}
+    data = {"powers": powers, "conditions": item.nature.conditions}
+    phrase = "hurwitz_open" if left else "hurwitz"
+    _add(draft, item, f"hurwitz.{id}", "hurwitz", said, phrase, conditions=left, data=data, **told)
 
 
 FACTORS = {2: _rate, 3: _pair}

@@ -129,7 +129,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node
         data={**item.facts, "decay": NOTHING, "square": square, "undamped": bool(damping)},
     )
     if damping:
-        decay.swinging(draft, item, damping, square, str(place), letter.name.removeprefix("vartheta"), "alone")
+        decay.swinging(draft, item, damping / 2, square, str(place), letter.name.removeprefix("vartheta"), "alone")
 
 
 def _letter(draft: Draft, item: Equilibrium) -> str:
