@@ -17,11 +17,14 @@ import pytest
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import results
+from rbpsym.statement.loader import load_problem
 from rbpsym.verify.simulation_bench import Bench, Derived
-from tests.library.derived import NAMES, problem
+from tests.derivation.conftest import FILES
+from tests.library.derived import NAMES
 from tests.oracles.conftest import DRAWS, SETS
 from tests.oracles.sets import Numbers, bounds, drawn
 
+ALL = (*NAMES, "systems/guided-rod", "systems/damped-rod", "systems/cart-rod", "systems/rod-on-strings")
 FEW, MANY = 2, 20
 MOST_DRAWS = 40  # per set
 CLOSE = 1e-6
@@ -118,7 +121,7 @@ def _apart(values: np.ndarray, value: complex) -> float:
 
 def compared(name: str, sets: int, record) -> None:
     """At so many sets of numbers for each place; a set for which it does not exist is drawn again."""
-    study = Study(problem(name))
+    study = Study(load_problem(FILES[name]))
     answer, again = results(study)["equilibria"], Counter()
     for item in answer:
         done, source = 0, drawn(study, 2011)
@@ -140,13 +143,13 @@ def compared(name: str, sets: int, record) -> None:
     record(DRAWS, dict(again))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_eigenvalues(name, record_property):
     compared(name, FEW, record_property)
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_eigenvalues_at_many_sets(name, record_property):
     compared(name, MANY, record_property)
 
@@ -163,7 +166,7 @@ CART = {"m": 1.0, "M": 1.0, "ell": 1.0, "g": 9.8}
 @pytest.mark.parametrize(("c", "value"), [(2.0, -0.287 + 4.780j), (50.0, -0.110 + 3.843j)])
 def test_the_cart_with_its_damper(c, value):
     """The numbers of the finding: an undamped 4.850 was printed."""
-    [item, _] = results(Study(problem("rod-on-damped-cart")))["equilibria"]
+    [item, _] = results(Study(load_problem(FILES["rod-on-damped-cart"])))["equilibria"]
     assert item["frequencies_squared"] == [] and item["stability"] == "asymptotic"
     found, _ = printed(item, {**CART, "c": c})
     assert min(abs(root - value) for root in found) < 6e-4
