@@ -65,6 +65,10 @@ class NotApplicable(RbpsymError):
     exit_code = 0
 
 
+class NoNumber(RbpsymError, ValueError):
+    """A quantity that has no number at a sample: a name is missing, a root is not real, a denominator is zero."""
+
+
 class Undecided(RbpsymError):
     """A question outside the decidable class; `what` says why."""
 

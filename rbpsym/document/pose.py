@@ -104,7 +104,7 @@ class DrawnPose:
         for name, value in self.study.dynamics.reactions.items():
             try:
                 found[name] = self.value(value)
-            except (KeyError, ValueError, ZeroDivisionError, OverflowError, RbpsymError):
+            except (RbpsymError, ZeroDivisionError):
                 continue
         return found
 
@@ -248,5 +248,5 @@ def _opened(coordinate: Coordinate, numbers: Mapping[str, float]) -> float:
 def _bound(node: t.Node | None, numbers: Mapping[str, float], fallback: float) -> float:
     try:
         return fallback if node is None else number(scalar(node), numbers)
-    except (KeyError, ValueError, ZeroDivisionError, RbpsymError):
+    except (RbpsymError, ZeroDivisionError):
         return fallback

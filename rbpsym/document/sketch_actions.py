@@ -9,6 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.figures.sketch import Point, SketchArrow
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.sketch_supports import elements
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
@@ -45,7 +46,7 @@ def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
 def _value(pose: DrawnPose, value) -> float:
     try:
         return number(value, {**pose.reactions(), **pose.numbers})
-    except (KeyError, ValueError, ZeroDivisionError):
+    except NoNumber:
         return 0.0
 
 

@@ -13,6 +13,7 @@ from rbpsym.document.figures.sketch import Point, Sketch, SketchBody, SketchCoup
 from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.document.sketch_actions import arrows
 from rbpsym.document.sketch_angles import angles
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
@@ -111,7 +112,7 @@ def _direction(pose: DrawnPose, force: Force) -> Point:
 def _components(force: Force, numbers: Mapping[str, float]) -> Point:
     try:
         return number(force.vector.x, numbers), number(force.vector.y, numbers)
-    except (KeyError, ValueError, ZeroDivisionError):
+    except NoNumber:
         return 0.0, 0.0
 
 
@@ -156,7 +157,7 @@ def _couples(pose: DrawnPose) -> Iterator[SketchCouple]:
         values = pose.numbers | known | ({letter.name: 1.0} if letter.name in force.unknowns else {})
         try:
             value = number(force.couple, values)
-        except (KeyError, ValueError, ZeroDivisionError):
+        except NoNumber:
             value = 1.0
         yield SketchCouple(force.on, letter, pose.center(force.on), 1 if value >= 0 else -1)
 

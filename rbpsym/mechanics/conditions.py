@@ -9,7 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.errors import StatementError
+from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
@@ -133,7 +133,7 @@ def _place(zero: Scalar, numbers: Mapping[str, float]) -> float | None:
     """Where a zero is at sample numbers; None if it is not real there (acos 2)."""
     try:
         return number(zero, numbers)
-    except (ValueError, ZeroDivisionError):
+    except NoNumber:
         return None
 
 

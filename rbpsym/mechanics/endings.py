@@ -14,7 +14,7 @@ from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
@@ -257,7 +257,7 @@ def _float(study: Study, value: Scalar) -> float:
     """A sample number; not a number where it is not real."""
     try:
         found = number(value, sample(study.problem))
-    except (ValueError, ZeroDivisionError):
+    except NoNumber:
         return float("nan")
     return 0.0 if abs(found) < 1e-12 else found
 

@@ -14,6 +14,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose
 from rbpsym.statement.model import PointRef, Problem
@@ -50,7 +51,7 @@ class Geometry:
         """1, -1, or 0 where the value vanishes or the sample does not tell."""
         try:
             found = 0.0 if is_zero(value) else number(value, self.numbers)
-        except (KeyError, ValueError, ZeroDivisionError):
+        except NoNumber:
             return 0
         return 0 if abs(found) < TINY else 1 if found > 0 else -1
 

@@ -13,7 +13,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.quantities import ACCELERATION, NUMBER
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named
@@ -22,7 +22,16 @@ Numbers = Mapping[str, float]
 
 
 def number(value: Scalar, numbers: Numbers) -> float:
-    """The value at these numbers (KeyError for a missing name)."""
+    """The value at these numbers. Raises NoNumber where it has none, or a name is missing."""
+    try:
+        return _number(value, numbers)
+    except KeyError as error:
+        raise NoNumber(f"no number is known for {error}") from None
+    except (ArithmeticError, ValueError) as error:  # a pole, or outside of what a function of `math` takes
+        raise NoNumber(f"there is no number here: {error}") from None
+
+
+def _number(value: Scalar, numbers: Numbers) -> float:
     top = _poly(value.num, numbers)
     return top if value.den is ONE else top / _poly(value.den, numbers)
 
@@ -56,7 +65,7 @@ def _atom(index: int, numbers: Numbers) -> float:
     if found.kind == "symbol":
         return numbers[found.arg]
     arg = found.arg
-    inner = number(arg, numbers) if isinstance(arg, Scalar) else _poly(arg, numbers)
+    inner = _number(arg, numbers) if isinstance(arg, Scalar) else _poly(arg, numbers)
     return FUNCTIONS[found.kind](inner)
 
 
@@ -164,7 +173,7 @@ def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:
 def _bound(node, numbers: Numbers) -> float | None:
     try:
         return None if node is None else number(scalar(node), numbers)
-    except (KeyError, RbpsymError, ZeroDivisionError, ValueError):
+    except (RbpsymError, ZeroDivisionError):
         return None
 
 

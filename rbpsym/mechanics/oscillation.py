@@ -14,6 +14,7 @@ from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix
@@ -97,5 +98,5 @@ def _slowest_first(found: list[Scalar], system: System) -> tuple[Scalar, ...]:
     numbers = sample(system.problem)
     try:
         return tuple(sorted(found, key=lambda square: number(square, numbers)))
-    except (ValueError, ZeroDivisionError, KeyError):
+    except NoNumber:
         return tuple(found)

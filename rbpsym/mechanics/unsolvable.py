@@ -10,7 +10,7 @@ from itertools import islice
 
 from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.errors import StatementError
+from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.system import System
@@ -106,5 +106,5 @@ def _is_seen(value: Scalar, images: Mapping[str, Scalar], numbers: Mapping[str, 
         known |= {name: number(image, numbers) for name, image in images.items()}
         sizes = [abs(number(part, known)) for part in linear_row(value, tuple(images)).values()]
         return abs(number(value, known)) > SEEN * max(1.0, *sizes)
-    except (KeyError, ValueError, ZeroDivisionError, OverflowError):
+    except NoNumber:
         return False

@@ -107,7 +107,7 @@ def _applied(misconception: Misconception, study: Study) -> Iterator[Wrong]:
     try:
         for site in misconception.sites(study):
             yield from _made(misconception, site)
-    except (RbpsymError, KeyError, ZeroDivisionError, ValueError):
+    except (RbpsymError, ZeroDivisionError):
         return  # a site that needs what this problem has not
 
 
@@ -116,7 +116,7 @@ def _made(misconception: Misconception, site: Site) -> Iterator[Wrong]:
         with at_most(MOST_PRODUCTS):
             made = Wrong(misconception, site, site.wrong())
         yield made
-    except (RbpsymError, KeyError, ZeroDivisionError, ValueError):
+    except (RbpsymError, ZeroDivisionError):
         return
 
 

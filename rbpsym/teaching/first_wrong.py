@@ -43,9 +43,12 @@ ONLY_IF_ABOUT: Mapping[str, frozenset[str]] = {
 
 def _differs(right: Study, wrong: Study, probe: Probe, rest: str) -> bool:
     try:
-        pairs = list(zip(probe(right, rest), probe(wrong, rest), strict=True))
-    except (RbpsymError, KeyError, ValueError, ZeroDivisionError, StopIteration, RuntimeError):
+        ours, theirs = list(probe(right, rest)), list(probe(wrong, rest))
+    except (RbpsymError, LookupError, StopIteration, ZeroDivisionError):
         return True  # the wrong physics has no such step
+    if len(ours) != len(theirs):
+        return True
+    pairs = zip(ours, theirs, strict=True)
     return any((a is None) != (b is None) or (a is not None and not is_zero(a - b)) for a, b in pairs)
 
 

@@ -165,5 +165,5 @@ def value_of(bench: Bench, node: t.Node) -> Value | None:
         return None
     try:
         return value(node, bench.study.system.scope)
-    except (RbpsymError, ZeroDivisionError, ValueError):
+    except (RbpsymError, ZeroDivisionError):
         return None

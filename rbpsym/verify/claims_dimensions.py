@@ -31,8 +31,10 @@ def with_dimensions(words: Glossary, setting: Setting, world: World) -> SymbolTa
 def _varies(phrases: Mapping[str, str], world: World, name: str) -> bool:
     """May the quantity of a name change during the motion?"""
     try:
-        found = world.bound(phrases[name])
-    except (KeyError, RbpsymError, ZeroDivisionError):
+        found = world.bound(phrases[name]) if name in phrases else None
+    except (RbpsymError, ZeroDivisionError):
+        found = None
+    if found is None:
         return True
     if found.kind != "value" or found.vector is not None or found.scalar is None:
         return found.kind != "constant"

@@ -9,6 +9,7 @@ import math
 from hashlib import blake2b
 
 from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 from rbpsym.verify.claims_bound import Motion
 from rbpsym.verify.claims_path import sense
@@ -60,7 +61,7 @@ def look_different(a: Scalar, b: Scalar, motion: Motion) -> bool:
         try:
             state = State(motion, seed)
             x, y = number(a, state), number(b, state)
-        except (ArithmeticError, ValueError, KeyError):
+        except NoNumber:
             continue
         seen += 1
         if abs(x - y) > CLEAR * max(abs(x), abs(y), CLEAR):

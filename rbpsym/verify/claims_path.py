@@ -18,6 +18,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import Point
 from rbpsym.equality.signs import sign
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
@@ -127,7 +128,7 @@ class Path:
         try:
             numbers |= {name: number(value, numbers) for name, value in self.at.items()}
             return all(self._is_met(name, numbers) for name in self.names)
-        except (ArithmeticError, ValueError):  # a root or quotient has no number there
+        except NoNumber:  # a root or quotient has no number there
             return False
 
     def _is_met(self, name: str, numbers: dict[str, float]) -> bool:

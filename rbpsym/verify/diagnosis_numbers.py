@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from hashlib import blake2b
 from typing import Any
 
+from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import value as exact_value
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
@@ -108,7 +109,7 @@ def _start_state(motion: Motion) -> list[tuple[int, dict[str, float]]]:
     numbers = Numbers(0)
     try:
         known = {name: number(value, numbers) for name, value in motion.scope.start.items()}
-    except (ArithmeticError, ValueError):
+    except NoNumber:
         return []
     return [(0, {**numbers, **known})]
 
@@ -120,8 +121,8 @@ def _state(motion: Motion, seed: int) -> dict[str, float] | None:
             begin = motion.scope.start.get(name)
             numbers[name] = numbers[name] if begin is None else number(begin, numbers) + (numbers[name] - 0.9) / 4
         squares = motion.squares.items()
-        roots = {f"{n}_dot": math.sqrt(number(s, numbers)) * (sense(motion, n) or 1) for n, s in squares}
-    except (ArithmeticError, ValueError):
+        roots = {f"{n}_dot": number(root(s), numbers) * (sense(motion, n) or 1) for n, s in squares}
+    except NoNumber:
         return None
     return {**numbers, **roots}
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.algebra.vector import Space
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_ground import Ground
@@ -185,7 +185,7 @@ def is_different(relation: t.Chain, ground: Ground, depth: str = "") -> bool:
         return any(_fails(ready, look) for look in looks) or (
             bool(looks) and looks[0].gap(ready) is None and _drifts(relation, ground, question, looks)
         )
-    except (RbpsymError, ArithmeticError, ValueError, KeyError, TypeError):
+    except (RbpsymError, ArithmeticError):
         return False
 
 
@@ -224,7 +224,7 @@ def _is_in_range(look: Sample) -> bool:
             and (high is None or look.numbers[name] < number(high, look.numbers))
             for name, (low, high) in ranges
         )
-    except (ArithmeticError, ValueError, KeyError):
+    except NoNumber:
         return False
 
 

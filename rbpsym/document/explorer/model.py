@@ -16,7 +16,7 @@ from rbpsym.document.explorer.stage import LAST, Began, Ending, Phase, phase
 from rbpsym.document.explorer.strikes import strikes
 from rbpsym.document.phrases import plain
 from rbpsym.document.words import Words
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
@@ -85,7 +85,7 @@ def _require_start(study: Study, numbers: dict[str, float]) -> None:
     for name, value in study.system.scope.start.items():
         try:
             found = number(value, numbers)
-        except (ValueError, ZeroDivisionError, OverflowError):
+        except NoNumber:
             found = math.nan
         if not math.isfinite(found):
             raise StatementError(

@@ -99,7 +99,7 @@ def _room(coordinate: Coordinate, value: float, numbers: Mapping[str, float]) ->
 def _bound(node: t.Node | None, numbers: Mapping[str, float]) -> float | None:
     try:
         return None if node is None else number(scalar(node), numbers)
-    except (KeyError, ValueError, ZeroDivisionError, RbpsymError):
+    except (RbpsymError, ZeroDivisionError):
         return None
 
 

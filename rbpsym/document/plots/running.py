@@ -277,5 +277,5 @@ class Run:
 def _bound(node, numbers: Numbers) -> float:
     try:
         return at(scalar(node), numbers)
-    except (KeyError, RbpsymError):
+    except RbpsymError:
         return math.nan

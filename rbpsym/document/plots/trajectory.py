@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.plots.evaluation import Evaluator
 from rbpsym.document.plots.integrator import State
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def at(value: Scalar, numbers: Numbers) -> float:
     """A quantity at one moment."""
     try:
         return float(number(value, numbers))
-    except (ValueError, ZeroDivisionError, OverflowError):
+    except NoNumber:
         return math.nan
 
 

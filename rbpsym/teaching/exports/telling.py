@@ -28,7 +28,7 @@ def say_slip(slip: Slip, language: str, problems: Iterable[Problem] = ()) -> Inl
     problem = next((found for found in problems if bodies <= set(found.body_names)), None)
     try:
         return say(slip.phrase, language, problem, **slip.slots)
-    except (RbpsymError, KeyError):
+    except RbpsymError:
         return (Text(slip.name.replace("-", " ").capitalize() + "."),)
 
 

@@ -53,7 +53,7 @@ def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
             return None
         problem = case.problem(_item(follow.item, case))
         return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, **own})
-    except (RbpsymError, ArithmeticError, ValueError, KeyError):
+    except (RbpsymError, ZeroDivisionError):
         return None
 
 
@@ -126,7 +126,7 @@ def _counts(tree: t.Node, item: Item, ground: Ground) -> bool:
     try:
         value = scalar(tree, ground.scope)
         fits = dimension_of(tree, ground.dimensions) == item.asked.dimension
-    except (RbpsymError, ArithmeticError, KeyError):
+    except (RbpsymError, ZeroDivisionError):
         return False
     return fits and bool(value) and value.number() is None
 

@@ -10,6 +10,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
+from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
@@ -84,7 +85,7 @@ def sign_of(study: Study, value: Scalar) -> int:
     """Sign of a value at sample numbers, 0 if it is too small to tell or unknown."""
     try:
         found = number(value, numbers_of(study))
-    except (KeyError, ValueError, ZeroDivisionError):
+    except NoNumber:
         return 0
     return 0 if abs(found) < 1e-9 else 1 if found > 0 else -1
 

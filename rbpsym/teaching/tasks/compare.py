@@ -73,7 +73,7 @@ def _is_involved(bench: Bench, target: Target, variant: Variant) -> bool:
 def _tried(variant: Variant, bench: Bench, target: Target) -> Scalar | None:
     try:
         return variant.value(bench, target)
-    except (RbpsymError, ZeroDivisionError, KeyError, ValueError):
+    except (RbpsymError, ZeroDivisionError):
         return None
 
 

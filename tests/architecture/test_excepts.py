@@ -1,0 +1,81 @@
+"""What is caught is meant: no bug of ours is taken for a refusal.
+
+Caught are RbpsymErrors, what a library says of a file or a number, and exact division by zero. Where a broader
+exception is caught, a line below says what raises it; a line that is not needed any more must go.
+"""
+
+from __future__ import annotations
+
+import ast
+
+from tests.architecture.source import PACKAGE
+
+BROAD = frozenset(
+    "Exception BaseException KeyError IndexError LookupError AttributeError TypeError ValueError RuntimeError "
+    "StopIteration ArithmeticError AssertionError NameError".split()
+)
+READS = "text of a file: JSON, numbers, dates, names of files"
+FLOATS = "floating-point functions, outside of their domain"
+ALLOWED = {
+    "cli.py": "the last net: a bug gets a sentence and exit code 70",
+    "algebra/evaluate.py": "one look-up in a table, told as a ReadError",
+    "algebra/modular.py": "pow(x, -1, p) at a pole",
+    "derivation/view.py": "pow(x, -1, p) at a pole",
+    "document/plots/evaluation.py": FLOATS,
+    "document/plots/subjects.py": "a leg whose phase has no such quantity",
+    "document/writers/page.py": "one look-up in a table, told as a DocumentError",
+    "equality/domain.py": "a name that the point does not have",
+    "equality/samples.py": FLOATS,
+    "mechanics/elimination.py": "pow(x, -1, p) at a pole",
+    "mechanics/numbers.py": "what becomes NoNumber; and text of an example's number",
+    "statement/example.py": FLOATS,
+    "statement/loader.py": READS,
+    "teaching/compiled.py": FLOATS,
+    "teaching/executor.py": "a cluster's client that is closed twice",
+    "teaching/grading/decimals.py": "one look-up in a table of units",
+    "teaching/grading/intervals.py": "an enclosure that has no value, a name that the point does not have",
+    "teaching/grading/quantity.py": "an enclosure that has no value, told as a ReadError",
+    "teaching/grading/verdicts.py": "an enclosure that has no value, a name that the point does not have",
+    "teaching/journal.py": READS,
+    "teaching/record.py": READS,
+    "teaching/first_wrong.py": "a body, force or work that a wrong physics has not: that is what differs",
+    "teaching/retold.py": "a step of a wrong physics whose premise is none: it is not told",
+    "teaching/tasks/choose.py": FLOATS,
+    "teaching/tasks/number.py": FLOATS,
+    "verify/claims_cache.py": READS,
+    "verify/claims_loader.py": READS,
+    "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",
+    "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",
+    "verify/mutants.py": "a look in floating-point numbers, which chooses and never decides",
+    "verify/paper_source.py": READS,
+    "verify/regular.py": "pow(x, -1, p) at a pole",
+}
+
+
+def caught(tree: ast.AST) -> set[str]:
+    """The names of all exceptions that are caught or suppressed; "" for a bare except."""
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ExceptHandler):
+            kinds = node.type.elts if isinstance(node.type, ast.Tuple) else [node.type]
+        elif isinstance(node, ast.Call) and getattr(node.func, "id", "") == "suppress":
+            kinds = node.args
+        else:
+            continue
+        found |= {"Exception" if kind is None else getattr(kind, "id", getattr(kind, "attr", "")) for kind in kinds}
+    return found
+
+
+def test_what_is_caught_is_meant() -> None:
+    broad = {
+        str(path.relative_to(PACKAGE))
+        for path in sorted(PACKAGE.rglob("*.py"))
+        if caught(ast.parse(path.read_text(encoding="utf-8"))) & BROAD
+    }
+    assert broad - ALLOWED.keys() == set(), "raise and catch an RbpsymError (NoNumber, NotApplicable, Undecided) instead"
+    assert ALLOWED.keys() - broad == set(), "these lines are not needed any more"
+
+
+def test_a_broad_except_is_seen() -> None:
+    assert caught(ast.parse("try: pass\nexcept (KeyError, x.Outside): pass")) & BROAD
+    assert caught(ast.parse("with suppress(Exception): pass")) & BROAD and caught(ast.parse("try: pass\nexcept: pass")) & BROAD
