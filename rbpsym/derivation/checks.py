@@ -306,10 +306,18 @@ def constant(context: Context, step: Step) -> Verdict:
 
 
 def vanishing(context: Context, step: Step) -> Verdict:
-    """The force vanishes at the stated place (`data`: "value", "at"), or where the stated factor does ("factor")."""
+    """The force vanishes at the stated place (`data`: "force", "at"), or where the stated factor does ("factor")."""
+    value = context.along(symbol(step.data["force"]))
     if not step.data["at"]:
-        return _divides(step.data["factor"], step.data["value"])
-    return same(context, substitute(step.data["value"], step.data["at"]), NOTHING)
+        return _divides(step.data["factor"], value)
+    return same(context, substitute(value, step.data["at"]), NOTHING)
+
+
+def value_there(context: Context, step: Step) -> Verdict:
+    """What is stated is the value of a quantity at a place that another step found (`data`: "of", "at", "place")."""
+    context.use(step.data["place"])
+    there = substitute(context.along(symbol(step.data["of"])), step.data["at"])
+    return weakest(same(context, context.value(right), there) for _, _, right in relations(step.statement))
 
 
 def conservative(context: Context, step: Step) -> Verdict:

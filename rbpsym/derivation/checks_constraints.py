@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
@@ -16,6 +16,7 @@ from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.rates import rate_conditions
 from rbpsym.mechanics.system import System, at_point
+from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element
 
@@ -27,8 +28,22 @@ def conditions_kept(context: Context, step: Step) -> Verdict:
     system = context.study.system
     geometry = geometry_of(system)
     found = [*all_conditions(system.problem, geometry), *rate_conditions(system.problem, geometry)]
+    _use_conditions(context, step)
     values = [c.value for c in found] + [time_derivative(c.value, system.scope) for c in system.implicit]
     return weakest([same(context, value, NOTHING) for value in values])
+
+
+def _use_conditions(context: Context, step: Step) -> None:
+    """The steps that tell of the conditions in which the quantity stands; where it starts, if only its rate is tied."""
+    kept = context.study.system.conditions
+    for left, _, _ in relations(step.statement):
+        name = getattr(left, "name", "")
+        tying = {c.constraint for c in kept if depends_on(c.value, name.removesuffix("_dot"))}
+        for id in (f"{kind}.{one}" for one in sorted(tying) for kind in ("condition", "no_slip", "taut")):
+            if id in context.steps:
+                context.use(id)
+        if step.slots.get("variant") == "rate":
+            context.use(f"start.{name}")
 
 
 def no_slip(context: Context, step: Step) -> Verdict:

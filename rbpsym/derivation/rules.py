@@ -6,6 +6,7 @@ A check shares no code with the maker of the step. A new rule is a new entry.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
@@ -14,6 +15,7 @@ from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation import checks_places as places
 from rbpsym.derivation import checks_stability as s
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.duties import duties
 from rbpsym.derivation.step import Certificate, Step
 from rbpsym.derivation.view import seen_by
 from rbpsym.equality.verdict import undecided
@@ -67,6 +69,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "hurwitz": (c.identity, o.hurwitz),
     "may_vanish": (c.vanishing, c.holds_there),
     "vanishing": (c.vanishing, c.holds_there, places.comes_first),
+    "value_there": (c.identity, c.value_there),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then),
@@ -98,4 +101,6 @@ def examined(context: Context, step: Step) -> tuple[Certificate, set[str]]:
     view = seen_by(context, step)
     checks = RULES[step.rule]
     verdict = c.weakest(c.guarded(lambda check=check: check(view, step)) for check in checks)
+    if verdict.is_proved and not view.is_hasty:
+        verdict = replace(verdict, obligations=tuple(dict.fromkeys((*verdict.obligations, *duties(view, step)))))
     return Certificate(tuple(check.__name__ for check in checks), verdict), view.used

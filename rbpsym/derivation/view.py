@@ -31,6 +31,8 @@ from rbpsym.notation import tree as t
 NOTHING_KNOWN = Known((), ())
 GRANTS = {  # what of the mechanics has to be granted by a premise
     "dynamics": MOTION,
+    "kinetic": MOTION,
+    "potential": MOTION,
     "on_motion": MOTION,
     "motion_rows": MOTION,
     "power_balance": MOTION,

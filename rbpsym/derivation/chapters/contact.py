@@ -159,7 +159,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         is_result=True,
         coordinate=t.Sym(loss.coordinate),
         obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in loss.valid),
-        data={"value": along[loss.force], "at": dict(loss.at), "factor": loss.factor, "name": loss.coordinate},
+        data={"force": loss.force, "at": dict(loss.at), "factor": loss.factor, "name": loss.coordinate},
     )
     if place is None:
         return
@@ -173,12 +173,13 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         letter = draft.define(draft.free(f"{name}_end"), there)
         draft.add(
             f"at_loss.{loss.force}.{name}",
-            "identity",
+            "value_there",
             t.equation(letter, shown),
             "contact.grip" if there and _is_grip(draft, name, loss.force) else "contact.other_force",
             premises=[f"along.{name}", f"loss.{loss.force}"],
             force=t.Sym(name),
             lost=t.Sym(loss.force),
+            data={"of": name, "at": dict(loss.at), "place": f"loss.{loss.force}"},
         )
 
 
