@@ -43,7 +43,9 @@ def comes_first(context: Context, step: Step) -> Verdict:
     begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
     drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
     ends = [step.data["at"][name]] if step.data["at"] else context.assumptions.range_of(name)
-    return next((v for end in ends if end is not None and (v := _first(context, step, begin, drive, end)).is_proved), UNSEEN)
+    return next(
+        (v for end in ends if end is not None and (v := _first(context, step, begin, drive, end)).is_proved), UNSEEN
+    )
 
 
 UNSEEN = Verdict(UNDECIDED, reason="it is not decided whether the motion comes there first")

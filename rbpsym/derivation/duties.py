@@ -8,8 +8,12 @@ the step holds where it does, and a page says so.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
 
+from rbpsym.algebra.poly import ONE, generator, inverse
 from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Step
 from rbpsym.derivation.view import View
 from rbpsym.equality.domain import Condition, conditions, obligations
@@ -20,9 +24,8 @@ from rbpsym.notation import tree as t
 
 def duties(view: View, step: Step) -> tuple[Obligation, ...]:
     """The obligations of a step that was proved, with what discharges them."""
-    given = view.whole.assumptions
     found: dict[Condition, None] = dict.fromkeys(_conditions(view, step))
-    return tuple(made for one in found for made in _known(view, one) or _made(view, one, given))
+    return tuple(_discharged(view, one) for one in found if one.value.number() is None)
 
 
 def _conditions(view: View, step: Step) -> Iterator[Condition]:
@@ -32,16 +35,38 @@ def _conditions(view: View, step: Step) -> Iterator[Condition]:
                 yield from conditions(node, view.scope)
             except (RbpsymError, ZeroDivisionError):  # no value of its own (a work): its parts have theirs elsewhere
                 continue
-    for divisor in view.divisors:
-        yield Condition(present(divisor, view.whole.style, factor=True), "!=", divisor)
+    for factor in view.divisors():
+        yield from _poles(view, factor)
     for node in step.obligations:
         yield Condition(node.items[0], node.ops[0], view.value(node.items[0]))
 
 
-def _known(view: View, one: Condition) -> list[Obligation]:
-    return view.rows.get(("duty", one), [])
+def _poles(view: View, factor: Scalar) -> Iterator[Condition]:
+    """What must not vanish for the factor to have a value: each generator below the line, and what is no product."""
+    powers = {index for m in factor.num.terms for index, exponent in m if exponent < 0}
+    rest = factor.den.content()[1] if factor.den is not ONE else ()
+    for index in sorted(powers | {index for index, _ in rest}):
+        value = Scalar(generator(index))
+        yield Condition(present(value, view.whole.style), "!=", value)
+    if factor.den is not ONE:
+        value = Scalar(factor.den.scaled(1, inverse(rest)))
+        yield Condition(present(value, view.whole.style, factor=True), "!=", value)
 
 
-def _made(view: View, one: Condition, given) -> list[Obligation]:
-    view.rows[("duty", one)] = obligations([one], given)
-    return view.rows[("duty", one)]
+def _discharged(view: View, one: Condition) -> Obligation:
+    """With what implies it: the declared signs and ranges, or what the premises say of the quantity in it."""
+    key = ("duty", one.op, one.value)
+    if key not in view.rows:
+        [made] = obligations([one], view.whole.assumptions)
+        if not made.is_discharged and (seen := _along(view, one.value)) is not None:
+            [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
+            made = replace(made, why=other.why)
+        view.rows[key] = made
+    return replace(view.rows[key], relation=one.relation)
+
+
+def _along(view: View, value: Scalar) -> Scalar | None:
+    with suppress(RbpsymError, ZeroDivisionError), view.noting():
+        seen = view.along(value)
+        return None if seen == value else seen
+    return None

@@ -14,8 +14,8 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.normal import is_rooted, is_zero, shorten, without_even_roots
-from rbpsym.algebra.poly import ONE, Monomial, Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, quotient
+from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
 from rbpsym.mechanics.motion import with_squares
 
 
@@ -29,18 +29,17 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Pivot:
-    """name = value, by an equation in which the coefficient of the name is `divisor`."""
+    """name = value, by an equation in which the coefficient of the name is `divisor`; `row`: the equation as it was told."""
 
     name: str
     value: Scalar
     divisor: Scalar
     sources: frozenset[str]
+    row: Scalar = NOTHING
 
 
 class Notes(Protocol):
-    """Where it is noted what was used, and by what was divided."""
-
-    divisors: list[Scalar]
+    """Where it is noted what was used."""
 
     def use(self, id: str) -> None:
         """Notes a premise."""
@@ -69,12 +68,19 @@ class Known:
                 found = with_squares(found, {pivot.name.removesuffix("_dot"): pivot.value})
         return found
 
+    def used(self, found: Scalar) -> list[Pivot]:
+        """The equations by which a value is reduced."""
+        made = []
+        for pivot in (*self.pivots, *self.squares):
+            if depends_on(found, pivot.name):
+                made.append(pivot)
+                found = substitute(found, {pivot.name: pivot.value}) if pivot in self.pivots else found
+        return made
+
 
 def _note(pivot: Pivot, notes: Notes) -> None:
     for id in pivot.sources:
         notes.use(id)
-    if pivot.divisor.number() is None:
-        notes.divisors.append(pivot.divisor)
 
 
 def _short(value: Scalar) -> Scalar:
@@ -150,7 +156,7 @@ def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int
         names = [name for name in names_in(value) if unknown(name)]
         choice = min(filter(None, (_slope(value, name, unknown(name)) for name in names)), default=None)
         if choice is not None:
-            pivots.append(_pivot(value, choice[-1], sources))
+            pivots.append(_pivot(value, choice[-1], sources, row.value))
         elif not names:
             found = (_as_square(value, speed, sources) for speed in sorted(speeds & names_in(value)))
             squares += [square for square in found if square is not None]
@@ -178,9 +184,36 @@ def _slope(value: Scalar, name: str, rank: int) -> tuple[int, bool, int, int, st
     return (rank, slope.number() is None, size, sum(map(len, slope.num.terms)), name)
 
 
-def _pivot(value: Scalar, name: str, sources: frozenset[str]) -> Pivot:
+def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pivot:
     slope = derivative(value, name)
-    return Pivot(name, _short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources)
+    return Pivot(name, _short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources, row)
+
+
+def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
+    """By what the equations are multiplied to give the goal as their sum, those that count; None if it is no such sum."""
+    made: list[tuple[Pivot, Scalar, dict[int, Scalar]]] = []
+    for place, pivot in enumerate(known.pivots):
+        made.append((pivot, *_combined(pivot.row, {place: UNITY}, made)))
+    left, combination = _combined(goal, {}, made)
+    return None if not is_zero(left) else [_without_poles(-c) for c in combination.values() if c]
+
+
+def _without_poles(value: Scalar) -> Scalar:
+    """(1 - cos² q)/sin q as sin q: poles that sin² + cos² = 1 takes away."""
+    for index in {i for m in value.num.terms for i, e in m if e < 0 and atoms.atom(i).kind in ("cos", "sin")}:
+        lowest = min(e for m in value.num.terms for i, e in m if i == index)
+        by = Scalar(generator(index)) ** -lowest
+        value = _short(value * by) * by.inverse()
+    return value
+
+
+def _combined(value: Scalar, combination: dict[int, Scalar], made: list) -> tuple[Scalar, dict[int, Scalar]]:
+    for pivot, row, inner in made:
+        if factor := derivative(value, pivot.name):
+            factor = _short(factor / pivot.divisor)
+            value = _short(value - factor * row)
+            combination = {k: combination.get(k, NOTHING) - factor * inner.get(k, NOTHING) for k in combination | inner}
+    return value, combination
 
 
 def _as_square(value: Scalar, speed: str, sources: frozenset[str]) -> Pivot | None:

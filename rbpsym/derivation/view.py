@@ -18,7 +18,7 @@ from rbpsym.algebra.modular import NoImage
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, Space
 from rbpsym.derivation.context import Context
-from rbpsym.derivation.entailment import Known, Row, known_by, used_by_numbers
+from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_by_numbers
 from rbpsym.derivation.facts import MOTION, law_rows
 from rbpsym.derivation.letters import fixed, introducers
 from rbpsym.derivation.step import Step
@@ -64,7 +64,7 @@ class View(Context):
     step: Step | None = None
     order: tuple[str, ...] = ()
     trail: list[set[str]] = field(default_factory=lambda: [set()])
-    divisors: list[Scalar] = field(default_factory=list)
+    goals: list[Scalar] = field(default_factory=list)
     opaque: set[str] = field(default_factory=set)
 
     @cached_property
@@ -253,6 +253,15 @@ class View(Context):
             return None
         self.trail[-1] |= sources or set()
         return sources is not None
+
+    def divisors(self) -> list[Scalar]:
+        """What was divided by to reach the goals: no factor by which an equation is multiplied may have a pole."""
+        found = []
+        for goal in self.goals:
+            known = self._known(goal)
+            factors = cofactors(known, goal)
+            found += [pivot.divisor.inverse() for pivot in known.used(goal)] if factors is None else factors
+        return found
 
     def _known(self, found: Scalar) -> Known:
         """What follows for the accelerations, unknown forces, letters and squares of speeds in a value."""

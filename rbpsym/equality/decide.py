@@ -24,6 +24,7 @@ from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.domain import Condition, conditions, holds_at, obligations
 from rbpsym.equality.enclosure import Number
 from rbpsym.equality.points import Point, all_atoms, points
+from rbpsym.equality.poles import pole
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, Witness, all_of, proved, refuted, undecided
 from rbpsym.errors import LimitError, Undecided
@@ -46,6 +47,8 @@ def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope
 def _equal(left: Node, right: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
     a, b = value(left, scope), value(right, scope)
     domain = list(dict.fromkeys([*conditions(left, scope), *conditions(right, scope)]))
+    if any(one.between is not None for one in domain) and (witness := pole(domain, assumptions)) is not None:
+        return refuted("the integrand has a pole between the ends of the integral", witness)
     if isinstance(a, Space) or isinstance(b, Space):
         a, b = vector(left, scope), vector(right, scope)
         pairs = list(zip(a.components(), b.components(), strict=True))

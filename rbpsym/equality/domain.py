@@ -7,7 +7,7 @@ them the assumptions imply.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, function, substitute
@@ -26,11 +26,12 @@ from rbpsym.notation.tree import Node
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """`node` (of the given value) op 0, op being "!=", ">=" or ">"."""
+    """`node` (of the given value) op 0, op being "!=", ">=" or ">"; `between`: for all values of a name between two others."""
 
     node: Node
     op: str
     value: Scalar
+    between: tuple[str, Scalar, Scalar] | None = None
 
     @property
     def relation(self) -> Node:
@@ -79,13 +80,40 @@ def obligations(found: Iterable[Condition], assumptions: Assumptions) -> list[Ob
 def _why(condition: Condition, assumptions: Assumptions) -> str:
     if condition.op == ">=" and _is_plainly_nonnegative(condition.node, assumptions):
         return "a sum of squares and of what is not negative"
-    result = sign(condition.value, assumptions, factoring=False)
-    return result.certificate or "by assumption" if IMPLIED[condition.op](result) else ""
+    if condition.op != ">=" and _is_plainly_positive(condition.node, assumptions):
+        return "a sum of squares and of what is positive"
+    for given in _spans(condition, assumptions):
+        result = sign(condition.value, given, factoring=False)
+        if IMPLIED[condition.op](result):
+            return result.certificate or "by assumption"
+    return ""
+
+
+def _spans(condition: Condition, assumptions: Assumptions) -> Iterator[Assumptions]:
+    """The assumptions, with the range between the ends of an integral from the lower to the upper one, if that is known."""
+    if condition.between is None:
+        yield assumptions
+        return
+    name, lower, upper = condition.between
+    for low, high in ((lower, upper), (upper, lower)):
+        if sign(high - low, assumptions, factoring=False).is_nonnegative:
+            yield assumptions.with_range(name, low, high)
+            return
 
 
 def _is_plainly_nonnegative(node: Node, assumptions: Assumptions) -> bool:
     rule = PLAINLY.get(type(node))
     return rule is not None and rule(node, assumptions)
+
+
+def _is_plainly_positive(node: Node, assumptions: Assumptions) -> bool:
+    """A sum of what is not negative, of which one term is a positive number or quantity."""
+    terms = node.terms if isinstance(node, t.Add) else ()
+    firm = (
+        (isinstance(x, t.Num) and x.value > 0) or (isinstance(x, t.Sym) and assumptions.sign_of(x.name) == "positive")
+        for x in terms
+    )
+    return any(firm) and _all_plainly(node, assumptions)
 
 
 def _all_plainly(node: Node, assumptions: Assumptions) -> bool:
@@ -161,6 +189,17 @@ RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
 }
 
 
+def _within(node: t.Integral, scope: Scope) -> Iterator[Condition]:
+    """The ends; the integrand between them, and at them."""
+    for end in (node.lower, node.upper):
+        yield from _conditions(end, scope)
+        yield from _moved(node.integrand, node.var, scalar(end, scope), scope)
+    ends = scalar(node.lower, scope), scalar(node.upper, scope)
+    for condition in _conditions(node.integrand, scope):
+        between = (node.var, *ends) if depends_on(condition.value, node.var) else condition.between
+        yield replace(condition, between=between)
+
+
 def _at_ends(node: t.Bracket, scope: Scope) -> Iterator[Condition]:
     for end in (node.lower, node.upper):
         yield from _conditions(end, scope)
@@ -195,6 +234,7 @@ def _near(node: t.Limit, scope: Scope) -> Iterator[Condition]:
 
 INSIDE: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
     t.Bracket: _at_ends,
+    t.Integral: _within,
     t.Delta: _then_and_now,
     t.Limit: _near,
     t.BodyIntegral: lambda node, scope: iter(()),

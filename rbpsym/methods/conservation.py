@@ -267,7 +267,6 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         premises=["energy"],
         source=StepRef("energy"),
         speed=speed,
-        obligations=(t.relation(speed, "!=", t.ZERO),),
     )
     value = short(-(rest / slope))
     shown = isolated_again(draft, slope * symbol(f"{name}_ddot"), -rest, f"{name}_ddot")

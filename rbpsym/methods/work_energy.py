@@ -225,7 +225,6 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         source=StepRef("theorem.whole"),
         speed=t.Sym(f"{name}_dot"),
         level=FULL,
-        obligations=(t.relation(t.Sym(f"{name}_dot"), "!=", t.ZERO),),
         data={"rows": [row], "values": {f"{name}_ddot": value}},
     )
     return {f"{name}_ddot": value}

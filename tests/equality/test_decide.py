@@ -161,3 +161,26 @@ def test_too_large_is_undecided() -> None:
 def test_sympy_is_not_imported() -> None:
     code = "import rbpsym.equality.decide, rbpsym.equality.radicals, sys; sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("integrand", "lower", "upper"),
+    [
+        (t.Div(t.ONE, t.Pow(X, t.TWO)), t.Neg(t.ONE), t.ONE),
+        (t.Div(t.ONE, t.Pow(X, t.TWO)), t.Neg(t.Sym("a")), t.Sym("a")),
+        (t.Div(t.ONE, t.Pow(t.Fn("cos", X), t.TWO)), t.ZERO, t.Sym("pi")),
+        (t.Div(t.ONE, t.Pow(t.Fn("sin", X), t.TWO)), t.ONE, t.Mul((t.TWO, t.Sym("pi")))),
+        (t.Div(t.ONE, t.Pow(t.Add((X, t.Neg(t.ONE))), t.TWO)), t.ZERO, t.TWO),
+    ],
+)
+def test_no_integral_goes_through_a_pole(integrand: t.Node, lower: t.Node, upper: t.Node) -> None:
+    """Whatever it is said to be: the antiderivative at the ends, too."""
+    integral = t.Integral(integrand, "x", lower, upper)
+    for said in (t.ZERO, t.Neg(t.TWO), t.Neg(t.Div(t.TWO, t.Sym("a"))), integral):
+        assert not equal(integral, said, positive("a")).is_proved
+
+
+def test_an_integral_beside_a_pole_is_proved_with_its_obligation() -> None:
+    verdict = equal(t.Integral(t.Div(t.ONE, t.Pow(X, t.TWO)), "x", t.ONE, t.TWO), t.Div(t.ONE, t.TWO), positive("a"))
+    assert verdict.is_proved
+    assert verdict.obligations and not verdict.open_obligations
