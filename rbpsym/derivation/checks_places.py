@@ -38,7 +38,7 @@ def can_rest(context: Context, step: Step) -> Verdict:
 
 def comes_first(context: Context, step: Step) -> Verdict:
     """From the start to the stated place (without one: to the end of the range, where the force has changed its sign)
-    the speed does not vanish and all one-sided forces keep their sign (`data`: "name", "at", "value")."""
+    the speed does not vanish and all one-sided forces keep their sign (`data`: "name", "at", "force")."""
     context, name = under(context, step), step.data["name"]
     begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
     drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
@@ -56,12 +56,13 @@ def _first(context: Context, step: Step, begin: Scalar, drive: Scalar, end: Scal
     side = 1 if _beyond(context, begin, end).is_proved else -1
     lower, upper = (begin, end) if side > 0 else (end, begin)
     between = given.with_range(name, lower, upper)
-    at_start, there = (substitute(step.data["value"], {name: place}) for place in (begin, end))
+    lost = context.along(symbol(step.data["force"]))
+    at_start, there = (substitute(lost, {name: place}) for place in (begin, end))
     changed = [compare(NOTHING, at_start, given, strict=False)]
     changed += [] if step.data["at"] else [compare(there, NOTHING, given)]
     system = context.study.system
     forces = [context.along(symbol(n)) for e in system.problem.constraints for n in pushes(e)]
-    kept = [value for value in forces if step.data["at"] or not is_zero(value - step.data["value"])]
+    kept = [value for value in forces if step.data["at"] or not is_zero(value - lost)]
     return weakest(
         [
             _beyond(context, lower, upper),

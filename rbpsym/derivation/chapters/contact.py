@@ -33,7 +33,7 @@ def write(draft: Draft) -> None:
         for loss in draft.study.losses:
             _loss(draft, loss, along)
         for force in dict.fromkeys(loss.force for loss in draft.study.ended.open_):
-            _may_end(draft, force, along[force])
+            _may_end(draft, force)
     for need in draft.study.friction_needs:
         _friction(draft, need)
 
@@ -183,7 +183,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         )
 
 
-def _may_end(draft: Draft, force: str, value: Scalar) -> None:
+def _may_end(draft: Draft, force: str) -> None:
     """What would have to vanish for the force to vanish, where it is not decided whether the motion comes there."""
     factor = next(loss.factor for loss in draft.study.ended.open_ if loss.force == force)
     shown = draft.show(factor, factor=True)
@@ -196,7 +196,7 @@ def _may_end(draft: Draft, force: str, value: Scalar) -> None:
         f"contact.may_end.{_manner(draft, force)}",
         premises=[f"along.{force}"],
         force=t.Sym(force),
-        data={"value": value, "at": {}, "factor": factor},
+        data={"force": force, "at": {}, "factor": factor},
     )
 
 
