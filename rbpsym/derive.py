@@ -13,7 +13,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import LimitError, NotApplicable
-from rbpsym.mechanics.pushing import check_pushes
+from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.study import Study
 from rbpsym.methods import work_energy
 from rbpsym.methods.registry import METHODS
@@ -43,7 +43,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
 def _derived(study: Study, simulation: bool) -> Derivation:
     """The derivation of one phase."""
     with suppress(LimitError):  # told by the methods that can't do without the forces
-        check_pushes(study)
+        check_start(study)
     draft = Draft(study)
     for write in BEFORE:
         write(draft)

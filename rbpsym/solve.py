@@ -73,6 +73,7 @@ def results(study: Study) -> dict[str, Any]:
         "equilibria": _equilibria(study),
         "equilibria_complete": _complete(study.rest),
         "balance": _balance(study),
+        "start_valid_where": _demands(_begins(study), study),
         "conditions": [_condition(loss, study) for loss in study.losses],
         "conditions_complete": _complete(study.ended) | {"open": [_condition(loss, study) for loss in study.ended.open_]},
         "static_friction": [_need(item, study) for item in study.friction_needs],
@@ -199,6 +200,16 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
 
 def _demands(found, study: Study) -> list[str]:
     return [f"{text(demand.value, study)} {demand.op} 0" for demand in found]
+
+
+def _begins(study: Study):
+    """The conditions of the start; none where the forces grow too long."""
+    from rbpsym.mechanics.pushing import start_valid
+
+    try:
+        return start_valid(study) or ()
+    except LimitError:
+        return ()
 
 
 def _complete(found) -> dict[str, Any]:

@@ -82,6 +82,8 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         ("energy", energies),
     ):
         yield from table(title, values, drawn)
+    if answer["start_valid_where"]:
+        yield f"the motion begins so only{_valid({'valid_where': answer['start_valid_where']}, drawn)}"
     yield from _equilibria(answer, drawn)
     yield from _balance(answer["balance"], drawn)
     yield from _conditions(answer, drawn)

@@ -35,7 +35,8 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
     queue = list(demands)
     while queue:
         demand = queue.pop(0)
-        item = _without_inverse(Demand(short(without_even_roots(demand.value)), demand.op), given)
+        value = short(without_even_roots(demand.value))
+        item = _without_inverse(Demand(Scalar(value.num * value.den) if len(value.den) > 1 else value, demand.op), given)
         found = sign(item.value, given)
         if found.kind in FAILS[item.op]:
             return None
@@ -49,6 +50,7 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
     """Without what follows from the rest."""
+    demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
     for item in list(demands):
         others = [other for other in demands if other is not item]
         found = sign(item.value, assuming(given, others))
@@ -58,6 +60,15 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
         if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products):
             demands = others
     return tuple(demands)
+
+
+def _divided(item: Demand, demands: list[Demand]) -> Demand:
+    """Without a factor that another demand says to be positive."""
+    for other in demands:
+        if "!=" not in (item.op, other.op) and 1 < len(other.value.num) < len(item.value.num):
+            rest = short(item.value / other.value)
+            item = Demand(rest, item.op) if rest.den is ONE and len(rest.num) < len(item.value.num) else item
+    return item
 
 
 def assuming(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:

@@ -1,16 +1,25 @@
-"""A contact pushes and a string pulls: a statement in which one would have to do the opposite gets a sentence."""
+"""Whether a motion can begin as stated: contacts push, strings pull, kinetic friction acts against the slip.
+
+What is surely otherwise gets a sentence; what depends on parameters is the condition under which the motion begins.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Element
@@ -18,14 +27,47 @@ from rbpsym.statement.model import Element
 LARGEST = 400  # terms: signs of what is longer are not looked for
 
 
-def check_pushes(study: Study) -> None:
-    """Raises StatementError where a force that can only push (or pull) is surely negative at the start."""
+def check_start(study: Study) -> None:
+    """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense."""
+    for element, what, value in _asked(study):
+        if sign(value, study.assumptions, factoring=False).kind == "negative":
+            raise WRONG[what](element, what, value)
+    if start_valid(study) is None:
+        rough = next((e for e in study.problem.constraints if e.values.get("coefficient") is not None), None)
+        element = rough or study.problem.constraints[0]
+        raise StatementError(
+            f"no values of the parameters let “{element.name}” push and slip at the start as it is stated",
+            instead="check the start, the side, and the sense of the slip.",
+            place=element.place,
+        )
+
+
+def start_valid(study: Study) -> tuple[Demand, ...] | None:
+    """Under which conditions the motion begins as stated; None if under none."""
+    return settle((Demand(value, OPS[what]) for _, what, value in _asked(study)), study.assumptions)
+
+
+OPS = {"force": ">=", "slip": ">", "gain": ">"}
+
+
+def _asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
+    """What has to be positive at the start: one-sided forces, the slip in its sense, or its gain from rest."""
     start, reactions = _start(study), study.dynamics.reactions
     for element in study.problem.constraints:
         for name in pushes(element):
             value = _at_start(reactions[name], start)
-            if value is not None and sign(value, study.assumptions, factoring=False).kind == "negative":
-                raise _wrong_way(element, name, value)
+            yield from () if value is None else [(element, "force", value)]
+    geometry = geometry_of(study.system)
+    for name, sense in slip_senses(study.system).items():
+        element = study.system.element(name)
+        slip = substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent) * sense
+        first = _at_start(slip, start)
+        if first is not None and is_zero(first):
+            first = _at_start(study.on_motion(time_derivative(slip, study.system.scope)), start)
+            if first is not None and study.dynamics.accelerations and not is_zero(without_even_roots(first)):
+                yield element, "gain", first
+        elif first is not None:
+            yield element, "slip", first
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:
@@ -41,17 +83,34 @@ def _at_start(value: Scalar, start: Mapping[str, Scalar]) -> Scalar | None:
         return None
 
 
-def _wrong_way(element: Element, name: str, value: Scalar) -> StatementError:
+def _pulls(element: Element, what: str, value: Scalar) -> StatementError:
     size = to_machine(present(value))
     if element.kind == "string":
         return StatementError(
-            f"the string “{element.name}” would have to push at the start: its tension {name} is {size}",
+            f"the string “{element.name}” would have to push at the start: its tension is {size}",
             instead="check its path and what else holds the bodies; a light rod that may push is a body of its own.",
             place=element.place,
         )
     return StatementError(
-        f"the {element.kind} “{element.name}” would have to pull at the start: its force {name} is {size}",
+        f"the {element.kind} “{element.name}” would have to pull at the start: its force is {size}",
         instead="check the start (the sense in which things move or turn), the side, and whether it touches at all; "
         'what holds to both sides is type = "guide" for a point.',
         place=element.place,
     )
+
+
+def _slips_back(element: Element, what: str, value: Scalar) -> StatementError:
+    told = {
+        "slip": "at the start it slips the other way",
+        "gain": "from rest it does not begin to slide that way: friction would drive it",
+    }
+    return StatementError(
+        f"{element.kind} “{element.name}” has slip = “{element['slip']}”, but {told[what]} (in this sense "
+        f"{'the speed' if what == 'slip' else 'the acceleration'} of the slip is {to_machine(present(value))})",
+        instead='take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or '
+        '"rolling", for what does not slide.',
+        place=element.place,
+    )
+
+
+WRONG = {"force": _pulls, "slip": _slips_back, "gain": _slips_back}
