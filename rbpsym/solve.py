@@ -10,6 +10,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
 from rbpsym.equality.signs import sign
+from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.balance import Balance
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -275,10 +276,12 @@ def _phase(stage) -> dict[str, Any]:
         "name": stage.name,
         "time": text(began.before.time, study),
         "at": _table(began.before.places, study),
+        "valid_where": _demands(began.before.valid, study),
         "speeds_before": _table(began.before.speeds, study),
         "speeds": _table(began.speeds, study),
         "impulses": _table(began.impulses, study),
-        "energy_lost": text(began.energy_lost, study),
+        "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
+        "energy_taken": text(began.energy_taken, study),
         "accelerations": _accelerations(study),
         "reactions": _table(study.dynamics.reactions, study),
     }

@@ -208,10 +208,14 @@ def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
         yield f"  {phase['reason']}"
         return
     values = {"t": phase["time"], **(phase["at"] or {})}
+    if phase["valid_where"]:
+        yield f"  the motion comes there only{_valid(phase, drawn)}"
     speeds = {f"{name}_dot": value for name, value in (phase["speeds"] or {}).items()}
     yield from table("begins at", values, drawn)
     yield from table("with the speeds", speeds, drawn)
     yield from table("impulses", {n: v for n, v in (phase["impulses"] or {}).items() if v != "0"}, drawn)
+    if phase["energy_taken"] not in (None, "0"):
+        yield f"  {click.style('energy taken in the phase before', dim=True)} {drawn.formula(phase['energy_taken'])}"
     if phase["energy_lost"] not in (None, "0"):
         yield f"  {click.style('energy lost', dim=True)} {drawn.formula(phase['energy_lost'])}"
     accelerations = {f"{name}_ddot": value for name, value in (phase["accelerations"] or {}).items()}

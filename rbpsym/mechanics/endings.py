@@ -7,7 +7,7 @@ integral; the time is known in the first case only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
@@ -16,6 +16,7 @@ from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
@@ -29,11 +30,13 @@ EDGE = 1e-9
 
 @dataclass(frozen=True)
 class State:
-    """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has."""
+    """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has; the
+    conditions under which the motion comes there."""
 
     time: Scalar | None
     places: Mapping[str, Scalar]
     speeds: Mapping[str, Scalar]
+    valid: tuple[Demand, ...] = ()
 
 
 def at_start(study: Study, phase: Phase | None = None) -> State:
@@ -111,11 +114,12 @@ def contact_lost(study: Study, phase: Phase) -> State:
             instead="name a contact or a string, or let another event begin the phase.",
             place=element.place,
         )
-    loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
+    known = (*study.losses, *study.ended.open_)
+    loss = next((item for item in known if item.force == phase.subject and item.at), None)
     name = _mover(study)
     if loss is None or name not in loss.at:
         raise _no_closed_form(f"the place where “{phase.subject}” is lost")
-    return _at_place(study, name, loss.at[name])
+    return replace(_at_place(study, name, loss.at[name]), valid=loss.valid)
 
 
 def value_reached(study: Study, phase: Phase) -> State:
@@ -128,9 +132,10 @@ def value_reached(study: Study, phase: Phase) -> State:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
     gap = _of(study, phase.subject)[0] - value
     place = _next(study, name, zeros(gap, name))
-    if place is None:
+    valid = None if place is None else _comes(study, name, place)
+    if valid is None:
         raise _never(study, phase)
-    return _at_place(study, name, place)
+    return replace(_at_place(study, name, place), valid=valid)
 
 
 def grip_ends(study: Study, phase: Phase) -> State:
@@ -229,6 +234,12 @@ def _at_place(study: Study, name: str, place: Scalar) -> State:
     values = {c.name: _of(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
     return State(None, places, speeds)
+
+
+def _comes(study: Study, name: str, place: Scalar) -> tuple[Demand, ...] | None:
+    """Under which conditions the motion comes to a place, the square of its speed being positive there; None: under none."""
+    asked = [*existence(place), Demand(short(substitute(study.squares[name], {name: place})))]
+    return settle(asked, study.assumptions)
 
 
 def _root(study: Study, value: Scalar) -> Scalar:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.errors import StatementError
+from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.friction import geometry_of, slip_senses
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
@@ -100,10 +101,12 @@ def _velocity(system: System, ref: PointRef):
 
 
 def _numbers(study: Study, state: State) -> dict[str, float]:
-    """Sample numbers with the places and speeds of a state."""
-    known = sample(study.problem)
-    places = {name: number(value, known) for name, value in state.places.items()}
-    return known | places | {f"{name}_dot": number(value, known) for name, value in state.speeds.items()}
+    """Sample numbers with the places and speeds of a state: the first at which the motion comes there."""
+    for known in samples(study.problem):
+        with suppress(ValueError, ZeroDivisionError):
+            places = {name: number(value, known) for name, value in state.places.items()}
+            return known | places | {f"{name}_dot": number(value, known) for name, value in state.speeds.items()}
+    raise NotApplicable("at none of the sample numbers does the motion come to the end of a phase")
 
 
 def _at(study: Study, value: Scalar, known: Mapping[str, float]) -> float:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -20,7 +21,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.clock import shifted
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import ENDINGS, State
+from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.impulse import Struck, strike
 from rbpsym.mechanics.phase_checks import check_collision, check_in_place, check_still_slipping
 from rbpsym.mechanics.study import Study
@@ -30,12 +31,15 @@ from rbpsym.statement.model import Phase, Problem
 
 @dataclass(frozen=True)
 class HandOver:
-    """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost."""
+    """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost in the
+    blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential)."""
 
     before: State
     speeds: Mapping[str, Scalar]
     impulses: Mapping[str, Scalar]
     energy_lost: Scalar
+    energy_taken: Scalar | None = None
+    is_blow: bool = True
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,21 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
     after = _started(problem, study.style, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
-    return Stage(phase.name, Study(after), HandOver(before, speeds, impulses, short(without_even_roots(lost))), clock)
+    is_blow = bool(phase.impulses or impulses) or not is_zero(lost)
+    taken = _taken(study, before)
+    began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow)
+    return Stage(phase.name, Study(after), began, clock)
+
+
+def _taken(study: Study, end: State) -> Scalar | None:
+    """The energy at the start of a phase less that at its end."""
+    if study.potential is None or study.system.has_clock:
+        return None
+    total, start = sum(study.kinetic, study.potential), at_start(study)
+    first, last = (
+        substitute(substitute(total, {f"{n}_dot": v for n, v in state.speeds.items()}), state.places) for state in (start, end)
+    )
+    return short(without_even_roots(first - last))
 
 
 def _tidy(values: Mapping[str, Scalar]) -> dict[str, Scalar]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Element, Phase, Problem
@@ -45,7 +45,7 @@ def simulate_problem(study: Study) -> SimulationReport:
     if not study.problem.phases:
         return first
     parts, _ = known_stages(study.problem)
-    numbers = _parameters(study.problem)
+    numbers = _parameters(study.problem, parts)
     reports = [simulate_study(stage.study, numbers) for stage in parts[1:]]
     errors = dict(first.errors)
     for stage, report in zip(parts[1:], reports, strict=True):
@@ -55,14 +55,19 @@ def simulate_problem(study: Study) -> SimulationReport:
     return replace(first, max_relative_error=float(worst), errors=errors)
 
 
-def _parameters(problem: Problem) -> dict[str, float]:
-    numbers = sample(problem)
+def _parameters(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
+    """Numbers at which the motion comes to all phases."""
+    asked = [demand.value for stage in parts[1:] for demand in stage.began.before.valid]
+    fitting = (found for found in samples(problem) if all(number(value, found) > 0 for value in asked))
+    numbers = next(fitting, None)
+    if numbers is None:
+        raise NotApplicable("at none of the sample numbers does the motion come to all phases")
     return {q.name: numbers[q.name] for q in problem.parameters}
 
 
 def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
     """Relative differences between derived and simulated events and impulses, by phase and quantity."""
-    numbers, found = _parameters(problem), {}
+    numbers, found = _parameters(problem, parts), {}
     for phase, before, after in zip(problem.phases, parts, parts[1:], strict=False):
         errors = Errors()
         _compare(phase, before.study, after, numbers, errors)
