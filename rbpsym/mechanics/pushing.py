@@ -29,7 +29,7 @@ LARGEST = 400  # terms: signs of what is longer are not looked for
 
 def check_start(study: Study) -> None:
     """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense."""
-    for element, what, value in _asked(study):
+    for element, what, value in asked(study):
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise WRONG[what](element, what, value)
     if start_valid(study) is None:
@@ -44,13 +44,13 @@ def check_start(study: Study) -> None:
 
 def start_valid(study: Study) -> tuple[Demand, ...] | None:
     """Under which conditions the motion begins as stated; None if under none."""
-    return settle((Demand(value, OPS[what]) for _, what, value in _asked(study)), study.assumptions)
+    return settle((Demand(value, OPS[what]) for _, what, value in asked(study)), study.assumptions)
 
 
 OPS = {"force": ">=", "slip": ">", "gain": ">"}
 
 
-def _asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
+def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
     """What has to be positive at the start: one-sided forces, the slip in its sense, or its gain from rest."""
     start, reactions = _start(study), study.dynamics.reactions
     for element in study.problem.constraints:

@@ -16,7 +16,9 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss, pushes
 from rbpsym.mechanics.friction import FrictionNeed
+from rbpsym.mechanics.pushing import asked, start_valid
 from rbpsym.notation import tree as t
+from rbpsym.statement.model import Element
 
 LONGEST = 60  # nodes of a formula that is worth showing in standard detail
 
@@ -36,6 +38,25 @@ def write(draft: Draft) -> None:
             _may_end(draft, force)
     for need in draft.study.friction_needs:
         _friction(draft, need)
+    for element, what, value in asked(draft.study) if draft.study.dynamics.accelerations else ():
+        if what == "gain" and sign(value, draft.study.assumptions).kind != "positive":
+            _slides(draft, element, value)
+
+
+def _slides(draft: Draft, element: Element, value: Scalar) -> None:
+    """From rest it slides in the stated sense only where friction lets it."""
+    letter = draft.define(draft.free("a_s"), value)
+    valid = start_valid(draft.study) or ()
+    draft.add(
+        f"slides.{element.name}",
+        "identity",
+        t.equation(letter, draft.show(value, factor=True)),
+        "contact.slides",
+        premises=ground(draft, *draft.study.system.coordinates),
+        force=t.Sym(element.name),
+        letter=letter,
+        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in valid),
+    )
 
 
 def _with_tangent(draft: Draft, value: Scalar) -> t.Node:
