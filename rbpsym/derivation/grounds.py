@@ -234,10 +234,17 @@ def some_works_cancel(said: Said) -> bool:
     return is_proved(said) and any(step.rule == "workless" and is_proved(Said(step=step)) for step in said.steps)
 
 
+def common_work_is_not_zero(said: Said) -> bool:
+    """The translational works of the forces that do none in the sum are not zero together on this motion."""
+    rates, ideal = said.system.scope.rates, said.study.dynamics.workless
+    parts = (part for w in said.study.works if ideal.get(w.force) for part in w.translational.parts.items())
+    return is_proved(said) and not is_zero(said.study.on_motion(sum((v * rates[q] for q, v in parts), NOTHING)))
+
+
 def rotational_work_is_opposite(said: Said) -> bool:
-    """No other force does rotational work."""
+    """And no other force does rotational work."""
     ideal = said.study.dynamics.workless
-    return is_proved(said) and all(ideal.get(w.force) for w in said.study.works if w.rotational.parts)
+    return common_work_is_not_zero(said) and all(ideal.get(w.force) for w in said.study.works if w.rotational.parts)
 
 
 def does_not_turn_at_start(said: Said) -> bool:
@@ -378,3 +385,8 @@ def lagrange_agrees(said: Said) -> bool:
 def simulation_agrees(said: Said) -> bool:
     """The relative error is that of the arithmetic."""
     return said.summary["simulation"]["max_relative_error"] <= MOST_ERROR
+
+
+def most_are_checked_twice(said: Said) -> bool:
+    """More than half of the steps passed more than one check."""
+    return sum(len(step.certificate.checks) > 1 for step in said.steps) * 2 > len(said.steps)

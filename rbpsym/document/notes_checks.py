@@ -91,6 +91,7 @@ def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Se
 
 def checks_table(steps: Iterable[Step], said: Words) -> Table:
     """How steps were checked, and how many in each way."""
+    steps = tuple(steps)
     counts = Counter(name for step in steps for name in step.certificate.checks)
     rows = tuple(
         (said.say(f"checked.{name}"), words(str(count)))
@@ -98,7 +99,8 @@ def checks_table(steps: Iterable[Step], said: Words) -> Table:
         if said.has(f"checked.{name}")
     )
     header = (said.say("header.check"), said.say("header.steps"))
-    return Table(header, rows, said.say("caption.checks"), "lr", said.prefix + "table.checks")
+    caption = said.say("caption.checks", ground=Said(steps=steps))
+    return Table(header, rows, caption, "lr", said.prefix + "table.checks")
 
 
 def _methods(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
