@@ -7,7 +7,7 @@ declared ones.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, names_in
@@ -185,11 +185,16 @@ def all_lines_meet(said: Said) -> bool:
     return is_proved(said) and all(is_zero(torque) for torque in torques)
 
 
-def silent_forces_have_no_torque(said: Said) -> bool:
-    """Those that the sentence names have none about the point, in none of their parts."""
+def silent_forces_drop_out(said: Said) -> bool:
+    """None of their components stands in the net torque, nor in what friction takes from it."""
     names = {node.name for node in said.step.slots["silent"].slots["forces"]}
-    data = {**said.step.data, "forces": [f for f in said.step.data["forces"] if f.name in names]}
-    return all_lines_meet(replace(said, step=replace(said.step, data=data)))
+    gone = {name for f in said.step.data["forces"] if f.name in names for name in f.unknowns}
+    return is_proved(said) and not gone & t.names(said.step.statement)
+
+
+def starts_to_turn(said: Said) -> bool:
+    """The spin has a rate of change."""
+    return is_proved(said) and said.rows[0].items[0] != t.ZERO
 
 
 def no_force_acts_along(said: Said) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
@@ -99,8 +99,8 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     together = draft.show(balance.right, factor=True)
     shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
     items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
-    loud = {f.name for f, part in zip(forces, parts, strict=True) if part}
-    silent = [f for f in forces if f.unknowns and f.name not in loud]
+    left = names_in(balance.right)  # a normal force may have no torque, and yet stay in that of its friction
+    silent = [f for f in forces if f.unknowns and not left & set(f.unknowns)]
     return draft.add(
         f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
         "torque",
