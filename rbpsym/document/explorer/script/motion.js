@@ -167,7 +167,7 @@ class Motion {
 
   /** Everything at a time: the frame before it, carried on to that very moment. */
   at(time) {
-    let low = 0, high = this.frames.length - 1;
+    let low = 0, high = time > 0 ? this.frames.length - 1 : 0;  // it opens with the first phase, also if that ends at once
     while (low < high) {
       const middle = (low + high + 1) >> 1;
       if (this.frames[middle].time <= time) low = middle; else high = middle - 1;
