@@ -66,24 +66,17 @@ class _Layout:
 
     # --- what stands around
 
-    def _near(self, k: int, step: int) -> Token | None:
-        """The next thing or sign before or behind; None at the edge of the formula."""
+    def _near(self, k: int, step: int, *, over_rows: bool = True) -> Token | None:
+        """The next thing or sign before or behind (or the end of the row); None at the edge of the formula."""
         k += step
-        while 0 <= k < len(self.all) - 1 and (_is_blank(self.all[k]) or self._is_empty(k)):
+        while 0 <= k < len(self.all) - 1 and _is_blank(self.all[k]) and (over_rows or self.all[k].kind != "row"):
             k += step
         return self.all[k] if 0 <= k < len(self.all) - 1 else None
 
-    def _is_empty(self, k: int) -> bool:
-        """Is it a brace of {}?"""
-        one, other = (k, k + 1) if self.all[k].text == "{" else (k - 1, k)
-        return one >= 0 and (self.all[one].text, self.all[other].text) == ("{", "}")
-
     def _at_edge(self, k: int, step: int) -> bool:
         """Does a row (or the formula) begin or end here, but for what only forms the page?"""
-        k += step
-        while 0 <= k < len(self.all) - 1 and _is_blank(self.all[k]) and self.all[k].kind != "row":
-            k += step
-        return not 0 <= k < len(self.all) - 1 or self.all[k].kind == "row"
+        found = self._near(k, step, over_rows=False)
+        return found is None or found.kind == "row"
 
     def _row_behind(self, k: int) -> list[int]:
         """Where the tokens up to the next end of a row or parting stand, on this level."""
@@ -110,7 +103,7 @@ class _Layout:
         several, self.parted = self.parted, 0
         if before is None or behind is None:
             return None
-        if before.text in "+-" and behind.text in "+-":
+        if {before.text, behind.text} <= {"+", "-"}:
             raise self._error(token, "a sign ends this row, and a sign begins the next", "Write it once.")
         if before.text in _SIGNS or behind.text in _JOINING:
             return None
@@ -194,13 +187,6 @@ class _Layout:
         self.cut += cut
         return None if cut else token
 
-    def _brace(self, k: int, token: Token) -> Token | None:
-        """{} beside a sign is a space."""
-        if not self._is_empty(k):
-            return token
-        near = (self._near(k, -1), self._near(k, 1))
-        return None if any(found is None or found.text in _SIGNS for found in near) else token
-
     def _punctuation(self, k: int, token: Token) -> Token | None:
         """A comma between relations, or at the end of a row that goes on."""
         before, behind = self.all[k - 1] if k else None, self.all[k + 1]
@@ -222,7 +208,7 @@ class _Layout:
 
 _RULES = {
     "row": _Layout._row, "gap": _Layout._gap, "&": _Layout._cell, "begin": _Layout._environment,
-    r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter, "{": _Layout._brace, "}": _Layout._brace,
+    r"\left.": _Layout._cut_delimiter, r"\right.": _Layout._cut_delimiter,
 }  # fmt: skip
 
 

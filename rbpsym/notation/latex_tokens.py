@@ -29,7 +29,7 @@ _SILENT = (
     r"|left|right|bigl|bigr|Bigl|Bigr|big|Big|middle)(?![A-Za-z])"
     r"|\\label\s*\{[^{}]*\}"
 )
-_GAP = r"\\(?:;| |\n)|~|\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\s*\{[^{}]*\}"
+_GAP = r"(?<=[-+=&])\{\}|\{\}(?=\s*[-+=<>&])|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\s*\{[^{}]*\}"
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
 _PATTERNS = re.compile(

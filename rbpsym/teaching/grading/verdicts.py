@@ -9,7 +9,7 @@ from rbpsym.equality.domain import Condition, conditions, holds_at
 from rbpsym.equality.enclosure import sign_of
 from rbpsym.equality.points import Point, points
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import Verdict, all_of, undecided
+from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.errors import LimitError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
@@ -48,9 +48,10 @@ def _equal_along(answer: Node, key: Node, ground: Ground) -> Verdict:
     moved = {name: ground.on_motion(scalar(t.Sym(name), scope)) for name in t.names(answer) | t.names(key)}
     on_motion = scope.with_scalars({**scope.scalars, **moved})
     try:
-        begin = [at_start(ground.on_motion(scalar(side, scope)), scope) for side in (answer, key)]
-        grown = [ground.along(rate(side, on_motion)) for side in (answer, key)]
-        return all_of(scalars_equal(*pair, assumptions) for pair in (begin, grown))
+        grown = scalars_equal(*(ground.along(rate(side, on_motion)) for side in (answer, key)), assumptions)
+        if not grown.is_proved:
+            return grown
+        return scalars_equal(*(at_start(ground.on_motion(scalar(side, scope)), scope) for side in (answer, key)), assumptions)
     except (ReadError, LimitError, Undecided) as error:
         return undecided(error.what)
     except ZeroDivisionError:
