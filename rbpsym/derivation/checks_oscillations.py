@@ -276,12 +276,16 @@ def polynomial(context: Context, step: Step) -> Verdict:
 
 
 def motion_of_mode(context: Context, step: Step) -> Verdict:
-    """λ² + 2γλ + ϑ² divides det(M λ² + C λ + K); for "undamped" data without C (`data`: "at", "decay", "square")."""
+    """λ² + 2γλ + ϑ² divides det(M λ² + C λ + K), for "undamped" data without C; ϑ² and, if it is not zero, γ are
+    positive, and it swings or not as is said (`data`: "at", "decay", "square", "swings": surely, never or perhaps)."""
     near = near_place(context, step)
     if step.data.get("undamped"):
         near = replace(near, drag=[[NOTHING] * len(row) for row in near.drag])
     decay, square = step.data["decay"], step.data["square"]
-    return divides(context, near, (UNITY, decay * 2, square))
+    gap = square - decay * decay
+    more = {"surely": [gap], "never": [-gap]}.get(step.data.get("swings"), [])
+    signs = [positive(context, step, value) for value in (square, *([decay] if decay else []), *more)]
+    return weakest([divides(context, near, (UNITY, decay * 2, square)), *signs])
 
 
 def critical(context: Context, step: Step) -> Verdict:
@@ -298,9 +302,11 @@ def critical(context: Context, step: Step) -> Verdict:
 
 
 def rate_of_mode(context: Context, step: Step) -> Verdict:
-    """The stated λ = -(rate) makes M λ² + C λ + K singular (`data`: "at")."""
+    """The stated rate is positive, and λ = -(rate) makes M λ² + C λ + K singular (`data`: "at")."""
     [(_, _, right)] = list(relations(step.statement))
-    return same(context, singular(near_place(context, step), -context.value(right)), NOTHING)
+    value = context.value(right)
+    found = same(context, singular(near_place(context, step), -value), NOTHING)
+    return weakest([found, positive(context, step, value)])
 
 
 def _routh(powers: Sequence[Scalar]) -> list[Scalar]:

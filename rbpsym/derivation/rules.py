@@ -53,7 +53,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "stays": (c.along_motion,),
     "rest": (o.forces_at_rest,),
     "equilibrium": (o.place_stated, o.at_rest, s.stability_said, places.can_rest),
-    "linearization": (o.series,),
+    "linearization": (o.series, s.stability_said),
     "open_balance": (o.force_vanishes,),
     "open_ends": (c.identity, o.force_at_ends),
     "open_linear": (o.series_in_balance,),

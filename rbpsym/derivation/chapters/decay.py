@@ -19,6 +19,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.linear import Powers, conditions, decaying
 from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 
 LONGEST = 120
@@ -31,7 +32,8 @@ def write(draft: Draft, item: Equilibrium, place: int) -> None:
         return
     _polynomial(draft, item, place)
     for k, powers in enumerate(item.linear.factors, 1):
-        way = FACTORS.get(len(powers), _conditions) if item.stable else _conditions
+        signs = {sign(value, draft.study.assumptions).kind for value in powers}
+        way = FACTORS.get(len(powers), _conditions) if signs <= {"positive", "zero"} else _conditions
         way(draft, item, powers, f"{place}.{k}", f"_{k}" if len(item.linear.factors) > 1 else "")
 
 
@@ -91,7 +93,7 @@ def swinging(draft: Draft, item: Equilibrium, decay: Scalar, square: Scalar, id:
     letter = draft.define(draft.free(f"vartheta{mark}_d"), root(damped))
     said = SWINGS.get(sign(damped, draft.study.assumptions).kind, "perhaps")
     near = [f"{'linear' if of == 'alone' else 'characteristic'}.{id.split('.')[0]}"]
-    told = {"premises": near, "data": {"decay": decay, "square": square}}
+    told = {"premises": near, "data": {"decay": decay, "square": square, "swings": said}}
     dies = t.equation(rate, draft.show(decay, factor=True))
     _add(draft, item, f"decay.{id}", "motion_of_mode", dies, f"decay.{of}", letter=rate, **told)
     swings = t.equation(t.Pow(letter, t.TWO), draft.show(damped, factor=True))
@@ -117,18 +119,22 @@ def _critical(draft: Draft, item: Equilibrium, damping: Scalar, square: Scalar, 
 def _conditions(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: str) -> None:
     """What has to be positive so that all motions of a factor die out; by name where it is not certain."""
     rows: list[t.Node] = []
+    left: dict[Scalar, t.Node] = {}
     for value in conditions(powers):
         shown = draft.show(value, factor=True)
         if sign(value, draft.study.assumptions).kind == "positive":
             rows.append(t.relation(shown, ">", t.ZERO))
         else:
             rows.append(t.equation(draft.define(draft.free(f"H_{len(rows) + 1}"), value), shown))
-    left = [t.relation(draft.show(value, factor=True), ">", t.ZERO) for value in item.nature.conditions]
+            needed = essential(value, draft.study.assumptions)
+            left[needed] = t.relation(draft.show(needed, factor=True), ">", t.ZERO)
     said = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = {"level": STANDARD if all(length(row) <= LONGEST for row in rows) else FULL, "is_result": False}
-    data = {"powers": powers, "conditions": item.nature.conditions}
-    phrase = "hurwitz_open" if left else "hurwitz"
-    _add(draft, item, f"hurwitz.{id}", "hurwitz", said, phrase, conditions=left, data=data, **told)
+    data = {"powers": powers, "conditions": tuple(left)}
+    alone = len(item.linear.factors) == 1 and (item.nature.proved == "asymptotic" or item.nature.conditions)
+    of = "whole" if alone else "part"
+    phrase = f"hurwitz.{'open' if left else 'met'}.{of}"
+    _add(draft, item, f"hurwitz.{id}", "hurwitz", said, phrase, conditions=[*left.values()], data=data, **told)
 
 
 FACTORS = {2: _rate, 3: _pair}

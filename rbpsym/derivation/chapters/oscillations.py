@@ -10,6 +10,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters import decay, modes, open_balance
 from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
 from rbpsym.derivation.step import FULL
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.rest import resting_forces
@@ -79,7 +80,11 @@ def _is_linearized(draft: Draft, item: Equilibrium) -> bool:
     known = draft.study.dynamics.accelerations is not None
     fixed = not any(depends_on(value, n) for value in item.at.values() for n in names)
     pulls = bool(item.frequencies_squared) or not is_zero(linear.stiffness[0][0])
-    return single and known and fixed and pulls and not linear.tied and len(item.at) == 1
+    plain = single and known and fixed and pulls and not linear.tied and len(item.at) == 1
+    if not plain or not linear.is_damped:
+        return plain
+    signs = [sign(entry, draft.study.assumptions).kind for [[entry]] in (linear.damping, linear.stiffness)]
+    return signs[0] == "positive" and (signs[1] == "negative" or item.nature.proved != "unstable")
 
 
 def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there: list[t.Node]) -> None:
@@ -100,7 +105,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
         place=there,
         premises=[f"equilibrium.{place}", *draft.those(f"motion.{name}")],
         coordinate=t.Sym(name),
-        data={"name": name, "at": item.at},
+        data={**item.facts, "name": name, "proved": item.nature.proved, "factors": item.linear.factors},
     )
     if item.stable:
         _frequencies(draft, item, place, shown, damping)
