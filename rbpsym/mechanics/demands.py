@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.poly import ONE, generator
 from rbpsym.algebra.roots import simplified_root, without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import IMPLIED
@@ -75,8 +76,24 @@ def assuming(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:
     """The assumptions with what the demands say of one quantity each."""
     for demand in demands:
         if demand.op != "!=":
-            given = next(_narrowed(given, demand.value), given)
+            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand.value), given)
     return given
+
+
+def _turned(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:
+    """± sin x > 0 or cos x > 0 as a range of x, where x lies in (-π, π)."""
+    [(index, exponent), *more] = next(iter(value.num.terms), ()) or ((0, 0),)
+    name = atoms.symbol_name(next(iter(atoms.atom(index).arg.atoms()), 0)) if atoms.atom(index).kind in WAVES else None
+    if value.den is ONE and len(value.num) == exponent == 1 and not more and name in given.ranges:
+        side = 1 if next(iter(value.num.terms.values())) > 0 else -1
+        ends = WAVES[atoms.atom(index).kind].get(side)
+        known = [None if end is None else (end / PI).number() for end in given.range_of(name)]
+        if ends and None not in known and known[0] >= -1 and known[1] <= 1 and atoms.atom(index).arg == symbol(name).num:
+            yield given.with_range(name, max(ends[0], known[0]) * PI, min(ends[1], known[1]) * PI)
+
+
+HALF = Fraction(1, 2)
+WAVES = {"sin": {1: (0, 1), -1: (-1, 0)}, "cos": {1: (-HALF, HALF)}}  # in units of π
 
 
 def _narrowed(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS
@@ -97,6 +99,9 @@ def losses(
         what = "a force is constant, and its sign depends on the parameters" if not names else "several coordinates move"
         return Losses((), None, what)
     [name] = names
+    first = atoms.symbol_name(next(iter(system.scope.start[name].atoms()), 0))
+    if first in system.problem.implicit and given.range_of(first) == (None, None) and period(squares[name], name):
+        given = given.with_range(first, -PI, PI)  # what repeats itself with each turn may start in the first
     held = [*forces.values(), *_grips(system, along)]
     return _joined([_on_way(way, forces, held, given) for way in ways(system, dynamics, name, squares[name], given)])
 
@@ -129,7 +134,7 @@ def _joined(parts: list[Losses]) -> Losses:
 
 
 def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
-    found, open_, reasons = [], [], []
+    found, open_, reasons, given = [], [], [], assuming(given, way.asked)
     for force, value in forces.items():
         for factor in (f for f in map(Scalar, numerator_factors(value)) if depends_on(f, way.name)):
             if not factor_zeros(factor, way.name) and not _is_clear(factor, way, given):
@@ -138,12 +143,19 @@ def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: A
                 reasons += [] if surely else [f"where {force} vanishes has no closed form"]
             for place in _places(factor, way, given):
                 valid = _asked(way, place, value, held, given)
-                if valid is None:
+                if valid is None or any(_is_behind(place, loss, way, assuming(given, valid)) for loss in found):
                     continue
                 first = _comes_first(way, place, held, assuming(given, valid))
-                (found if first else open_).append(Loss(force, factor, {way.name: place}, way.name, valid))
+                (found if first else open_).append(Loss(force, factor, {way.name: place}, way.name, (*way.asked, *valid)))
                 reasons += [] if first else [f"it is not decided whether the motion comes to a zero of {force} first"]
     return Losses(tuple(found), None if reasons else True, "; ".join(dict.fromkeys(reasons)), tuple(open_))
+
+
+def _is_behind(place: Scalar, loss: Loss, way: Way, given: Assumptions) -> bool:
+    """Whether a loss that comes first is certain wherever the motion would come to a later place."""
+    early = loss.at.get(way.name)
+    asked = [] if early is None else [Demand(way.ahead(place) - way.ahead(early)), *loss.valid]
+    return bool(asked) and settle(asked, given) == ()
 
 
 def _changes_sign(way: Way, force: Scalar, factor: Scalar, held: list[Scalar], given: Assumptions) -> bool:
@@ -170,7 +182,7 @@ def _places(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
     turn = period(factor, way.name)
     lower, upper = given.range_of(way.name)
     for root in factor_zeros(factor, way.name):
-        for place in [root] if turn is None else [root + turn * k for k in TURNS]:
+        for place in [root] if turn is None else sorted((root + turn * k for k in TURNS), key=_turns):
             asked = [Demand(way.ahead(place))]
             asked += [] if lower is None else [Demand(place - lower)]
             asked += [] if upper is None else [Demand(upper - place)]
@@ -180,13 +192,18 @@ def _places(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
     return found
 
 
+def _turns(place: Scalar) -> Fraction:
+    """By how many turns a place lies from the first."""
+    return abs(Fraction(place.num.terms.get(((atoms.PI, 1),), 0)))
+
+
 def _asked(
     way: Way, place: Scalar, force: Scalar, held: list[Scalar], given: Assumptions
 ) -> tuple[Demand, ...] | None:
     """Under which conditions a force goes through zero at a place to which the motion comes; None if it does not."""
     there = {way.name: place}
     lower, upper = given.range_of(way.name)
-    asked = [*way.asked, *existence(place), Demand(way.ahead(place))]
+    asked = [*existence(place), Demand(way.ahead(place))]
     asked += [] if lower is None else [Demand(place - lower)]
     asked += [] if upper is None else [Demand(upper - place)]
     try:

@@ -83,7 +83,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
     after = _started(problem, study.style, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
-    is_blow = bool(phase.impulses or impulses) or not is_zero(lost)
+    is_blow = bool(phase.impulses) or any(not is_zero(value) for value in (lost, *impulses.values()))
     taken = _taken(study, before)
     began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow)
     return Stage(phase.name, Study(after), began, clock)

@@ -268,7 +268,11 @@ def _losses(bench: Bench, study: Study, start, seen: Followed, found: Findings, 
     event = seen.event if seen.event and seen.event.kind == "lost" else None
     told = [(loss, _told_at(loss, bench.sample)) for loss in study.losses]
     if event is not None:
-        found.note(f"place where {event.of} is lost", _gap(event.of, told, known, visited), numbers)
+        gap = _gap(event.of, told, known, visited)
+        if gap == WRONG and event.of in {loss.force for loss in study.ended.open_}:
+            found.missing["place of a loss"] = "it is told that it is not decided"
+        else:
+            found.note(f"place where {event.of} is lost", gap, numbers)
     for loss, at in told:
         if at is None or (event is not None and loss.force in (event.of, *event.also) and _is_near(at, known, visited)):
             continue

@@ -19,14 +19,7 @@ from tests.oracles.conftest import DRAWS, MISSING, SETS
 KNOWN = json.loads((Path(__file__).parent / "not_compared.json").read_text(encoding="utf-8"))
 FEW, SHORT = 2, 8.0
 # What is known to be told and not so; each is somebody's to mend, and the table is to be empty.
-OPEN = {
-    "ball-in-a-loop": {"first: equilibrium 1"},
-    "cylinder-in-rolling-pipe": {"first: equilibrium 1"},
-    "ladder-with-person": {"first: loss of N_f that is told"},
-    "rod-falling-on-rough-floor": {"first: loss of N that is told"},
-    "rod-over-rim-of-bowl": {"first: equilibrium 0 exists", "first: place where N_1 is lost"},
-    "rod-tipping-over-edge": {"first: equilibrium 0"},
-}
+OPEN: dict[str, set[str]] = {}
 
 
 def put_to_the_test(name: str, sets: int, longest: float, record) -> Findings:
