@@ -9,6 +9,7 @@ from typing import Any
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
+from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
@@ -71,12 +72,14 @@ def results(study: Study) -> dict[str, Any]:
         "angular_momentum": _momenta(study),
         "forces": _forces(study),
         "works": _works(study),
+        "valid_where": _valid_where(study),
         "equilibria": _equilibria(study),
         "equilibria_complete": _complete(study.rest),
         "balance": _balance(study),
         "start_valid_where": _demands(_begins(study), study),
         "conditions": [_condition(loss, study) for loss in study.losses],
-        "conditions_complete": _complete(study.ended) | {"open": [_condition(loss, study) for loss in study.ended.open_]},
+        "conditions_complete": _complete(study.ended)
+        | {"open": [_condition(loss, study) for loss in study.ended.open_]},
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "phases": _phases(study),
     }
@@ -197,6 +200,14 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
             for value in needed
         ],
     }
+
+
+def _valid_where(study: Study) -> list[str]:
+    """What must not vanish for accelerations, forces and squares of speeds to be as they are told."""
+    tables = (study.dynamics.accelerations or {}, study.dynamics.reactions, study.squares)
+    below = dict.fromkeys(one for table in tables for value in table.values() for one in divisors(value))
+    open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
+    return [f"{text(one, study)} != 0" for one in open_]
 
 
 def _demands(found, study: Study) -> list[str]:

@@ -81,7 +81,6 @@ STEPS: Mapping[str, Entry] = {
 }
 
 
-
 def _all(key: str) -> Condition:
     """Each of the steps is told by a sentence under the key, so that its condition holds."""
     return lambda said: bool(said.steps) and all(f"{step.phrase}.".startswith(f"{key}.") for step in said.steps)
@@ -123,7 +122,7 @@ ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
 
 NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some dimension
-explorer figure forces functions grammar growth header index it latex library line list method notation notebook number
+explorer figure forces functions grammar growth header index it latex library line list method notation notebook number obligation
 part plain plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
 kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro momentum.intro torque.intro torque.none
 torque.settled newton_euler.alone newton_euler.brief newton_euler.intro newton_euler.reactions_rest

@@ -11,12 +11,11 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.poly import ONE, generator, inverse
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Step
 from rbpsym.derivation.view import View
-from rbpsym.equality.domain import Condition, conditions, obligations
+from rbpsym.equality.domain import Condition, conditions, divisors, obligations
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
@@ -42,14 +41,8 @@ def _conditions(view: View, step: Step) -> Iterator[Condition]:
 
 
 def _poles(view: View, factor: Scalar) -> Iterator[Condition]:
-    """What must not vanish for the factor to have a value: each generator below the line, and what is no product."""
-    powers = {index for m in factor.num.terms for index, exponent in m if exponent < 0}
-    rest = factor.den.content()[1] if factor.den is not ONE else ()
-    for index in sorted(powers | {index for index, _ in rest}):
-        value = Scalar(generator(index))
-        yield Condition(present(value, view.whole.style), "!=", value)
-    if factor.den is not ONE:
-        value = Scalar(factor.den.scaled(1, inverse(rest)))
+    """What must not vanish for the factor to have a value."""
+    for value in divisors(factor):
         yield Condition(present(value, view.whole.style, factor=True), "!=", value)
 
 

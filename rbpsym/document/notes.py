@@ -16,6 +16,7 @@ from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.owing import owed_by
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
@@ -51,7 +52,8 @@ def notation_of(derivation: Derivation, language: str = "en") -> Notation:
 
 def words_of(derivation: Derivation, shown: frozenset[str], language: str = "en", prefix: str = "") -> Words:
     """How notes that show these steps speak: what stands already on the page is only referred to."""
-    said = Words(language, derivation.study.problem, prefix, shown, locate=locator(derivation.study))
+    where, owed = locator(derivation.study), owed_by(derivation.steps, shown)
+    said = Words(language, derivation.study.problem, prefix, shown, locate=where, owed=owed)
     same = repeated(derivation, shown, said)
     return replace(said, shown=shown - set(same), same=same)
 

@@ -36,6 +36,13 @@ class Teller:
             yield Paragraph(text)
         if known is None:
             yield display(step, self.said)
+        yield from self.conditions([step])
+
+    def conditions(self, steps: Sequence[Step]) -> Iterator[Block]:
+        """As long as what is not implied by the declared signs and ranges the formulas hold."""
+        owed = dict.fromkeys(node for step in steps for node in self.said.owed.get(step.id, ()))
+        if owed:
+            yield Paragraph(self.said.say("obligation.holds", conditions=list(owed), count=len(steps)))
 
     def sentence(self, step: Step, key: str, **slots: object) -> Inlines:
         """What is said before a step, in the variant for a second time if there is one."""
@@ -61,6 +68,7 @@ class Teller:
             yield from (display(step, self.said) for step in steps)
         else:
             yield joined(steps, self.said)
+        yield from self.conditions(steps)
 
 
 def known_key(key: str, said: Words) -> str | None:

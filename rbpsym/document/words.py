@@ -12,6 +12,7 @@ from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
 from rbpsym.notation.glyphs import Notation, spaced
+from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 
 
@@ -22,7 +23,8 @@ class Words:
     `prefix` keeps labels of several problems in one document apart; `shown` are the ids of the
     steps that are displayed, so that only these are referred to by number; `same` maps a step
     that repeats an earlier one to it; `elsewhere` has the references of steps that an earlier
-    phase showed; `is_brief` where nothing is introduced; `is_later` of a later phase of a motion, where introductions
+    phase showed; `owed`: conditions under which the formula of a step holds;
+    `is_brief` where nothing is introduced; `is_later` of a later phase of a motion, where introductions
     have been given already; `locate` says a point of a body as it is seen in the figure.
     """
 
@@ -34,6 +36,7 @@ class Words:
     is_later: bool = False
     is_brief: bool = False
     elsewhere: Mapping[str, Ref] = field(default_factory=dict)
+    owed: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
     locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)
 
     @property

@@ -13,6 +13,7 @@ from typing import Any
 from rbpsym.algebra.calculus import depends_on, function, substitute
 from rbpsym.algebra.evaluate import Scope, scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ONE, generator, inverse
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import Assumptions
@@ -70,6 +71,14 @@ def holds_at(condition: Condition, point: Point) -> bool:
         return HOLDS[condition.op](enclosure.sign_of(point.value(condition.value)))
     except (enclosure.Outside, KeyError):
         return False
+
+
+def divisors(value: Scalar) -> list[Scalar]:
+    """What stands below the line: each generator, and what is no product."""
+    below = {index for m in value.num.terms for index, exponent in m if exponent < 0}
+    rest = value.den.content()[1] if value.den is not ONE else ()
+    found = [Scalar(generator(index)) for index in sorted(below | {index for index, _ in rest})]
+    return found + ([Scalar(value.den.scaled(1, inverse(rest)))] if value.den is not ONE else [])
 
 
 def obligations(found: Iterable[Condition], assumptions: Assumptions) -> list[Obligation]:
