@@ -75,22 +75,26 @@ class Ways:
 def read_ways(
     text: str, symbols: Iterable[str], *, functions: Mapping[str, Callable[[t.Node], t.Node]] = FUNCTIONS
 ) -> Ways:
-    """All readings of a typed expression or relation that can be read in several ways. Raises as `read_infix`."""
-    trees: list[t.Node] = []
-    waiting: list[tuple[bool, ...]] = [()]
-    error, parted = None, []
-    while waiting:
-        script = waiting.pop(0)
-        reader = _reader(text, symbols, functions, MappingProxyType({}), None)
-        reader.script = script
-        trees.append(_checked(_whole(reader), reader))
-        error = error or next(iter(reader.met), None)
-        parted.append(reader.parted)
-        chosen = (*script, *(False,) * (len(reader.met) - len(script)))
-        waiting += [(*chosen[:place], True) for place in range(len(script), len(chosen))]
-        if len(trees) + len(waiting) > MOST_WAYS:
-            raise error
-    return Ways(tuple(trees), error, tuple(parted))
+    """All readings of a typed expression or relation that can be read in several ways. Raises as `read_infix`.
+
+    Where these are too many, only what has no usual reading is read in several.
+    """
+    for plain in (False, True):
+        trees: list[t.Node] = []
+        waiting: list[tuple[bool, ...]] = [()]
+        error, parted = None, []
+        while waiting and len(trees) + len(waiting) <= MOST_WAYS:
+            script = waiting.pop(0)
+            reader = _reader(text, symbols, functions, MappingProxyType({}), None)
+            reader.script, reader.plain = script, plain
+            trees.append(_checked(_whole(reader), reader))
+            error = error or next(iter(reader.met), None)
+            parted.append(reader.parted)
+            chosen = (*script, *(False,) * (len(reader.met) - len(script)))
+            waiting += [(*chosen[:place], True) for place in range(len(script), len(chosen))]
+        if not waiting:
+            return Ways(tuple(trees), error, tuple(parted))
+    raise error
 
 
 def _whole(reader: Reader) -> t.Node:

@@ -34,7 +34,7 @@ class Reader(Cursor[Token]):
 
     `script` says what to choose at the places that can be read in two ways (False behind its end; None: the usual
     reading where there is one, else refuse them), `met` their errors, `parted` what was chosen where this changes what
-    is multiplied and what divided. `bars`: a | would close.
+    is multiplied and what divided. `plain`: no other than the usual reading, where there is one. `bars`: a | would close.
     """
 
     symbols: frozenset[str] = frozenset()
@@ -43,14 +43,15 @@ class Reader(Cursor[Token]):
     script: tuple[bool, ...] | None = None
     met: list[RbpsymError] = field(default_factory=list)
     parted: tuple[bool, ...] = ()
+    plain: bool = False
     bars: bool = False
 
     def decide(self, what: str, instead: str, *, changes_value: bool = False, usual: bool = False) -> bool:
         """Which of two readings to take at the next token; `usual`: the first is what one writes. Raises ReadError."""
         error = self.error(what, instead)
+        if usual and (self.script is None or self.plain):
+            return False
         if self.script is None:
-            if usual:
-                return False
             raise error
         chosen = len(self.met) < len(self.script) and self.script[len(self.met)]
         self.met.append(error)

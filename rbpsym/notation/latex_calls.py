@@ -11,6 +11,7 @@ from rbpsym.notation.latex_grammar import begins_factor, ends_integrand, factor,
 from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_table import Reader, begins
 
+MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
 _CALLED = "is this a product, or a value of a function?"
 _WRITE = r"Say in the symbols what all of it means, or write a product without the parenthesis."
 
@@ -28,8 +29,8 @@ def called(reader: Reader) -> t.Node:
         return name
     if len(found) == 1 and (isinstance(found[0], t.Num) or _varies(reader, found[0]) is False):
         raise reader.error(_CALLED, _WRITE, opening)
-    is_time = len(found) == 1 and found[0] is _TIME
-    if len(found) > 1 or is_time or reader.decide(_CALLED, _WRITE, yes=int(varies is True)) == (varies is None):
+    clear = len(found) > 1 or found[0] is _TIME or (varies and len(reader.met) >= MOST_ASKED)
+    if clear or reader.decide(_CALLED, _WRITE, yes=int(varies is True)) == (varies is None):
         reader.position = end
     return name
 
