@@ -27,6 +27,7 @@ COMMANDS: dict[str, str] = {
     "derive": "rbpsym.commands.derive",
     "solve": "rbpsym.commands.solve",
     "check": "rbpsym.commands.check",
+    "certify": "rbpsym.commands.certify",
     "explore": "rbpsym.commands.explore",
     "worksheet": "rbpsym.commands.worksheet",
     "grade": "rbpsym.commands.grade",

@@ -81,7 +81,8 @@ def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None]
     study = draft.study
     report = _simulated(study) if simulation else None
     lagrange: Verdict = lagrange_verdict(study.system, study.dynamics, study.assumptions)
-    return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreement(study, found), report, lagrange)
+    agreed, letters = agreement(study, found), draft.context
+    return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreed, report, lagrange, letters=letters)
 
 
 def _simulated(study: Study):

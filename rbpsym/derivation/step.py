@@ -92,7 +92,7 @@ class Derivation(Shown):
     """The steps of a problem in reading order; ids are unique, premises come before.
 
     `agreement`: verdicts on the independent roads by name; `simulation`: the oracle's report
-    or None; `phases`: those that follow the first.
+    or None; `phases`: those that follow the first; `letters`: the `Context` that says what each letter means.
     """
 
     study: Study
@@ -102,6 +102,7 @@ class Derivation(Shown):
     simulation: Any = None
     lagrange: Verdict | None = None
     phases: tuple[DerivedPhase, ...] = ()
+    letters: Any = field(default=None, compare=False, repr=False)
 
     @property
     def all_steps(self) -> tuple[Step, ...]:

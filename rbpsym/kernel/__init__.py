@@ -1,0 +1,1 @@
+"""Derivations written for a proof kernel that we did not write: Rocq."""

@@ -1,0 +1,119 @@
+"""A derivation as Rocq source: each claim of each step as a lemma from the premises of that step and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.kernel.claims import Claim, Said, Source
+from rbpsym.kernel.components import START
+from rbpsym.kernel.proofs import Proof, Search
+from rbpsym.kernel.rocq import Lemma, Writer
+from rbpsym.kernel.terms import Terms, identifier
+from rbpsym.notation import tree as t
+
+
+@dataclass
+class Written:
+    """lemmas: those of each step, by its id; refused: why a step has none; unused: premises that no proof named."""
+
+    source: Source
+    lemmas: dict[str, list[Lemma]] = field(default_factory=dict)
+    refused: dict[str, str] = field(default_factory=dict)
+    unused: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+
+def named(id: str, said: Said) -> dict[str, Claim]:
+    """The claims of a step or fact by their names in Rocq."""
+    found = {identifier(f"{id}.d{place}"): claim for place, claim in enumerate(said.definitions, 1)}
+    return found | {identifier(f"{id}.{place}"): claim for place, claim in enumerate(said.assertions, 1)}
+
+
+def written(derivation: Derivation) -> Written:
+    """All steps of a derivation."""
+    found = Written(Source(derivation))
+    for step in derivation.steps:
+        try:
+            found.lemmas[step.id] = list(_lemmas(found, step))
+        except (RbpsymError, ZeroDivisionError) as error:
+            found.refused[step.id] = str(error)
+    return found
+
+
+def granted(source: Source, step: Step) -> dict[str, Claim]:
+    """The claims that a step may use: its own definitions, and what its premises say."""
+    claims = named(step.id, Said(source.said[step.id].definitions))
+    for id in step.premises:
+        claims |= named(id, source.said[id] if id in source.said else source.fact(id))
+    return claims
+
+
+def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
+    claims, used = granted(found.source, step), set()
+    own = named(step.id, Said(assertions=found.source.said[step.id].assertions))
+    if not own:
+        raise RbpsymError("the exporter has no statement for it")
+    for name, claim in own.items():
+        claim, proof, search = _proved(found.source, step, claim, claims)
+        names = _used(search, claim, proof, claims)
+        needed = {name: claims[name] for name in claims if name in names}
+        used |= needed.keys()
+        yield Lemma(name, claim, needed, proof)
+    idle = [id for id in step.premises if not any(name.startswith(identifier(id) + "'") for name in used)]
+    found.unused |= {step.id: tuple(idle)} if idle else {}
+
+
+def _proved(source: Source, step: Step, claim: Claim, claims: Mapping[str, Claim]) -> tuple[Claim, Proof, Search]:
+    """The claim with its proof; where it needs them, on the conditions that the step prints."""
+    search = Search(source, claims)
+    try:
+        return claim, search.prove(claim), search
+    except Undecided:
+        if not (conditions := source.conditions(step)):
+            raise
+    claim = replace(claim, given=(*claim.given, *conditions))
+    search = Search(source, claims)
+    return claim, search.prove(claim), search
+
+
+def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim]) -> set[str]:
+    """Names of premises in a proof; rates and starts of letters are used where derivatives are taken."""
+    parts = [proof.multiples, *(have.multiples for have in proof.steps), *([proof.like[1]] if proof.like else [])]
+    names = {known.name for part in parts for _, known in part.known}
+    names |= {name for have in proof.steps for name in have.source.split()}
+    derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])
+    rated = _letters(search.source, derived)
+    begun = [claims[known.name] for part in parts for _, known in part.known if known.when == "0" and known.name in claims]
+    flat = [have.claim.left for have in proof.steps if have.how == "flat"]
+    begun = _letters(search.source, [*flat, *(side for each in begun for side in (each.left, each.right))])
+    begun |= {n.removesuffix(START) for side in (claim.left, claim.right) for n in t.names(side) if n.endswith(START)}
+    needs = {"rate": rated, "start": begun}
+    claims = {name: each for name, each in claims.items() if name not in search.doubled}
+    return names | {n for n, c in claims.items() if getattr(c.left, "name", "") in needs.get(c.kind, ())}
+
+
+def _letters(source: Source, nodes: Sequence[t.Node]) -> set[str]:
+    """The letters in some formulas and in the integrals that stand in them."""
+    inner = [source.integrals[name] for node in nodes for name in t.names(node) & source.integrals.keys()]
+    found = {name.removesuffix(START) for node in (*nodes, *inner) for name in t.names(node)}
+    return found | {node.var for node in inner}
+
+
+def text(found: Written, *, without: Collection[str] = (), trial: bool = False) -> str:
+    """The Rocq source; on `trial`, each lemma that is not accepted only says so and nothing is kept."""
+    source = found.source
+    terms = Terms(source.moving, {name: f"{name}_dot" for name in source.study.system.coordinates}, source.integrals)
+    writer = Writer(source, terms)
+    lemmas = [lemma for each in found.lemmas.values() for lemma in each]
+    claims: dict[str, Claim] = {}
+    for lemma in lemmas:
+        claims |= {**lemma.premises, lemma.name: lemma.claim}
+    lines = [*writer.opening(), *writer.letters(claims.values())]
+    lines += [f"Definition {name} : Prop := {writer.said(claim)}." for name, claim in claims.items()]
+    kept = [lemma for lemma in lemmas if lemma.name not in without]
+    lines += [writer.trial(lemma) if trial else writer.lemma(lemma) for lemma in kept]
+    whole = ", ".join(f"{lemma.name}'holds" for lemma in kept)
+    lines += [] if trial or not kept else [f"Definition all'of'it := ({whole}).", "Print Assumptions all'of'it."]
+    return "\n".join([*lines, "End Problem.", ""])

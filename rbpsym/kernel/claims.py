@@ -1,0 +1,337 @@
+"""What the steps and facts of a derivation say, as claims about functions of time, neutral of any prover."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.normal import is_rooted
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.derivation.mass import power
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.errors import RbpsymError
+from rbpsym.kernel.components import Components, renamed, started
+from rbpsym.mechanics.dynamics import newton_euler_rows
+from rbpsym.mechanics.system import Force
+from rbpsym.notation import tree as t
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What is said of all times of the motion, if the claims in `given` hold at that time.
+
+    kind: "equal"; "rate" (right is the rate of left); "start" (equal at the start); "more" (left > right); "differ";
+    "slope" (right is the derivative of left by `var` at `place`).
+    """
+
+    left: t.Node
+    right: t.Node
+    kind: str = "equal"
+    given: tuple[Claim, ...] = ()
+    var: str = ""
+    place: t.Node = t.ZERO
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What a step or a fact says: the definitions of the letters that it introduces, and what it asserts."""
+
+    definitions: tuple[Claim, ...] = ()
+    assertions: tuple[Claim, ...] = ()
+
+
+def rows(statement: t.Node) -> tuple[t.Chain, ...]:
+    """The chains that a statement asserts."""
+    return tuple(r for row in statement.rows for r in rows(row)) if isinstance(statement, t.System) else (statement,)
+
+
+def tree_of(value: Scalar | Poly) -> t.Node:
+    """A value as a tree, term by term."""
+    if isinstance(value, Scalar):
+        num = tree_of(value.num)
+        return num if value.den.constant_value() == 1 else t.Div(num, tree_of(value.den))
+    return t.add(*(_term(m, c) for m, c in value.terms.items()))
+
+
+def _term(monomial: tuple, coefficient: int | Fraction) -> t.Node:
+    number = Fraction(coefficient)
+    factors = [t.power(_atom(index), exponent) for index, exponent in monomial]
+    return t.div(t.mul(t.Num(number.numerator), *factors), t.Num(number.denominator))
+
+
+def _atom(index: int) -> t.Node:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return t.Sym(found.arg)
+    if found.kind not in ("sin", "cos"):
+        raise RbpsymError(f"the function {found.kind} has no term in Rocq")
+    return t.Fn(found.kind, tree_of(found.arg))
+
+
+class Source:
+    """The claims of a derivation's steps and facts, by id."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self.derivation, self.study, self.letters = derivation, derivation.study, derivation.letters
+        self.system = self.study.system
+        self.rates = self.system.scope.rates
+        self.steps = {step.id: step for step in derivation.steps}
+        self.components = Components(self._turns, self.moving)
+        self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
+        self.circular: dict[str, t.Fn] = {}
+        self._defined: set[str] = set()
+        self._introduced: set[str] = set()
+        self.said: dict[str, Said] = {}
+        for step in derivation.steps:
+            self.said[step.id] = self._said(step)
+
+    def _turns(self, name: str) -> bool:
+        return name in self.letters.vectors and not any(self.letters.vectors[name].components()[:2])
+
+    @cached_property
+    def _moving(self) -> frozenset[str]:
+        names = {*self.rates, *(n for rate in self.rates.values() for n in names_in(rate)), *self.system.unknowns}
+        vectors = self.letters.vectors
+        return frozenset({*names, *self.letters.works, *vectors, *(f"{n}_{a}" for n in vectors for a in "xy")})
+
+    def moving(self, name: str) -> bool:
+        """Whether a letter stands for a function of time."""
+        if name in self._moving or name in self._defined:
+            return True
+        value = self.letters.scalars.get(name)
+        return value is not None and bool(self._moving & names_in(value))
+
+    # --- steps
+
+    def _said(self, step: Step) -> Said:
+        own = [row for row in rows(step.statement) if self._introduces(row)]
+        self._introduced |= t.names(step.statement)
+        definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
+        for claim in definitions:
+            if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
+                self._defined.add(claim.left.name)
+        asserted = [claim for row in rows(step.statement) for claim in self.row(row)]
+        return Said(tuple(definitions), tuple(MORE.get(step.rule, _no_more)(self, step, asserted)))
+
+    def _introduces(self, row: t.Chain) -> bool:
+        """Whether the letter that stands first is met here for the first time."""
+        name = getattr(row.items[0], "name", "")
+        return name in self.known and name not in self._introduced and "@" not in name
+
+    @cached_property
+    def ranked(self) -> list[str]:
+        """Letters in the order in which they are met: speeds, accelerations, unknown forces, what the steps define."""
+        first = [*self.rates, *self.system.accelerations, *self.system.unknowns]
+        claims = [claim for said in self.said.values() for claim in said.definitions]
+        return list(dict.fromkeys([*first, *(n for c in claims for side in (c.left, c.right) for n in t.names(side))]))
+
+    @cached_property
+    def known(self) -> frozenset[str]:
+        """All letters that the derivation introduces."""
+        return frozenset({*self.letters.scalars, *self.letters.vectors, *self.letters.works})
+
+    def row(self, row: t.Chain) -> Iterator[Claim]:
+        """The claims of a chain: each relation, and across derivatives and integrals that have no value of their own."""
+        kept = [(item, op) for item, op in zip(row.items, ("=", *row.ops), strict=True) if not isinstance(item, SILENT)]
+        for place, (right, op) in enumerate(kept[1:], 1):
+            yield from self.relation(kept[place - 1][0], op, right)
+            if isinstance(kept[place - 1][0], t.Deriv) and place > 1:
+                yield from self.relation(kept[place - 2][0], op, right)
+
+    def relation(self, left: t.Node, op: str, right: t.Node) -> Iterator[Claim]:
+        """One relation by components."""
+        if op == "!=":
+            yield Claim(self.components.plain(left), self.components.plain(right), "differ")
+        elif op in ("<", ">"):
+            low, high = (left, right) if op == "<" else (right, left)
+            yield Claim(self.components.plain(high), self.components.plain(low), "more")
+        elif op != "=":
+            return
+        else:
+            for a, b in self.components.equations(left, right):
+                if isinstance(a, t.Deriv) or isinstance(b, t.Deriv):
+                    of, rate = (a, b) if isinstance(a, t.Deriv) else (b, a)
+                    yield Claim(self._once_less(of), rate, "rate")
+                elif a != b:
+                    yield Claim(a, b)
+
+    def _once_less(self, node: t.Deriv) -> t.Node:
+        """What is derived once at the end of d^n/dt^n of a coordinate."""
+        of = node.of
+        for _ in range(node.order - 1):
+            of = tree_of(self.rates[of.name])
+        return of
+
+    def conditions(self, step: Step) -> tuple[Claim, ...]:
+        """The obligations of a step: its claims hold where these do."""
+        return tuple(claim for node in step.obligations for row in rows(node) for claim in self.row(row))
+
+    # --- facts
+
+    def fact(self, id: str) -> Said:
+        """What a fact says. Raises KeyError for an id that is none."""
+        kind, _, rest = id.partition(".")
+        return Said(tuple(FACTS[kind](self, rest)))
+
+    def _law(self, rest: str) -> Iterator[Claim]:
+        part, _, body = rest.partition(".")
+        for owner, axis, value in newton_euler_rows(self.system):
+            if part == "motion" or (body == owner and (axis == "rotation") == (part == "torque")):
+                yield Claim(tree_of(value), t.ZERO)
+
+    def _start(self, name: str) -> Iterator[Claim]:
+        for letter in (name, f"{name}_dot"):
+            if letter in self.system.scope.start:
+                yield Claim(t.Sym(letter), tree_of(self.system.scope.start[letter]), "start")
+
+    def _range(self, name: str) -> Iterator[Claim]:
+        low, high = self.study.assumptions.ranges[name]
+        if low is not None:
+            yield Claim(t.Sym(name), tree_of(low), "more")
+        if high is not None:
+            yield Claim(tree_of(high), t.Sym(name), "more")
+
+    def meaning(self, letter: str) -> Iterator[Claim]:
+        """What a letter stands for, in coordinates."""
+        if letter in self.letters.works:
+            yield Claim(t.Sym(letter), tree_of(self.letters.works[letter]), "rate")
+            yield Claim(t.Sym(letter), t.ZERO, "start")
+        elif letter in self.letters.vectors:
+            for axis, value in zip("xyz", self.letters.vectors[letter].components(), strict=True):
+                if axis in self.components.axes(t.Vec(letter)):
+                    left = self.components.part(t.Vec(letter), axis)
+                    yield from () if tree_of(value) == left else (Claim(left, tree_of(value)),)
+        elif any(map(is_rooted, ((value := self.letters.scalars[letter]).num, value.den))):
+            yield Claim(t.power(t.Sym(letter), 2), tree_of(without_even_roots(value * value)))
+        else:
+            yield Claim(t.Sym(letter), tree_of(value))
+
+
+SILENT = (t.PathIntegral, t.BodyIntegral)
+FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {
+    "law": Source._law,
+    "start": Source._start,
+    "range": Source._range,
+    "shape": lambda source, rest: iter(()),
+    "def": Source.meaning,
+}
+
+
+
+
+def _by_first(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+    """The letter is what stands next to it: a rate, an integral along the path, a formula."""
+    items = row.items
+    items = items[:1] + items[2:] if isinstance(items[1], t.BodyIntegral) else items
+    if isinstance(items[1], t.PathIntegral):
+        rate = source.components.product if items[1].product == "dot" else lambda a, b: t.Mul((a, b))
+        along = _velocity(source, items[1].path)
+        force = items[1].integrand
+        yield Claim(items[0], rate(force, along) if items[1].product == "dot" else t.Mul((force, along)), "rate")
+        yield Claim(items[0], t.ZERO, "start")
+    else:
+        yield from source.relation(items[0], "=", items[1])
+
+
+def _velocity(source: Source, path: t.Node) -> t.Node:
+    """The letter that was introduced as the rate of the path."""
+    for step in source.steps.values():
+        for row in rows(step.statement):
+            if len(row.items) > 1 and row.items[1] == t.Deriv(path):
+                return row.items[0]
+    name = path.name.replace("varphi", "omega")
+    for step in source.steps.values():
+        if getattr(rows(step.statement)[0].items[0], "name", "") == name:
+            return t.Sym(name)
+    raise RbpsymError(f"no step says what the rate of “{path.name}” is called")
+
+
+def _by_place(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+    """What the mechanics makes of the statement."""
+    yield from source.meaning(row.items[0].name)
+
+
+def _by_forces(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
+    """A force as its law gives it, a torque by components about its point."""
+    name = row.items[0].name
+    if not name.startswith("tau_"):
+        yield from source.meaning(name)
+        return
+    origin = source.study.origins.get(name.split("_")[1], step.data["origin"])
+    yield Claim(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in step.data["forces"]))))
+
+
+def _torque(force: Force, origin: Vector) -> t.Node:
+    x, y, dx, dy = map(tree_of, (force.point.x, force.point.y, origin.x, origin.y))
+    arms = t.Add((x, t.Neg(dx))), t.Add((y, t.Neg(dy)))
+    fx, fy = tree_of(force.vector.x), tree_of(force.vector.y)
+    return t.Add((t.Mul((arms[0], fy)), t.Neg(t.Mul((arms[1], fx))), tree_of(force.couple)))
+
+
+DEFINED: Mapping[str, Callable[[Source, Step, t.Chain], Iterator[Claim]]] = {
+    "statement": _by_place, "potential": _by_place, "torque": _by_forces,
+}  # fmt: skip
+
+
+def _no_more(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    return claims
+
+
+def _conserved(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """And it stays what it is at the start."""
+    ends = [end for row in rows(step.statement) for end in (row.items[0], row.items[-1]) if isinstance(end, t.Sym)]
+    return [*claims, *(Claim(end, started(end, source.moving)) for end in ends)]
+
+
+def _lost(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """And its rate is minus the power of the forces."""
+    rate = tree_of(-power(source.system, step.data["forces"]))
+    return [*claims, Claim(rows(step.statement)[0].items[0], rate, "rate")]
+
+
+def _at_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    still = tuple(Claim(t.Sym(name), t.ZERO) for name in source.system.accelerations)
+    return [Claim(claim.left, claim.right, given=still) for claim in claims]
+
+
+def _open_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """Where the body is at rest, the equation holds of its place."""
+    item = step.data["balance"]
+    there = {item.place: t.Sym(item.name)}
+    return [Claim(renamed(c.left, there), renamed(c.right, there), given=c.given) for c in _at_rest(source, step, claims)]
+
+
+def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """The equation of rest holds at the place."""
+    place = {name: tree_of(value) for name, value in step.data["at"].items()}
+    rest = (id for id, other in source.steps.items() if other.rule == "rest" and id in source.said)
+    found = (claim for id in rest for claim in source.said[id].assertions)
+    return [Claim(renamed(c.left, place), renamed(c.right, place)) for c in found]
+
+
+def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """What is linear has the value and the derivative of the right side of the equation of motion at the place."""
+    name, right = step.data["name"], rows(step.statement)[0].items[-1]
+    place, whole = tree_of(step.data["at"][name]), tree_of(step.data["value"])
+    apart = t.Add((whole, t.Neg(right)))
+    return [Claim(renamed(apart, {name: place}), t.ZERO), Claim(apart, t.ZERO, "slope", var=name, place=place)]
+
+
+def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """Where the equation holds the force vanishes, and only there."""
+    force = Claim(t.Sym(step.id.split(".")[1]), t.ZERO)
+    [there] = claims
+    return [Claim(force.left, force.right, given=(there,)), Claim(there.left, there.right, given=(force,))]
+
+
+MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
+    "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
+    "linearization": _tangent, "vanishing": _vanishes,
+}  # fmt: skip

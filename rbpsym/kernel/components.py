@@ -1,0 +1,96 @@
+"""Vector equations as equations of their components: the same tree, without arrows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields, replace
+
+from rbpsym.notation import tree as t
+
+START = "@0"  # ends the name of a quantity's value at the start
+
+
+def rebuilt(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
+    """The node with each of its direct parts changed."""
+    found = {}
+    for item in fields(node):
+        value = getattr(node, item.name)
+        if isinstance(value, t.Node):
+            found[item.name] = change(value)
+        elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
+            found[item.name] = tuple(map(change, value))
+    return replace(node, **found) if found else node
+
+
+def renamed(node: t.Node, names: Mapping[str, t.Node]) -> t.Node:
+    """The tree with symbols replaced."""
+    if isinstance(node, t.Sym):
+        return names.get(node.name, node)
+    return rebuilt(node, lambda part: renamed(part, names))
+
+
+def started(node: t.Node, moving: Callable[[str], bool]) -> t.Node:
+    """The tree as it is at the start."""
+    return renamed(node, {name: t.Sym(name + START) for name in t.names(node) if moving(name)})
+
+
+class Components:
+    """Components of vectors. `turns`: names of vectors that stand out of the plane."""
+
+    def __init__(self, turns: Callable[[str], bool], moving: Callable[[str], bool]) -> None:
+        self.turns, self.moving = turns, moving
+
+    def equations(self, left: t.Node, right: t.Node) -> Iterator[tuple[t.Node, t.Node]]:
+        """The scalar equations that one equation is."""
+        axes = sorted(self.axes(left) | self.axes(right))
+        for axis in axes:
+            yield self.part(left, axis), self.part(right, axis)
+        if not axes:
+            yield self.plain(left), self.plain(right)
+
+    def axes(self, node: t.Node) -> set[str]:
+        """Along which axes a vector may point; none for a scalar."""
+        if isinstance(node, t.Vec):
+            return {"z"} if self.turns(node.name) else {"x", "y"}
+        if isinstance(node, t.Unit | t.Cross):
+            return {getattr(node, "axis", "z")}
+        if isinstance(node, t.Add | t.Neg | t.Mul | t.Div | t.Group | t.Deriv):
+            return set().union(*map(self.axes, t.children(node)))
+        return set()
+
+    def part(self, node: t.Node, axis: str) -> t.Node:
+        """The component along an axis."""
+        found = self.axes(node)
+        if axis not in found:
+            return t.ZERO
+        if isinstance(node, t.Vec):
+            return t.Sym(node.name if axis == "z" else f"{node.name}_{axis}")
+        if isinstance(node, t.Unit):
+            return t.ONE
+        if isinstance(node, t.Cross):
+            return self._determinant(node)
+        if isinstance(node, t.Mul):
+            return t.mul(*(self.part(f, axis) if self.axes(f) else self.plain(f) for f in node.factors))
+        if isinstance(node, t.Add):
+            return t.add(*(self.part(term, axis) for term in node.terms))
+        return rebuilt(node, lambda part: self.part(part, axis) if self.axes(part) else self.plain(part))
+
+    def _determinant(self, node: t.Cross) -> t.Node:
+        (a, b), (c, d) = ((self.part(side, "x"), self.part(side, "y")) for side in (node.left, node.right))
+        return t.Add((t.Mul((a, d)), t.Neg(t.Mul((b, c)))))
+
+    def product(self, left: t.Node, right: t.Node) -> t.Node:
+        """The scalar product."""
+        shared = sorted(self.axes(left) & self.axes(right))
+        return t.Add(tuple(t.Mul((self.part(left, a), self.part(right, a))) for a in shared)) if shared else t.ZERO
+
+    def plain(self, node: t.Node) -> t.Node:
+        """A scalar without vectors in it; a change as a difference, with the start's values named."""
+        if isinstance(node, t.Dot):
+            return self.product(node.left, node.right)
+        if isinstance(node, t.Pow) and self.axes(node.base):
+            return self.product(node.base, node.base)
+        if isinstance(node, t.Delta):
+            now = self.plain(node.arg)
+            return t.Add((now, t.Neg(started(now, self.moving))))
+        return rebuilt(node, self.plain)

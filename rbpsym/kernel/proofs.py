@@ -1,0 +1,401 @@
+"""How a claim follows from others: by multiples of equations, by rates, by an antiderivative.
+
+A proof here is a certificate, neutral of any prover; whether it is one, the kernel says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import names_in, rate_along, substitute
+from rbpsym.algebra.division import divide
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.poly import generator
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.errors import Undecided
+from rbpsym.kernel.claims import Claim, Source, tree_of
+from rbpsym.kernel.cofactors import circles, partner, reduced, vanishes, wound
+from rbpsym.kernel.components import START, rebuilt, renamed, started
+from rbpsym.kernel.terms import is_along_time
+from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """An equation that may be used: by its name, at the time `when` ("t" or "0"); `claim.given` holds there."""
+
+    name: str
+    claim: Claim
+    when: str = "t"
+
+
+@dataclass(frozen=True, slots=True)
+class Multiples:
+    """left - right = Σ factor × (left - right of a known equation) + Σ factor × (sin² + cos² - 1 of an angle)."""
+
+    known: tuple[tuple[t.Node, Known], ...] = ()
+    circles: tuple[tuple[t.Node, t.Node], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Have:
+    """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral".
+
+    multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0; source:
+    the premises that it rests on.
+    """
+
+    name: str
+    how: str
+    claim: Claim
+    of: t.Node = t.ZERO
+    multiples: Multiples = field(default_factory=Multiples)
+    source: str = ""
+    inner: Have | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """What is shown on the way, then the claim.
+
+    like: for a rate, the formula that is derived, and why it is the same; factor: what is divided by; square: a, s, p
+    where left - right is a s² + p.
+    """
+
+    steps: tuple[Have, ...] = ()
+    multiples: Multiples = field(default_factory=Multiples)
+    like: tuple[t.Node, Multiples] | None = None
+    factor: t.Node | None = None
+    square: tuple[t.Node, t.Node, t.Node] | None = None
+
+
+class Search:
+    """Looks for the proof of one claim from named claims.
+
+    `positive`: parameters above 0; `nonzero`: further letters that are not 0.
+    """
+
+    def __init__(self, source: Source, given: Mapping[str, Claim]) -> None:
+        self.source, self.given = source, given
+        self.integrals = source.integrals
+        self.met: list[t.Integral] = []
+        self.haves: list[Have] = []
+        signs = source.study.assumptions.signs
+        above = [name for name, sign in signs.items() if sign == "positive"]
+        self.positive = {atoms.intern("symbol", name) for name in (*above, "pi")}
+        self.fixed = {*signs, *source.rates, "pi"} - {n for n in source.rates if n.endswith("_dot")}
+        self.nonzero: set[int] = set()
+        self.deep = False
+        self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
+        self.rates = dict(source.rates)
+        self.starts: dict[str, t.Node] = {}
+        self.doubled: dict[str, Claim] = {}  # rates of formulas, and of letters that have one already
+        for claim in (claim for claim in given.values() if claim.kind == "start"):
+            self.starts[claim.left.name + START] = claim.right
+        for name, claim in given.items():
+            if claim.kind == "rate" and isinstance(claim.left, t.Sym) and claim.left.name not in self.rates:
+                self.rates[claim.left.name] = self.value(claim.right)
+            elif claim.kind == "rate":
+                self.doubled[name] = claim
+
+    # --- values
+
+    def value(self, node: t.Node) -> Scalar:
+        """The value in letters; an integral is a letter of its own."""
+        return scalar(self._lettered(node))
+
+    def tree(self, value: Scalar) -> t.Node:
+        """A value as a tree, sines and cosines as functions again."""
+        return renamed(tree_of(value), self.source.circular)
+
+    def _lettered(self, node: t.Node) -> t.Node:
+        if isinstance(node, t.Fn):
+            return self._turned(tree_of(scalar(node)))
+        if not isinstance(node, t.Integral):
+            return rebuilt(node, self._lettered)
+        name = next((n for n, known in self.integrals.items() if known == node), f"J_{len(self.integrals) + 1}")
+        self.integrals[name] = node
+        self.met.append(node)
+        if node.var in self.source.rates and name not in self.rates:
+            self.rates[name] = self.value(node.integrand) * self.source.rates[node.var]
+            begun = self.starts.get(node.var + START)
+            if is_along_time(node, self.moving) or begun == node.lower:
+                self.starts[name + START] = t.ZERO
+        return t.Sym(name)
+
+    def _turned(self, node: t.Node) -> t.Node:
+        """Sines and cosines of plain angles as letters."""
+        if not isinstance(node, t.Fn):
+            return rebuilt(node, self._turned)
+        angle = to_machine(node.arg)
+        for kind in ("sin", "cos"):
+            self.source.circular[f"{kind} {angle}"] = t.Fn(kind, node.arg)
+        return t.Sym(f"{node.name} {angle}")
+
+    def moving(self, name: str) -> bool:
+        """Whether a letter is a function of time."""
+        if name in self.source.circular:
+            return any(map(self.moving, t.names(self.source.circular[name])))
+        return self.source.moving(name) or (name in self.integrals and self.integrals[name].var in self.source.rates)
+
+    def difference(self, claim: Claim, when: str = "t") -> Scalar:
+        """left - right, now or at the start."""
+        found = t.Add((claim.left, t.Neg(claim.right)))
+        return self.value(found if when == "t" else self._begun(found))
+
+    def at_start(self, value: Scalar) -> Scalar:
+        """The value at the start, as far as it is known."""
+        return self.value(self._begun(self.tree(value)))
+
+    def _begun(self, node: t.Node) -> t.Node:
+        integrals = {n: t.ZERO for n in t.names(node) & self.integrals.keys() if self.starts.get(n + START) == t.ZERO}
+        return renamed(started(renamed(node, integrals), self.moving), self.starts)
+
+    # --- elimination
+
+    def order(self, only: Callable[[str], bool] | None = None) -> Callable[[int], int]:
+        """How soon an atom is replaced: letters late in the text first, speeds last."""
+
+        def rank(index: int) -> int:
+            name = atoms.symbol_name(index)
+            base = "" if name is None else name.removesuffix(START)
+            kept = name is None or name in self.fixed or name in self.source.circular or (only is not None and not only(base))
+            return 0 if kept else self.ranks.get(base, 2)
+
+        return rank
+
+    def is_nonzero(self, value: Scalar) -> bool:
+        """Whether it surely does not vanish: one term of what does not, or a sum of positive ones."""
+        alone = self.nonzero | self.positive if len(value.num) == 1 else self.positive
+        return value.num.atoms() <= alone and len({c > 0 for c in value.num.terms.values()}) == 1
+
+    def is_positive(self, value: Scalar) -> bool:
+        """Whether it is a sum of positive terms over a positive one."""
+        parts = (value.num, value.den)
+        return all(p.atoms() <= self.positive and all(c > 0 for c in p.terms.values()) for p in parts) and bool(value)
+
+    def _unrated(self, name: str) -> bool:
+        return self.moving(name) and name not in self.rates and name not in self.source.circular
+
+    def follow(self, goal: Scalar, known: Sequence[Known], *, only: bool = False) -> tuple[Scalar, Multiples]:
+        """What is left of a value when multiples of known equations are taken off, and these."""
+        values = [self.difference(item.claim, item.when) for item in known]
+        rest, sums, rows = reduced(goal, values, self.order(self._unrated if only else None), self.is_nonzero)
+        for row in () if only or vanishes(rest) else rows:
+            if (factor := self._ratio(rest, row.value)) is not None:
+                whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
+                rest, sums = NOTHING, {**sums, **whole}
+                break
+        return rest, self._summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
+
+    def _summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
+        """The goal as a sum of multiples of what is known, and of sin² + cos² - 1."""
+        used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
+        for place, factor in used.items():
+            goal = goal - factor * values[place]
+        turned, left = circles(goal)
+        if left:
+            raise Undecided("the multiples do not add up: ")
+        angles = tuple((self.tree(q), self.source.circular[atoms.symbol_name(i)].arg) for i, q in turned.items())
+        return Multiples(tuple((self.tree(factor), known[place]) for place, factor in used.items()), angles)
+
+    # --- claims
+
+    def prove(self, claim: Claim) -> Proof:
+        """The proof of a claim. Raises Undecided, with what is left, if none is found."""
+        for item in claim.given:
+            if item.kind == "differ":
+                self.nonzero |= self.value(item.left).atoms()
+        if claim.kind == "more" or claim.given:
+            self._signs()
+        goal = self.difference(claim)
+        known = [*self._known(claim), *self._unique(), *self._integrated()]
+        if claim.kind == "slope":
+            return Proof()
+        if claim.kind == "rate":
+            like, by = self.follow(self.value(claim.left), known, only=True)
+            found = self._shown(self._rate(like) - self.value(claim.right), known)
+            return self._proof(found, like=(self.tree(like), by))
+        if claim.kind == "more":
+            return self._above(goal, known)
+        ways = (self._shown, self._cancelled if claim.given else self._by_rates)
+        reasons = []
+        for way in ways:
+            del self.haves[self._count :]
+            try:
+                found = way(goal, known)
+                return self._proof(found) if isinstance(found, Multiples) else found
+            except Undecided as error:
+                reasons.append(str(error))
+        raise Undecided("; ".join(reasons))
+
+    def _proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: object) -> Proof:
+        """The proof, without what was noted on the way and is not used."""
+        used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
+        for have in reversed(self.haves):
+            if have.name in used or have.how == "sign":
+                used |= {known.name for _, known in have.multiples.known}
+                kept.append(have)
+        return Proof(tuple(reversed(kept)), multiples, like, **more)
+
+    def _known(self, claim: Claim) -> Iterator[Known]:
+        """The equations among the premises, now, and at the start if that is spoken of."""
+        equal = {name: item for name, item in self.given.items() if item.kind == "equal"}
+        equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
+        for name, item in equal.items():
+            yield Known(name, item)
+        spoken = {n for side in (claim.left, claim.right) for n in t.names(side)}
+        if any(name.endswith(START) for name in spoken):
+            for name, item in self.given.items():
+                if item.kind == "equal":
+                    yield Known(name, item, "0")
+
+    def _unique(self) -> Iterator[Known]:
+        """What is said to be the rate of a formula is the rate that the formula has."""
+        for name, claim in self.doubled.items():
+            rate = self.tree(self._rate(self.value(claim.left)))
+            if rate != claim.right:
+                yield self._note("unique", Claim(claim.right, rate), of=claim.left, source=name)
+
+    def _note(self, how: str, claim: Claim, **more: object) -> Known:
+        self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
+        return Known(self.haves[-1].name, claim)
+
+    def _signs(self) -> None:
+        """Sines and cosines of angles in the first quarter, or as the ranges among the premises say."""
+        ranges = {name: claim for name, claim in self.given.items() if claim.kind == "more"}
+        for letter in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
+            own = t.Sym(letter)
+            low = [name for name, claim in ranges.items() if claim.left == own and not scalar(claim.right)]
+            high = [name for name, claim in ranges.items() if claim.right == own and scalar(claim.left) == PI / 2]
+            for kind in ("sin", "cos") if low and high else ():
+                self._note("sign", Claim(t.Fn(kind, own), t.ZERO, "more"), source=f"{low[0]} {high[0]}")
+                self.positive |= self.value(t.Fn(kind, own)).atoms()
+
+    def _integrated(self) -> list[Known]:
+        """The integrals between fixed ends, each by an antiderivative."""
+        found = []
+        for node in [*self.integrals.values()]:
+            if node.var not in self.source.rates and node in self.met:
+                inner, integrand = None, node.integrand
+                if isinstance(integrand, t.Integral):
+                    inner = self._integral(integrand, integrand.integrand)
+                    integrand = inner.claim.right
+                have = self._integral(node, integrand)
+                found.append(self._note("integral", have.claim, of=have.of, inner=inner))
+        self._count = len(self.haves)
+        return found
+
+    def _integral(self, node: t.Integral, integrand: t.Node) -> Have:
+        primitive = antiderivative(scalar(integrand), node.var)
+        if primitive is None:
+            raise Undecided("an integral has no closed form")
+        ends = [substitute(primitive, {node.var: scalar(end)}) for end in (node.upper, node.lower)]
+        return Have("", "integral", Claim(node, tree_of(ends[0] - ends[1])), tree_of(primitive))
+
+    def _rate(self, value: Scalar) -> Scalar:
+        unknown = sorted(filter(self._unrated, names_in(value)))
+        if unknown:
+            raise Undecided(f"nothing among the premises says how {unknown[0]} changes")
+        return rate_along(value, {name: self._rate_of(name) for name in names_in(value) if self.moving(name)})
+
+    def _rate_of(self, name: str) -> Scalar:
+        if name not in self.source.circular:
+            return self.rates[name]
+        node = self.source.circular[name]
+        other = self.value(t.Fn("sin", node.arg)) * -1 if node.name == "cos" else self.value(t.Fn("cos", node.arg))
+        return other * self._rate(self.value(node.arg))
+
+    def _shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+        """By multiples; if that is not enough, with the rates of what vanishes as well."""
+        rest, found = self.follow(goal, known)
+        if vanishes(rest):
+            return found
+        more = [*known, *self._stills(known)]
+        rest, found = self.follow(goal, more)
+        if not vanishes(rest) and (squares := list(self._squares(known))):
+            rest, found = self.follow(goal, [*more, *squares])
+        if not vanishes(rest):
+            raise Undecided("it does not follow: of left - right stays " + _brief(self.tree(rest)))
+        return found
+
+    def _stills(self, known: Sequence[Known]) -> Iterator[Known]:
+        """The rates of the equations, after letters without a rate are replaced."""
+        now = [item for item in known if item.when == "t" and not item.name.startswith("g")]
+        values = [self.difference(item.claim) for item in now]
+        for row in reduced(NOTHING, values, self.order(self._unrated), self.is_nonzero)[2]:
+            if any(map(self._unrated, names_in(row.value))) or not any(map(self.moving, names_in(row.value))):
+                continue
+            made = self._summed(row.value, row.multiples, now, values)
+            claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
+            yield self._note("still", claim, of=self.tree(row.value), multiples=made)
+
+    def _squares(self, known: Sequence[Known]) -> Iterator[Known]:
+        """The squares of the speeds that the first integral gives, if it follows."""
+        if self.deep or not any(self.starts):
+            return
+        self.deep = True
+        for name, value in self.source.study.squares.items():
+            claim = Claim(t.power(t.Sym(f"{name}_dot"), 2), tree_of(value))
+            with suppress(Undecided):
+                found = self._by_rates(self.difference(claim), known)
+                flat = self.haves[-1]
+                if len(found.known) == 1 and not found.circles and flat.how == "flat":
+                    yield Known(flat.name, flat.claim)
+        self.deep = False
+
+    def _by_rates(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
+        """left - right does not change and is 0 at the start."""
+        rest, by = self.follow(goal, known, only=True)
+        begin = self.at_start(rest)
+        if not vanishes(begin):
+            raise Undecided("at the start, of left - right stays " + _brief(self.tree(begin)))
+        shown = self._shown(self._rate(rest), known)
+        claim = Claim(self.tree(rest), t.ZERO)
+        return Multiples((*by.known, (t.ONE, self._note("flat", claim, multiples=shown))), by.circles)
+
+    def _cancelled(self, goal: Scalar, known: Sequence[Known]) -> Proof:
+        """A multiple of left - right vanishes, by a factor that does not."""
+        values = [self.difference(item.claim, item.when) for item in known]
+        rest, sums, rows = reduced(goal, values, self.order(), self.is_nonzero)
+        for row in rows:
+            factor = self._ratio(row.value, rest)
+            if factor is not None and self.is_nonzero(factor):
+                whole = {place: -factor * part for place, part in sums.items()}
+                whole |= {place: whole.get(place, NOTHING) + part for place, part in row.multiples.items()}
+                return self._proof(self._summed(factor * goal, whole, known, values), factor=self.tree(factor))
+        raise Undecided("what stands beside it may vanish")
+
+    def _ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
+        """value / by, if it is a polynomial but for what does not vanish."""
+        found = divide(value.num, by.num)
+        if found is None or not self.is_nonzero(Scalar(value.den)):
+            return None
+        below = {index for m in found.terms for index, exponent in m if exponent < 0}
+        return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= self.positive | self.nonzero else None
+
+    def _above(self, goal: Scalar, known: Sequence[Known]) -> Proof:
+        """left - right is a positive multiple of a square, and something positive."""
+        rest, _ = self.follow(goal, known)
+        rest = wound(rest, "cos")
+        for index in sorted(filter(partner, rest.num.atoms())):
+            parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
+            if set(parts) <= {0, 1, 2} and 2 in parts and self.is_positive(parts[2]):
+                a, b, c = (parts.get(power, NOTHING) for power in (2, 1, 0))
+                left = wound(c - b * b / (a * 4))
+                if self.is_positive(left):
+                    root = Scalar(generator(index)) + b / (a * 2)
+                    _, found = self.follow(goal - a * root * root - left, known)
+                    return self._proof(found, square=(self.tree(a), self.tree(root), self.tree(left)))
+        raise Undecided("no square was found that leaves something positive of " + _brief(self.tree(rest)))
+
+
+def _brief(rest: t.Node) -> str:
+    told = to_machine(rest)
+    return told if len(told) < 80 else f"{told[:77]}…"
+

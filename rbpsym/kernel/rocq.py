@@ -1,0 +1,184 @@
+"""Claims and their proofs as Rocq text: one section a problem, one lemma a claim."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from rbpsym.kernel.claims import Claim, Source, tree_of
+from rbpsym.kernel.components import START
+from rbpsym.kernel.proofs import Have, Known, Multiples, Proof
+from rbpsym.kernel.terms import Terms, identifier
+from rbpsym.notation import tree as t
+
+TIMES = "forall t : R, ta < t < tb -> "
+REFUSED = "not accepted: "
+RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
+
+
+@dataclass(frozen=True)
+class Lemma:
+    """A claim, the premises that its proof names, and the proof."""
+
+    name: str
+    claim: Claim
+    premises: Mapping[str, Claim]
+    proof: Proof
+
+
+@dataclass(frozen=True)
+class Writer:
+    """How one problem is written."""
+
+    source: Source
+    terms: Terms
+
+    def opening(self) -> Iterator[str]:
+        """Parameters with their signs, and the motion: functions of time with derivatives on an open interval."""
+        system, signs = self.source.system, self.source.study.assumptions.signs
+        yield "Require Import Prelude. Open Scope R_scope.\nSection Problem."
+        for name, sign in signs.items():
+            yield f"Variable {identifier(name)} : R."
+            yield from (f"Hypothesis above'{name} : 0 < {identifier(name)}." for _ in [0] if sign == "positive")
+        yield "Variables ta tb : R. Hypothesis Begin : ta < 0 < tb."
+        names = [*self.source.rates, *system.accelerations]
+        yield f"Variables {' '.join(map(identifier, names))} : R -> R."
+        for name, rate in self.source.rates.items():
+            of, to = identifier(name), self.terms.term(tree_of(rate))
+            yield f"Hypothesis rate'{name} : {TIMES}is_derive {of} t {to}."
+        for name in dict.fromkeys([*system.accelerations, *system.unknowns]):
+            yield from () if name in names else (f"Variable {identifier(name)} : R -> R.",)
+            yield f"Hypothesis steady'{name} : {TIMES}continuous {identifier(name)} t."
+
+    def letters(self, claims: Iterable[Claim]) -> Iterator[str]:
+        """Declarations of the letters in some claims."""
+        told = {*self.source.rates, *self.source.system.accelerations, *self.source.system.unknowns, "pi"}
+        told |= set(self.source.study.assumptions.signs)
+        found = dict.fromkeys(n for claim in claims for n in sorted(_names(claim)) if n not in told)
+        for name in found:
+            yield f"Variable {identifier(name)} : R{' -> R' if self.source.moving(name) else ''}."
+
+    def said(self, claim: Claim) -> str:
+        """The proposition of a claim."""
+        if claim.kind == "start":
+            return self.relation(replace(claim, kind="equal"), "0")
+        if claim.kind == "slope":
+            bound = replace(self.terms, bound={claim.var: "x"})
+            place, right = self.terms.term(claim.place), self.terms.term(claim.right)
+            return f"is_derive (fun x : R => {bound.term(claim.left)}) {place} ({right})"
+        given = "".join(f"{self.relation(item)} -> " for item in claim.given)
+        return TIMES + given + self.relation(claim)
+
+    def relation(self, claim: Claim, time: str = "t") -> str:
+        """The relation at a moment."""
+        left, right = (self.terms.at(time).term(side) for side in (claim.left, claim.right))
+        if claim.kind == "rate":
+            return f"is_derive (fun t : R => {self.terms.term(claim.left)}) t ({right})"
+        return RELATIONS[claim.kind].format(left=left, right=right)
+
+    # --- lemmas
+
+    def lemma(self, item: Lemma) -> str:
+        """The lemma with its proof."""
+        return f"Lemma {item.name}'holds : {self.statement(item)}.\nProof. {self.script(item)}. Qed."
+
+    def trial(self, item: Lemma) -> str:
+        """The same, only tried: a proof that is not accepted says the name of the lemma."""
+        proof = f"first [solve [{self.script(item)}] | idtac \"{REFUSED}{item.name}\"]"
+        return f"Lemma {item.name}'holds : {self.statement(item)}.\nProof. {proof}. Abort."
+
+    def statement(self, item: Lemma) -> str:
+        """The claim from the premises."""
+        return "".join(f"{name} -> " for name in item.premises) + item.name
+
+    def script(self, item: Lemma) -> str:
+        """The proof as one tactic."""
+        enter = [f"unfold {', '.join([item.name, *item.premises])}", *(f"intros p_{name}" for name in item.premises)]
+        starts = [f"p_{name}" for name, claim in item.premises.items() if claim.kind == "start"]
+        haves = [self.have(have, _finish(starts)) for have in item.proof.steps]
+        haves += [f"clear p_{have.source}" for have in item.proof.steps if have.how == "unique"]
+        return ";\n  ".join([*enter, *haves, self.end(item.claim, item.proof, _finish(starts))])
+
+    def end(self, claim: Claim, proof: Proof, finish: str) -> str:
+        """From what was shown on the way to the claim."""
+        if claim.kind == "slope":
+            return "eapply D_eq; [der | fld]"
+        signs = [f"pose proof ({have.name} t Ht)" for have in proof.steps if have.how == "sign"]
+        enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1)), *signs])
+        close = self.less(proof.multiples) + finish
+        if claim.kind == "rate":
+            like, by = proof.like
+            was = f"intros u Hu; apply lin0; {self.less(by, 'u')}{finish}"
+            alike = f"apply (alike ta tb _ (fun t : R => {self.terms.term(like)})); [{was} | exact Ht |]"
+            return f"{enter}; {alike}; eapply D_eq; [der | apply lin0; {close}]"
+        if proof.square is not None:
+            square = " ".join(map(self.terms.term, proof.square))
+            return f"{enter}; apply (above _ _ {square}); [apply lin0; {close} | pos | pos]"
+        if proof.factor is not None:
+            return f"{enter}; apply (cancel ({self.terms.term(proof.factor)})); [pos | {close}]"
+        return f"{enter}; apply lin0; {close}"
+
+    def less(self, multiples: Multiples, time: str = "t") -> str:
+        """The tactics that take multiples of known equations off."""
+        at = self.terms.at(time)
+        parts = [(factor, self.reference(known, time)) for factor, known in multiples.known]
+        parts += [(factor, f"trig {at.term(angle)}") for factor, angle in multiples.circles]
+        return "".join(f"apply (less {at.term(factor)} _ _ ({shown})); " for factor, shown in parts)
+
+    def reference(self, known: Known, time: str) -> str:
+        """A known equation at a moment."""
+        if known.name.startswith("g"):
+            return known.name
+        name = known.name if known.name.startswith("q") else f"p_{known.name}"
+        return f"{name} 0 Begin" if known.when == "0" else f"{name} {time} H{time}"
+
+    def have(self, have: Have, finish: str) -> str:
+        """An assertion on the way."""
+        return f"assert ({have.name} : {self.said(have.claim)}) by (intros t Ht; {HAVES[have.how](self, have, finish)})"
+
+    def _flat(self, have: Have, finish: str) -> str:
+        rate = f"intros u Hu; eapply D_eq; [der | {self.less(have.multiples, 'u')}{finish}]"
+        body = self.terms.term(have.claim.left)
+        return f"apply (flat ta tb (fun t : R => {body}) Begin); [{rate} | cbv beta; {finish} | exact Ht]"
+
+    def _still(self, have: Have, finish: str) -> str:
+        shown = f"intros u Hu; cbv beta; {self.less(have.multiples, 'u')}{finish}"
+        was = self.terms.at("u").term(have.of)
+        return f"apply (still ta tb (fun u : R => {was}) t); [{shown} | exact Ht | eapply D_eq; [der | fld]]"
+
+    def _unique(self, have: Have, finish: str) -> str:
+        return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; eapply D_eq; [der | fld]"
+
+    def _sign(self, have: Have, finish: str) -> str:
+        bounds = "".join(f"pose proof (p_{name} t Ht); " for name in have.source.split())
+        return f"{bounds}pose proof PI_RGT_0; apply {have.claim.left.name}_gt_0; lra"
+
+    def _integral(self, have: Have, finish: str) -> str:
+        """By an antiderivative; an integral inside is replaced by its value first."""
+        x = replace(self.terms, bound={have.claim.left.var: "x"})
+        if (inner := have.inner) is None:
+            return _primitive(x.term(have.of))
+        y = replace(x, bound={**x.bound, inner.claim.left.var: "x"})
+        outside = f"apply (RInt_on (fun x : R => {x.term(inner.claim.right)}))"
+        return f"{outside}; [intros; {_primitive(y.term(inner.of))} | {_primitive(x.term(have.of))}]"
+
+
+def _primitive(body: str) -> str:
+    return f"apply (RInt_by (fun x : R => {body})); [intros; eapply D_eq; [der | fld] | intros; cont | cbv beta; fld]"
+
+
+HAVES = {
+    "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
+    "integral": Writer._integral,
+}  # fmt: skip
+
+
+def _finish(starts: Sequence[str]) -> str:
+    return f"cbv beta; rewrite ?{', ?'.join(starts)}; rewrite ?RInt_none; fld" if starts else "fld"
+
+
+def _names(claim: Claim) -> set[str]:
+    inner = [claim.left, claim.right, claim.place]
+    bound = {part.var for node in inner for part in t.walk(node) if isinstance(part, t.Integral)} | {claim.var}
+    found = {n.removesuffix(START) for node in inner for n in t.names(node)}
+    return {n for n in found - bound if n} | {n for item in claim.given for n in _names(item)}
