@@ -54,7 +54,7 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     claims, used = granted(found.source, step), set()
     own = named(step.id, Said(assertions=found.source.said[step.id].assertions))
     if not own:
-        raise RbpsymError("the exporter has no statement for it")
+        raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
         claim, proof, search = _proved(found.source, step, claim, claims)
         names = _used(search, claim, proof, claims)
@@ -80,7 +80,7 @@ def _proved(source: Source, step: Step, claim: Claim, claims: Mapping[str, Claim
 
 def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim]) -> set[str]:
     """Names of premises in a proof; rates and starts of letters are used where derivatives are taken."""
-    parts = [proof.multiples, *(have.multiples for have in proof.steps), *([proof.like[1]] if proof.like else [])]
+    parts = [proof.multiples, *(proof.like or ())[1:], *(p for have in proof.steps for p in (have.multiples, have.begin))]
     names = {known.name for part in parts for _, known in part.known}
     names |= {name for have in proof.steps for name in have.source.split()}
     derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])

@@ -86,6 +86,7 @@ class Source:
         self.components = Components(self._turns, self.moving)
         self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
         self.circular: dict[str, t.Fn] = {}
+        self.unsaid: dict[str, str] = {}
         self._defined: set[str] = set()
         self._introduced: set[str] = set()
         self.said: dict[str, Said] = {}
@@ -103,7 +104,7 @@ class Source:
 
     def moving(self, name: str) -> bool:
         """Whether a letter stands for a function of time."""
-        if name in self._moving or name in self._defined:
+        if name in self._moving or name in self._defined or name.endswith(RATE):
             return True
         value = self.letters.scalars.get(name)
         return value is not None and bool(self._moving & names_in(value))
@@ -117,8 +118,17 @@ class Source:
         for claim in definitions:
             if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
                 self._defined.add(claim.left.name)
-        asserted = [claim for row in rows(step.statement) for claim in self.row(row)]
-        return Said(tuple(definitions), tuple(MORE.get(step.rule, _no_more)(self, step, asserted)))
+        return Said(tuple(definitions), tuple(self._asserted(step)))
+
+    def _asserted(self, step: Step) -> list[Claim]:
+        """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
+        claims = [claim for row in rows(step.statement) for claim in self.row(row)]
+        more = MORE.get(step.rule) or MORE.get(step.id.split(".")[0])
+        try:
+            return more(self, step, claims) if more else claims
+        except RbpsymError as error:
+            self.unsaid[step.id] = str(error)
+            return []
 
     def _introduces(self, row: t.Chain) -> bool:
         """Whether the letter that stands first is met here for the first time."""
@@ -170,8 +180,10 @@ class Source:
         return of
 
     def conditions(self, step: Step) -> tuple[Claim, ...]:
-        """The obligations of a step: its claims hold where these do."""
-        return tuple(claim for node in step.obligations for row in rows(node) for claim in self.row(row))
+        """The obligations of a step and of its premises: its claims hold where these do."""
+        steps = [step, *(self.steps[id] for id in step.premises if id in self.steps)]
+        nodes = dict.fromkeys(node for each in steps for node in each.obligations)
+        return tuple(claim for node in nodes for row in rows(node) for claim in self.row(row))
 
     # --- facts
 
@@ -214,6 +226,7 @@ class Source:
             yield Claim(t.Sym(letter), tree_of(value))
 
 
+RATE = "'"  # ends the name of what is the rate of a letter
 SILENT = (t.PathIntegral, t.BodyIntegral)
 FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {
     "law": Source._law,
@@ -231,26 +244,22 @@ def _by_first(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
     items = row.items
     items = items[:1] + items[2:] if isinstance(items[1], t.BodyIntegral) else items
     if isinstance(items[1], t.PathIntegral):
-        rate = source.components.product if items[1].product == "dot" else lambda a, b: t.Mul((a, b))
-        along = _velocity(source, items[1].path)
-        force = items[1].integrand
-        yield Claim(items[0], rate(force, along) if items[1].product == "dot" else t.Mul((force, along)), "rate")
-        yield Claim(items[0], t.ZERO, "start")
+        yield from _along(source, items[0], items[1])
     else:
         yield from source.relation(items[0], "=", items[1])
 
 
-def _velocity(source: Source, path: t.Node) -> t.Node:
-    """The letter that was introduced as the rate of the path."""
-    for step in source.steps.values():
-        for row in rows(step.statement):
-            if len(row.items) > 1 and row.items[1] == t.Deriv(path):
-                return row.items[0]
-    name = path.name.replace("varphi", "omega")
-    for step in source.steps.values():
-        if getattr(rows(step.statement)[0].items[0], "name", "") == name:
-            return t.Sym(name)
-    raise RbpsymError(f"no step says what the rate of “{path.name}” is called")
+def _along(source: Source, work: t.Node, node: t.PathIntegral) -> Iterator[Claim]:
+    """A work grows at the power, in which the rate of the path is a letter of its own, and is 0 at the start."""
+    path = node.path
+    if node.product == "dot":
+        pairs = [(source.components.part(path, axis), source.components.part(node.integrand, axis)) for axis in "xy"]
+    else:
+        pairs = [(source.components.plain(path), source.components.plain(node.integrand))]
+    for letter, _ in pairs:
+        yield Claim(letter, t.Sym(letter.name + RATE), "rate")
+    yield Claim(work, t.add(*(t.Mul((force, t.Sym(letter.name + RATE))) for letter, force in pairs)), "rate")
+    yield Claim(work, t.ZERO, "start")
 
 
 def _by_place(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
@@ -278,10 +287,6 @@ def _torque(force: Force, origin: Vector) -> t.Node:
 DEFINED: Mapping[str, Callable[[Source, Step, t.Chain], Iterator[Claim]]] = {
     "statement": _by_place, "potential": _by_place, "torque": _by_forces,
 }  # fmt: skip
-
-
-def _no_more(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
-    return claims
 
 
 def _conserved(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -319,9 +324,18 @@ def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]
 def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """What is linear has the value and the derivative of the right side of the equation of motion at the place."""
     name, right = step.data["name"], rows(step.statement)[0].items[-1]
-    place, whole = tree_of(step.data["at"][name]), tree_of(step.data["value"])
+    place, whole = tree_of(step.data["at"][name]), rows(source.steps[f"motion.{name}"].statement)[0].items[-1]
     apart = t.Add((whole, t.Neg(right)))
+    if any(map(source.moving, t.names(apart) - {name})):
+        raise RbpsymError("a motion in several variables is not written yet")
     return [Claim(renamed(apart, {name: place}), t.ZERO), Claim(apart, t.ZERO, "slope", var=name, place=place)]
+
+
+def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """What a force is where another vanishes."""
+    _, lost, force = step.id.split(".")
+    given = tuple(source.said[f"loss.{lost}"].assertions[0].given)
+    return [Claim(t.Sym(force), claim.right, given=given) for claim in claims]
 
 
 def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -333,5 +347,5 @@ def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
-    "linearization": _tangent, "vanishing": _vanishes,
+    "linearization": _tangent, "vanishing": _vanishes, "at_loss": _there,
 }  # fmt: skip

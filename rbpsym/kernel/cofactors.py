@@ -57,7 +57,8 @@ def _powers(value: Scalar, index: int) -> list[int]:
 def reduced(
     goal: Scalar, known: Sequence[Scalar], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]
 ) -> tuple[Scalar, Sums, list[Row]]:
-    """What is left of the goal, the multiples that were put to it, and the equations that were used for no pivot.
+    """What is left of the goal, the multiples that were put to it, and the equations, as they were
+    when each was used or left.
 
     order: the higher, the sooner an atom is replaced; 0 for one that is not.
     """
@@ -69,7 +70,7 @@ def reduced(
         for row in (end, *rows):
             pivot.clears(row)
         used.append(pivot)
-    return end.value, end.multiples, [row for row in rows if row.value]
+    return end.value, end.multiples, [row for row in (*rows, *(pivot.row for pivot in used)) if row.value]
 
 
 def _pivots(rows: list[Row], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]) -> Iterator[Pivot]:

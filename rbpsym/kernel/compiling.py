@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from rbpsym.kernel.certify import Written, text
 from rbpsym.kernel.rocq import REFUSED
 
 PRELUDE = Path(__file__).with_name("Prelude.v")
+NOT_ACCEPTED = "coqc does not accept its proof"
 LONGEST = 900  # seconds that coqc may take for one file
 
 
@@ -41,29 +43,31 @@ def compiled(found: Written) -> Report:
     if not has_coqc():
         return report
     begin = time.perf_counter()
-    with tempfile.TemporaryDirectory() as folder:
-        shutil.copy(PRELUDE, folder)
-        run(Path(folder), PRELUDE.name)
-        done = tried(Path(folder), text(found))
+    [done] = with_prelude([text(found)])
+    if done.returncode:
+        bad = re.findall(rf"^{REFUSED}(\S+)", with_prelude([text(found, trial=True)])[0].stdout, re.MULTILINE)
+        refused |= {id: NOT_ACCEPTED for id, own in found.lemmas.items() if {lemma.name for lemma in own} & {*bad}}
+        [done] = with_prelude([text(found, without=bad)])
         if done.returncode:
-            told = tried(Path(folder), text(found, trial=True)).stdout
-            bad = re.findall(rf"^{REFUSED}(\S+)", told, re.MULTILINE)
-            refused |= {id: "coqc does not accept its proof" for id, own in found.lemmas.items() for x in own if x.name in bad}
-            done = tried(Path(folder), text(found, without=bad))
-            if done.returncode:
-                raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
+            raise RbpsymError(f"coqc does not read the written file: {done.stderr[-400:]}")
     axioms = tuple(re.findall(r"^([\w.']+)\s*:", done.stdout.partition("Axioms:")[2], re.MULTILINE))
     return replace(report, axioms=axioms, seconds=time.perf_counter() - begin)
 
 
-def tried(folder: Path, content: str) -> subprocess.CompletedProcess[str]:
-    """coqc on a text of ours."""
-    (folder / "Steps.v").write_text(content, encoding="utf-8")
-    return run(folder, "Steps.v")
+def with_prelude(contents: Iterable[str]) -> list[subprocess.CompletedProcess[str]]:
+    """coqc on texts that begin with the prelude."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        shutil.copy(PRELUDE, folder)
+        _run(folder, PRELUDE.name)
+        found = []
+        for content in contents:
+            (folder / "Steps.v").write_text(content, encoding="utf-8")
+            found.append(_run(folder, "Steps.v"))
+    return found
 
 
-def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    """coqc on a file."""
+def _run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     try:
         return subprocess.run(["coqc", "-q", name], cwd=folder, capture_output=True, text=True, timeout=LONGEST, check=False)
     except subprocess.TimeoutExpired as error:

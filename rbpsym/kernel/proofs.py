@@ -46,8 +46,8 @@ class Multiples:
 class Have:
     """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral".
 
-    multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0; source:
-    the premises that it rests on.
+    multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
+    `begin` that it is 0 at the start; source: the premises that it rests on.
     """
 
     name: str
@@ -55,6 +55,7 @@ class Have:
     claim: Claim
     of: t.Node = t.ZERO
     multiples: Multiples = field(default_factory=Multiples)
+    begin: Multiples = field(default_factory=Multiples)
     source: str = ""
     inner: Have | None = None
 
@@ -145,8 +146,8 @@ class Search:
 
     def difference(self, claim: Claim, when: str = "t") -> Scalar:
         """left - right, now or at the start."""
-        found = t.Add((claim.left, t.Neg(claim.right)))
-        return self.value(found if when == "t" else self._begun(found))
+        found = self.value(t.Add((claim.left, t.Neg(claim.right))))
+        return found if when == "t" else self.at_start(found)
 
     def at_start(self, value: Scalar) -> Scalar:
         """The value at the start, as far as it is known."""
@@ -158,12 +159,12 @@ class Search:
 
     # --- elimination
 
-    def order(self, only: Callable[[str], bool] | None = None) -> Callable[[int], int]:
+    def order(self, only: Callable[[str], bool] | None = None, *, begun: bool = True) -> Callable[[int], int]:
         """How soon an atom is replaced: letters late in the text first, speeds last."""
 
         def rank(index: int) -> int:
             name = atoms.symbol_name(index)
-            base = "" if name is None else name.removesuffix(START)
+            base = "" if name is None else name.removesuffix(START) if begun else name
             kept = name is None or name in self.fixed or name in self.source.circular or (only is not None and not only(base))
             return 0 if kept else self.ranks.get(base, 2)
 
@@ -182,10 +183,14 @@ class Search:
     def _unrated(self, name: str) -> bool:
         return self.moving(name) and name not in self.rates and name not in self.source.circular
 
+    def _defined(self, name: str) -> bool:
+        """A function of time that is no coordinate, speed or integral: what is said of it is put in its place."""
+        return self.moving(name) and not any(name in known for known in (self.source.rates, self.integrals, self.source.circular))
+
     def follow(self, goal: Scalar, known: Sequence[Known], *, only: bool = False) -> tuple[Scalar, Multiples]:
         """What is left of a value when multiples of known equations are taken off, and these."""
         values = [self.difference(item.claim, item.when) for item in known]
-        rest, sums, rows = reduced(goal, values, self.order(self._unrated if only else None), self.is_nonzero)
+        rest, sums, rows = reduced(goal, values, self.order(self._defined if only else None), self.is_nonzero)
         for row in () if only or vanishes(rest) else rows:
             if (factor := self._ratio(rest, row.value)) is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
@@ -249,7 +254,7 @@ class Search:
         equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
         for name, item in equal.items():
             yield Known(name, item)
-        spoken = {n for side in (claim.left, claim.right) for n in t.names(side)}
+        spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
             for name, item in self.given.items():
                 if item.kind == "equal":
@@ -327,13 +332,16 @@ class Search:
     def _stills(self, known: Sequence[Known]) -> Iterator[Known]:
         """The rates of the equations, after letters without a rate are replaced."""
         now = [item for item in known if item.when == "t" and not item.name.startswith("g")]
-        values = [self.difference(item.claim) for item in now]
-        for row in reduced(NOTHING, values, self.order(self._unrated), self.is_nonzero)[2]:
-            if any(map(self._unrated, names_in(row.value))) or not any(map(self.moving, names_in(row.value))):
-                continue
-            made = self._summed(row.value, row.multiples, now, values)
-            claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
-            yield self._note("still", claim, of=self.tree(row.value), multiples=made)
+        values, found = [self.difference(item.claim) for item in now], []
+        each = [lambda name, one=one: self._defined(name) or name == one for one in self.integrals if self.moving(one)]
+        for replaced in (self._unrated, self._defined, *each):
+            for row in reduced(NOTHING, values, self.order(replaced, begun=False), self.is_nonzero)[2]:
+                names = names_in(row.value)
+                if row.value not in found and any(map(self.moving, names)) and not any(map(self._unrated, names)):
+                    made = self._summed(row.value, row.multiples, now, values)
+                    claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
+                    found.append(row.value)
+                    yield self._note("still", claim, of=self.tree(row.value), multiples=made)
 
     def _squares(self, known: Sequence[Known]) -> Iterator[Known]:
         """The squares of the speeds that the first integral gives, if it follows."""
@@ -352,12 +360,13 @@ class Search:
     def _by_rates(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
         """left - right does not change and is 0 at the start."""
         rest, by = self.follow(goal, known, only=True)
-        begin = self.at_start(rest)
+        first = [Known(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
+        begin, begun = self.follow(self.at_start(rest), first)
         if not vanishes(begin):
             raise Undecided("at the start, of left - right stays " + _brief(self.tree(begin)))
         shown = self._shown(self._rate(rest), known)
         claim = Claim(self.tree(rest), t.ZERO)
-        return Multiples((*by.known, (t.ONE, self._note("flat", claim, multiples=shown))), by.circles)
+        return Multiples((*by.known, (t.ONE, self._note("flat", claim, multiples=shown, begin=begun))), by.circles)
 
     def _cancelled(self, goal: Scalar, known: Sequence[Known]) -> Proof:
         """A multiple of left - right vanishes, by a factor that does not."""

@@ -139,7 +139,8 @@ class Writer:
     def _flat(self, have: Have, finish: str) -> str:
         rate = f"intros u Hu; eapply D_eq; [der | {self.less(have.multiples, 'u')}{finish}]"
         body = self.terms.term(have.claim.left)
-        return f"apply (flat ta tb (fun t : R => {body}) Begin); [{rate} | cbv beta; {finish} | exact Ht]"
+        begin = f"cbv beta; rewrite ?RInt_none; {self.less(have.begin, '0')}{finish}"
+        return f"apply (flat ta tb (fun t : R => {body}) Begin); [{rate} | {begin} | exact Ht]"
 
     def _still(self, have: Have, finish: str) -> str:
         shown = f"intros u Hu; cbv beta; {self.less(have.multiples, 'u')}{finish}"
@@ -158,13 +159,13 @@ class Writer:
         x = replace(self.terms, bound={have.claim.left.var: "x"})
         if (inner := have.inner) is None:
             return _primitive(x.term(have.of))
-        y = replace(x, bound={**x.bound, inner.claim.left.var: "x"})
+        y = replace(x, bound={**x.bound, inner.claim.left.var: "y"})
         outside = f"apply (RInt_on (fun x : R => {x.term(inner.claim.right)}))"
-        return f"{outside}; [intros; {_primitive(y.term(inner.of))} | {_primitive(x.term(have.of))}]"
+        return f"{outside}; [intros x; {_primitive(y.term(inner.of), 'y')} | {_primitive(x.term(have.of))}]"
 
 
-def _primitive(body: str) -> str:
-    return f"apply (RInt_by (fun x : R => {body})); [intros; eapply D_eq; [der | fld] | intros; cont | cbv beta; fld]"
+def _primitive(body: str, name: str = "x") -> str:
+    return f"apply (RInt_by (fun {name} : R => {body})); [intros; eapply D_eq; [der | fld] | intros; cont | cbv beta; fld]"
 
 
 HAVES = {

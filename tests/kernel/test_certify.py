@@ -1,0 +1,146 @@
+"""The paper's four problems in the words of Rocq: each step from its listed premises, and what coqc says of them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+
+import pytest
+from click.testing import CliRunner
+
+from rbpsym.algebra.scalar import symbol
+from rbpsym.cli import main
+from rbpsym.derive import derive
+from rbpsym.kernel.certify import Written, text, written
+from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.cofactors import reduced
+from rbpsym.kernel.compiling import Report, compiled, has_coqc, with_prelude
+from rbpsym.kernel.rocq import REFUSED, Lemma
+from rbpsym.kernel.terms import identifier
+from rbpsym.notation import tree as t
+from tests.library.derived import problem
+
+PAPER = ("rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring")
+AXIOMS = {  # of the real numbers, and that functions are equal that have equal values
+    "ClassicalDedekindReals.sig_not_dec",
+    "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep",
+}
+NOT_YET: dict[str, set[str]] = {  # their lists of premises are empty, though they are no identities
+    "rod-and-disk-fixed": {"rest"},
+    "rod-and-disk-free": {"rest"},
+    "sliding-ladder": {"loss.N_w", "at_loss.N_w.N_f"},
+    "sliding-ladder-with-spring": {"loss.N_w", "balance"},
+}
+needs_coqc = pytest.mark.skipif(not has_coqc(), reason="coqc is not installed (apt: coq libcoq-coquelicot)")
+each_problem = pytest.mark.parametrize("name", PAPER)
+
+
+@cache
+def found(name: str) -> Written:
+    return written(derive(problem(name), simulation=False))
+
+
+@cache
+def report(name: str) -> Report:
+    return compiled(found(name))
+
+
+# --- without coqc
+
+
+@each_problem
+def test_every_step_follows_from_its_listed_premises(name: str) -> None:
+    assert set(found(name).refused) == NOT_YET[name], found(name).refused
+
+
+@each_problem
+def test_nothing_is_assumed_in_the_text(name: str) -> None:
+    body = text(found(name))
+    assert not re.search(r"\b(Admitted|Axiom|Parameter|admit|Conjecture)\b", body)
+    hypotheses = re.findall(r"^Hypothesis (\S+) ", body, re.MULTILINE)
+    assert all(word.startswith(("above'", "rate'", "steady'")) for word in hypotheses), "signs and the motion alone"
+
+
+@each_problem
+def test_a_lemma_names_only_what_its_step_lists(name: str) -> None:
+    derivation = found(name).source.derivation
+    for id, lemmas in found(name).lemmas.items():
+        allowed = {id, *derivation.step(id).premises}
+        for lemma in lemmas:
+            assert {premise.rpartition("'")[0] for premise in lemma.premises} <= set(map(identifier, allowed)), lemma.name
+
+
+def test_multiples_are_found_with_their_account() -> None:
+    a, b, m, s, c = map(symbol, ("a", "b", "m", "sin x", "cos x"))
+    known = [m * a * s - b, m * a * c - 1]
+    rest, multiples, _ = reduced(m * a - b * s - c, known, lambda index: 0, lambda value: True)
+    assert rest and not multiples, "without letters to replace nothing is taken off"
+    order = {name: place for place, name in enumerate("ab", 1)}
+    rest, multiples, _ = reduced(b - s * m * a, known, lambda i: order.get(symbol_of(i), 0), lambda value: len(value.num) == 1)
+    assert not rest and set(multiples) == {0}
+
+
+def symbol_of(index: int) -> str:
+    from rbpsym.algebra.atoms import symbol_name
+
+    return symbol_name(index) or ""
+
+
+@pytest.mark.parametrize("names", [("R", "R_", "R__"), ("fun", "fun_"), ("N_w", "N'w"), ("t", "t_")])
+def test_different_letters_stay_different(names: tuple[str, ...]) -> None:
+    assert len(set(map(identifier, names))) == len(names) and not {"R", "fun", "t"} & set(map(identifier, names))
+
+
+# --- with coqc
+
+
+@needs_coqc
+@each_problem
+def test_coqc_accepts_all_that_is_written(name: str) -> None:
+    told = report(name)
+    assert set(told.refused) == NOT_YET[name], told.refused
+    assert set(told.axioms or ()) <= AXIOMS
+
+
+def spoilt(lemma: Lemma, place: int, right: t.Node) -> Lemma:
+    return replace(lemma, name=f"{lemma.name}'{place}", claim=replace(lemma.claim, right=right))
+
+
+def spoilings(claim: Claim) -> list[t.Node]:
+    """Right sides that are wrong: one more, twice."""
+    more = t.Add((claim.right, t.ONE))
+    return [more] if claim.right == t.ZERO else [more, t.Mul((t.TWO, claim.right))]
+
+
+@needs_coqc
+def test_coqc_refuses_what_is_spoilt() -> None:
+    """The proofs of a wrong claim: each is refused."""
+    whole = found("sliding-ladder")
+    each = {
+        id: [spoilt(item, place, right) for item in lemmas for place, right in enumerate(spoilings(item.claim), 1)]
+        for id, lemmas in list(whole.lemmas.items())[::3]
+    }
+    names = {item.name for lemmas in each.values() for item in lemmas}
+    told = with_prelude([text(Written(whole.source, lemmas=each), trial=True)])[0].stdout
+    assert set(re.findall(rf"^{REFUSED}(\S+)", told, re.MULTILINE)) == names and len(names) > 40
+
+
+@needs_coqc
+def test_a_wrong_proof_is_reported_by_its_step() -> None:
+    whole = found("sliding-ladder")
+    [right] = whole.lemmas["balance.ladder"]
+    wrong = spoilt(right, 1, t.ONE)
+    told = compiled(Written(whole.source, {"balance.ladder": [wrong], "energy": whole.lemmas["energy"]}, {"rest": "why"}))
+    assert set(told.refused) == {"balance.ladder", "rest"} and told.steps == 3
+
+
+# --- the command
+
+
+def test_the_command_writes_both_files(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr("rbpsym.kernel.compiling.has_coqc", lambda: False)
+    done = CliRunner().invoke(main, ["certify", "sliding-ladder", "-o", str(tmp_path)], standalone_mode=False)
+    assert {path.name for path in tmp_path.iterdir()} == {"Prelude.v", "sliding_ladder.v"}
+    assert "there is no coqc" in done.output and "loss.N_w" in done.output
