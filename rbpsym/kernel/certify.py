@@ -7,15 +7,16 @@ from dataclasses import dataclass, field, replace
 
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError, Undecided
+from rbpsym.kernel.certificates import Proof
 from rbpsym.kernel.claims import Claim, Said, Source
 from rbpsym.kernel.components import START
-from rbpsym.kernel.proofs import Proof, Search
+from rbpsym.kernel.proofs import Search
 from rbpsym.kernel.rocq import Lemma, Writer
 from rbpsym.kernel.terms import Terms, identifier
 from rbpsym.notation import tree as t
 
 
-@dataclass
+@dataclass(frozen=True)
 class Written:
     """lemmas: those of each step, by its id; refused: why a step has none; unused: premises that no proof named."""
 
@@ -62,7 +63,7 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
         used |= needed.keys()
         yield Lemma(name, claim, needed, proof)
     idle = [id for id in step.premises if not any(name.startswith(identifier(id) + "'") for name in used)]
-    found.unused |= {step.id: tuple(idle)} if idle else {}
+    found.unused.update({step.id: tuple(idle)} if idle else {})
 
 
 def _proved(source: Source, step: Step, claim: Claim, claims: Mapping[str, Claim]) -> tuple[Claim, Proof, Search]:

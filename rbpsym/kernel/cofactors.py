@@ -16,18 +16,19 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 Sums = dict[int, Scalar]  # how often each of the known equations is in one
 
 
-@dataclass
+@dataclass(frozen=True)
 class Row:
     """A value, and what it is: the goal (or nothing) and Σ multiples × known values."""
 
     value: Scalar
     multiples: Sums
 
-    def less(self, factor: Scalar, other: Row) -> None:
-        """Takes off a multiple of another row; sin² is replaced by 1 - cos² on the way."""
-        self.value = wound(self.value - factor * other.value)
+    def less(self, factor: Scalar, other: Row) -> Row:
+        """The row less a multiple of another; sin² is replaced by 1 - cos² on the way."""
+        sums = dict(self.multiples)
         for key, part in other.multiples.items():
-            self.multiples[key] = self.multiples.get(key, NOTHING) - factor * part
+            sums[key] = sums.get(key, NOTHING) - factor * part
+        return Row(wound(self.value - factor * other.value), sums)
 
 
 @dataclass(frozen=True)
@@ -39,11 +40,12 @@ class Pivot:
     slope: Scalar
     row: Row
 
-    def clears(self, row: Row) -> None:
-        """Takes the pivot out of a row."""
+    def cleared(self, row: Row) -> Row:
+        """The row without the pivot."""
         while (top := max(_powers(row.value, self.atom), default=0)) >= self.power:
             head = Scalar(row.value.num.by_power(self.atom)[top], row.value.den)
-            row.less(head * _atom(self.atom) ** (top - self.power) / self.slope, self.row)
+            row = row.less(head * _atom(self.atom) ** (top - self.power) / self.slope, self.row)
+        return row
 
 
 def _atom(index: int) -> Scalar:
@@ -66,9 +68,7 @@ def reduced(
     end, used = Row(wound(goal), {}), []
     while pivots := sorted(_pivots(rows, order, is_nonzero), key=lambda p: (-order(p.atom), len(p.slope.num), p.power)):
         pivot = pivots[0]
-        rows = [row for row in rows if row is not pivot.row]
-        for row in (end, *rows):
-            pivot.clears(row)
+        rows, end = [pivot.cleared(row) for row in rows if row is not pivot.row], pivot.cleared(end)
         used.append(pivot)
     return end.value, end.multiples, [row for row in (*rows, *(pivot.row for pivot in used)) if row.value]
 

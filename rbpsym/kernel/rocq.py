@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
 from rbpsym.kernel.claims import Claim, Source, tree_of
 from rbpsym.kernel.components import START
-from rbpsym.kernel.proofs import Have, Known, Multiples, Proof
 from rbpsym.kernel.terms import Terms, identifier
 from rbpsym.notation import tree as t
 
