@@ -123,7 +123,7 @@ class Source:
     def _asserted(self, step: Step) -> list[Claim]:
         """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
         claims = [claim for row in rows(step.statement) for claim in self.row(row)]
-        more = MORE.get(step.rule) or MORE.get(step.id.split(".")[0])
+        more = MORE.get(step.rule)
         try:
             return more(self, step, claims) if more else claims
         except RbpsymError as error:
@@ -180,10 +180,9 @@ class Source:
         return of
 
     def conditions(self, step: Step) -> tuple[Claim, ...]:
-        """The obligations of a step and of its premises: its claims hold where these do."""
-        steps = [step, *(self.steps[id] for id in step.premises if id in self.steps)]
-        nodes = dict.fromkeys(node for each in steps for node in each.obligations)
-        return tuple(claim for node in nodes for row in rows(node) for claim in self.row(row))
+        """The obligations of a step that nothing discharges: its claims hold where these do."""
+        open_ones = [one.relation for one in step.certificate.verdict.obligations if not one.is_discharged]
+        return tuple(claim for node in open_ones for row in rows(node) for claim in self.row(row))
 
     # --- facts
 
@@ -333,19 +332,24 @@ def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """What a force is where another vanishes."""
-    _, lost, force = step.id.split(".")
-    given = tuple(source.said[f"loss.{lost}"].assertions[0].given)
-    return [Claim(t.Sym(force), claim.right, given=given) for claim in claims]
+    given = source.said[step.data["place"]].assertions[0].given
+    return [Claim(t.Sym(step.data["of"]), claim.right, given=given) for claim in claims]
 
 
 def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
-    """Where the equation holds the force vanishes, and only there."""
-    force = Claim(t.Sym(step.id.split(".")[1]), t.ZERO)
+    """Where the equation holds the force vanishes."""
+    return [Claim(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
+
+
+def _may_vanish(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """There the force vanishes, and nowhere else."""
     [there] = claims
-    return [Claim(force.left, force.right, given=(there,)), Claim(there.left, there.right, given=(force,))]
+    force = Claim(t.Sym(step.data["force"]), t.ZERO)
+    return [*_vanishes(source, step, claims), Claim(there.left, there.right, given=(force,))]
 
 
 MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
-    "linearization": _tangent, "vanishing": _vanishes, "at_loss": _there,
+    "linearization": _tangent, "vanishing": _vanishes, "may_vanish": _may_vanish,
+    "value_there": _there,
 }  # fmt: skip

@@ -139,7 +139,8 @@ class Search:
         values = [self.difference(item.claim, item.when) for item in known]
         rest, sums, rows = reduced(goal, values, self.order(self._defined if only else None), self.is_nonzero)
         for row in () if only or vanishes(rest) else rows:
-            if (factor := self._ratio(rest, row.value)) is not None:
+            factor = self._ratio(rest, row.value) or self._ratio(wound(rest, "cos"), wound(row.value, "cos"))
+            if factor is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
                 rest, sums = NOTHING, {**sums, **whole}
                 break
