@@ -31,6 +31,7 @@ from tests.oracles.sets import Numbers, bounds, drawn
 LIMIT = 1e-6
 MOST_DRAWS = 40  # for a set that fits
 SAMPLES = 24
+LOOKS = 48  # places of a range at which the force at rest is looked at
 WRONG = math.inf
 
 
@@ -271,6 +272,8 @@ def _losses(bench: Bench, study: Study, start, seen: Followed, found: Findings, 
         gap = _gap(event.of, told, known, visited)
         if gap == WRONG and event.of in {loss.force for loss in study.ended.open_}:
             found.missing["place of a loss"] = "it is told that it is not decided"
+        elif gap == WRONG and study.ended.complete is not True and not study.ended.open_:
+            found.missing[f"loss of {event.of}"] = f"the list is not said to be complete: {study.ended.reason}"
         else:
             found.note(f"place where {event.of} is lost", gap, numbers)
     for loss, at in told:
@@ -342,6 +345,7 @@ def _rests(bench: Bench, study: Study, numbers: Numbers, found: Findings) -> Non
             found.note(f"equilibrium {place} exists", WRONG, numbers)
             continue
         found.note(f"equilibrium {place}", _unrest(bench, study, at), numbers)
+    _others(bench, study, found, numbers)
     item = study.open_balance
     if item is not None:
         at = _balanced(item, study, sample)
@@ -349,6 +353,42 @@ def _rests(bench: Bench, study: Study, numbers: Numbers, found: Findings) -> Non
             found.missing["open balance"] = "no root between the ends of the range"
         else:
             found.note("open balance", _unrest(bench, study, {item.name: at}), numbers)
+
+
+def _others(bench: Bench, study: Study, found: Findings, numbers: Numbers) -> None:
+    """Where the list of equilibria is said to be complete, the only coordinate rests nowhere else in its range."""
+    from scipy.optimize import brentq
+
+    if study.rest.complete is not True or len(study.system.independent) != 1 or study.system.has_clock:
+        return
+    [name] = study.system.independent
+    low, high = bounds(study, name, bench.sample)
+    if None in (low, high) or not is_autonomous(study):
+        return
+    told = [_value(item.at[name], bench.sample) for item in study.equilibria if name in item.at]
+    force = study.dynamics.forcing[0]
+    still = {**bench.sample, f"{name}_dot": 0.0}
+
+    def push(value: float) -> float:
+        return number(force, {**still, name: value})
+
+    places = [low + (high - low) * (k + 0.5) / LOOKS for k in range(LOOKS)]
+    try:
+        values = [push(place) for place in places]
+    except (ValueError, ZeroDivisionError, KeyError):
+        return
+    size = max(map(abs, values)) or 1.0
+    for a, b, x, y in zip(places, places[1:], values, values[1:], strict=False):
+        if x * y < 0 and min(abs(x), abs(y)) > 1e-9 * size:
+            root = brentq(push, a, b, xtol=1e-14, rtol=1e-14)
+            if _unrest(bench, study, {name: root}) < LIMIT:
+                near = min((abs(root - place) for place in told if place is not None), default=WRONG)
+                found.note("an equilibrium that is not told", near, numbers)
+
+
+def is_autonomous(study: Study) -> bool:
+    """Does no force depend on the time, and do all coordinates follow from the one?"""
+    return not study.system.implicit and all(study.dynamics.ideal.values())
 
 
 def _balanced(item, study: Study, numbers: Mapping[str, float]) -> float | None:
