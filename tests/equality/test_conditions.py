@@ -1,0 +1,46 @@
+"""Where a formula has a value: the condition that each part leaves, and what discharges it."""
+
+import pytest
+
+from rbpsym.algebra.evaluate import BARE
+from rbpsym.equality.domain import conditions, obligations
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
+from rbpsym.notation.tree import Fn, Sym
+from tests.equality.rows import names_in, read_assumptions
+
+
+def left(text: str, assuming: str = "") -> dict[str, bool]:
+    """Each condition of a formula with whether it is discharged."""
+    names = names_in(text)
+    found = obligations(conditions(read_infix(text, names), BARE), read_assumptions(assuming, names))
+    return {to_machine(duty.relation): duty.is_discharged for duty in found}
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("1/x", {"x != 0": False}),
+        ("sqrt(x)", {"x >= 0": False}),
+        ("sqrt(x**2)", {"x**2 >= 0": True}),
+        ("sqrt(x**3)", {"x**3 >= 0": False}),
+        ("sqrt(x**4 + y**2)", {"x**4 + y**2 >= 0": True}),
+        ("1/(x**2 + 1)", {"x**2 + 1 != 0": True}),
+        ("1/(x**2 + y)", {"x**2 + y != 0": False}),
+        ("tan(x)", {"cos(x) != 0": False}),
+        ("cot(x)", {"sin(x) != 0": False}),
+        ("ln(x)", {"x > 0": False}),
+    ],
+)
+def test_what_a_formula_asks(text, wanted):
+    assert left(text) == wanted
+
+
+def test_declared_signs_discharge_it():
+    assert set(left("1/x + sqrt(x) + ln(x)", "positive").values()) == {True}
+
+
+@pytest.mark.parametrize("name", ["asin", "acos"])
+def test_an_inverse_function_asks_for_its_domain(name):
+    found = list(conditions(Fn(name, Sym("x")), BARE))
+    assert len(found) >= 1 and all("x" in to_machine(duty.node) for duty in found)
