@@ -54,13 +54,11 @@ FORMATS: Mapping[str, Callable[..., str]] = {
 ALIGNED = ("latex", "typst", "mathml", "omml")
 
 
-def printed() -> dict[str, dict[str, str]]:
-    """By format and name of the formula."""
-    found = {}
-    for kind, write in FORMATS.items():
-        found[kind] = {}
-        for name, node in {**SAMPLES, **MORE}.items():
-            found[kind] |= _ways(kind, write, name, node)
+def printed(kind: str) -> dict[str, str]:
+    """By name of the formula, in one format."""
+    found: dict[str, str] = {}
+    for name, node in {**SAMPLES, **MORE}.items():
+        found |= _ways(kind, FORMATS[kind], name, node)
     return found
 
 
@@ -73,4 +71,4 @@ def _ways(kind: str, write: Callable[..., str], name: str, node: Node) -> dict[s
 
 
 if __name__ == "__main__":
-    KEPT.write_text(json.dumps(printed(), ensure_ascii=False, indent=0) + "\n", encoding="utf-8")
+    KEPT.write_text(json.dumps({kind: printed(kind) for kind in FORMATS}, ensure_ascii=False, indent=0) + "\n", encoding="utf-8")
