@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.derivation.chapters.forces import force_node
+from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
@@ -184,7 +184,7 @@ def _conserved(draft: Draft) -> None:
     )
     whole = "energy.conserved" if draft.study.potential is not None else "energy.effective"
     phrase = "energy.relative" if draft.study.system.has_clock else whole
-    ideal = {force.name: force_node(draft, force) for force in reversed(draft.study.system.forces) if force.unknowns}
+    ideal = list(dict.fromkeys(force.name for force in draft.study.system.forces if force.unknowns))
     none = "none" if draft.study.system.forces else "free"
     draft.add(
         "energy",
@@ -194,7 +194,7 @@ def _conserved(draft: Draft) -> None:
         is_result=True,
         premises=["kinetic", *(s.id for s in draft.steps if s.id.startswith(("potential.", "workless.")))],
         data={"value": value},
-        ideal=list(reversed(ideal.values())),
+        ideal=[name_node(draft, name) for name in ideal],
         variant={0: none, 1: "one"}.get(len(ideal), "many"),
     )
 

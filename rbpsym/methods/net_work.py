@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.derivation.chapters.forces import force_node
+from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.signs import sign
@@ -92,7 +92,7 @@ def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
         statement,
         f"work.cancels.{manner}",
         premises=[f"work.{i.force}.{i.on}" for i in items],
-        force=force_node(draft, force),
+        force=name_node(draft, name),
         works=terms,
         bodies=[BodyRef(body) for body in bodies],
         variant="one" if len(bodies) == 1 else "many",

@@ -78,10 +78,16 @@ class Target:
 REFUSALS = (RbpsymError, ZeroDivisionError, KeyError, ValueError, IndexError, StopIteration)
 
 
+# questions that assert something: the sentence by which the derivation says so (`derivation.assertions`)
+ASSERTED = {"frequency": "oscillations.frequency", "loss": "contact.lost"}
+
+
 def targets(derivation: Derivation) -> tuple[Target, ...]:
     """All that can be asked, in the order of the notes; what vanishes identically is left out."""
-    found = (target for make in KINDS.values() for target in make(derivation))
-    return tuple(_with_step(target, derivation) for target in found if _is_worth_asking(target, derivation.study))
+    made = (_with_step(target, derivation) for make in KINDS.values() for target in make(derivation))
+    told = {step.id: step.phrase for step in derivation.steps}
+    found = (target for target in made if told.get(target.step, "").startswith(ASSERTED.get(target.kind, "")))
+    return tuple(target for target in found if _is_worth_asking(target, derivation.study))
 
 
 def _is_worth_asking(target: Target, study: Study) -> bool:

@@ -37,6 +37,12 @@ def force_node(draft: Draft, force: Force) -> t.Node:
     return t.Vec(force.name)
 
 
+def name_node(draft: Draft, name: str) -> t.Node:
+    """What is called so on all bodies together: a vector, or a couple."""
+    vector = any(force.vector for force in draft.study.system.forces if force.name == name)
+    return t.Vec(name) if vector else t.Sym(name)
+
+
 def tag(draft: Draft, force: Force) -> str:
     """Name by which works and torques of the force on its body are told apart."""
     same = {f.on for f in draft.study.system.forces if f.name == force.name}
