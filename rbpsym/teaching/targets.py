@@ -79,13 +79,13 @@ REFUSALS = (RbpsymError, ZeroDivisionError, KeyError, ValueError, IndexError, St
 
 
 # questions that assert something: the sentence by which the derivation says so (`derivation.assertions`)
-ASSERTED = {"frequency": "oscillations.frequency", "loss": "contact.lost"}
+ASSERTED = {"frequency": "oscillations.frequency.", "loss": "contact.lost."}
 
 
 def targets(derivation: Derivation) -> tuple[Target, ...]:
     """All that can be asked, in the order of the notes; what vanishes identically is left out."""
     made = (_with_step(target, derivation) for make in KINDS.values() for target in make(derivation))
-    told = {step.id: step.phrase for step in derivation.steps}
+    told = {step.id: f"{step.phrase}." for step in derivation.steps}
     found = (target for target in made if told.get(target.step, "").startswith(ASSERTED.get(target.kind, "")))
     return tuple(target for target in found if _is_worth_asking(target, derivation.study))
 

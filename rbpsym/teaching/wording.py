@@ -18,6 +18,14 @@ from rbpsym.document.words import Words
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
 
+# What asserts something of a system, and who decides that it is so; all other phrases ask, name or narrate.
+ASSERTIONS: Mapping[str, str] = {
+    **{f"ask.{task}.frequency": "targets.ASSERTED" for task in ("choose", "number", "formula", "compare")},
+    **{f"ask.{task}.loss": "targets.ASSERTED" for task in ("choose", "number", "formula")},
+    "compare.why": "tasks.compare._answer",
+    "misconception": "misconceptions.model.Site",
+}
+
 FOLDER = Path(__file__).with_name("phrases")
 
 

@@ -154,6 +154,9 @@ SAID = [  # a problem, changes of its text, what is not said of it, what is said
     ("ball-against-free-rod", {}, "The kinetic energy that is lost is", "before the impulses, less that after them"),
     ("pendulum-on-oscillating-support", {}, "As functions of position and speed", "Solved for the unknown forces"),
     ("loaded-wheel", {}, "This is what sets", "This changes the energy of the rotation"),
+    ("block-sliding-or-tipping", {}, "changes the spin of the block", "The block does not turn, so the torques balance"),
+    ("cylinder-in-corner", {}, "have no torque about this point", "Take the cylinder about the fixed point O. The net"),
+    ("brake-drum", {}, "The unknown forces D and N have no torque", "Take the drum about the fixed point O. The unknown"),
     ("ring-with-bob", {}, "two works, but whatever its value, they are opposite", "cancel in the sum, whatever its value"),
 ]
 
@@ -163,6 +166,13 @@ def test_what_is_false_is_not_said(name: str, changes: dict[str, str], never: st
     told = text_of(name, **changes)
     assert never not in told
     assert instead in told
+
+
+def test_a_force_that_pulls_at_several_bodies_is_named_once() -> None:
+    """Both pulls of a string have the same sense: neither is the opposite of the other."""
+    steps = derive(load_problem(problem_files()["double-atwood"]), simulation=False).steps
+    assert next(s for s in steps if s.id == "energy").slots["ideal"] == [t.Vec("T_1"), t.Vec("T_2")]
+    assert [s.slots["force"] for s in steps if s.rule == "workless"] == [t.Vec("T_1"), t.Vec("T_2")]
 
 
 SUMMARIES = [
