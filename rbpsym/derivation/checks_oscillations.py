@@ -231,11 +231,14 @@ def characteristic(context: Context, step: Step) -> Verdict:
 
 
 def mode_shape(context: Context, step: Step) -> Verdict:
-    """(K - λ M) A = 0 for the amplitudes in the stated ratio (`data`: "at", "square")."""
-    [(_, _, right)] = list(relations(step.statement))
-    ratio = context.value(right)
-    rows = _shifted(near_place(context, step), step.data["square"])
-    return weakest(same(context, row[0] + row[1] * ratio, NOTHING) for row in rows)
+    """(K - λ M) A = 0 for the amplitudes in the stated ratio, and A₁² Σ M_ij A_i A_j / A₁² = 1 (`data`: "at", "square")."""
+    ratio, *sizes = (context.value(right) for _, _, right in relations(step.statement))
+    near = near_place(context, step)
+    amplitudes = (UNITY, ratio)
+    pairs = ((near.mass[i][j], amplitudes[i] * amplitudes[j]) for i in range(2) for j in range(2))
+    mass = total(m * product for m, product in pairs)
+    found = [same(context, row[0] + row[1] * ratio, NOTHING) for row in _shifted(near, step.data["square"])]
+    return weakest([*found, *(same(context, size * mass, UNITY) for size in sizes)])
 
 
 # --- motions in which speeds occur

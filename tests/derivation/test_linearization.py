@@ -119,3 +119,67 @@ def test_the_expansion_keeps_what_is_of_first_order():
     assert expansion.part(found.slope, "theta _dot") == UNITY
     assert expansion.part(found.slope, "theta away") * 2 == UNITY
     assert found.value == UNITY
+
+
+WORKING = """
+title = "A hinged rod that a torsion spring holds at a slant"
+[parameters]
+M     = "mass"
+ell   = "length"
+kappa = "torsion stiffness"
+c     = "rotary damping"
+g     = "acceleration"
+[coordinates.theta]
+start = "pi/6"
+range = ["-pi/2", "pi/2"]
+[bodies.rod]
+shape  = "rod"
+mass   = "M"
+length = "ell"
+start  = "O"
+angle  = "theta"
+[interactions.W]
+type = "gravity"
+[interactions.S]
+type          = "torsion-spring"
+between       = ["ground", "rod"]
+stiffness     = "kappa"
+rest_angle    = "pi/6 + M*g*ell*cos(pi/6)/(2*kappa)"
+[interactions.D]
+type        = "rotary-damper"
+between     = ["ground", "rod"]
+coefficient = "c"
+[constraints.F]
+type  = "pivot"
+point = "rod.start"
+"""
+
+
+def test_about_a_stated_working_position():
+    """κ(θ - θ_n) = -(Mgℓ/2) cos θ has no closed solution; the stated start is one."""
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.equality.decide import scalars_equal
+    from rbpsym.mechanics.study import Study
+    from rbpsym.notation.infix import read_infix
+    from rbpsym.statement.loader import load_text
+
+    study = Study(load_text(WORKING))
+    [item] = study.equilibria
+    [[stiffness]] = item.stiffness
+    wanted = scalar(read_infix("kappa - M*g*ell/4", ["kappa", "M", "g", "ell"]))
+    assert scalars_equal(item.at["theta"], scalar(read_infix("pi/6", []))).is_proved
+    assert scalars_equal(stiffness, wanted).is_proved
+    assert item.frequencies_squared == () and item.nature.proved == "open"
+    assert scalars_equal(item.where / wanted, item.where / stiffness).is_proved
+
+
+def test_a_closed_loop_swings_with_what_its_conditions_allow():
+    """h sin φ + ℓ sin ψ = 0 is not solved; ψ moves with φ by -(r/ℓ) there."""
+    draft = drafted("systems/guided-rod")
+    [item] = draft.study.equilibria
+    assert set(item.linear.tied) == {"psi"}
+    step = next(step for step in draft.steps if step.rule == "linear_system")
+    [factor] = item.linear.tied["psi"]
+    wrong = replace(step, data={**step.data, "tied": {"psi": (factor * 2,)}})
+    assert certify(draft.context, step).verdict.is_proved
+    assert not certify(draft.context, wrong).verdict.is_proved

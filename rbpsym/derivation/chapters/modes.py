@@ -11,7 +11,7 @@ from dataclasses import replace
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
@@ -20,7 +20,7 @@ from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.notation import tree as t
 
 LAMBDA = "lamda"
-LONGEST, LONGEST_RATIO = 120, 30
+LONGEST, LONGEST_RATIO, LONGEST_SIZE = 120, 30, 40
 
 
 def write(draft: Draft, item: Equilibrium, place: int) -> None:
@@ -142,15 +142,20 @@ def _ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
 
 
 def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, ratio: Scalar) -> None:
-    """The ratio of the amplitudes of the two coordinates in one mode."""
+    """The ratio of the amplitudes of the two coordinates in one mode, and their size if its mass Σ M_ij A_i A_j is 1."""
     first, second = draft.study.system.independent
     letters = [_name(draft, f"A_{name}", place, k) for name in (first, second)]
-    draft.context.scalars.update(zip(letters, (UNITY, ratio), strict=True))
+    (a, b), (_, c) = item.inertia
+    size = short(1 / (a + b * ratio * 2 + c * ratio * ratio))
+    draft.context.scalars.update(zip(letters, (root(size), root(size) * ratio), strict=True))
+    rows = [t.equation(t.Div(t.Sym(letters[1]), t.Sym(letters[0])), draft.show(ratio, factor=True))]
+    sized = t.equation(t.Pow(t.Sym(letters[0]), t.TWO), draft.show(size, factor=True))
+    is_short = length(sized) <= LONGEST_SIZE
     draft.add(
         f"shape.{place}.{k}",
         "mode_shape",
-        t.equation(t.Div(t.Sym(letters[1]), t.Sym(letters[0])), draft.show(ratio, factor=True)),
-        "oscillations.shape",
+        t.System((*rows, sized)) if is_short else rows[0],
+        "oscillations.shape.sized" if is_short else "oscillations.shape.plain",
         premises=[f"modes.{place}"],
         frequency=t.Sym(_name(draft, "vartheta", place, k)),
         first=t.Sym(first),
