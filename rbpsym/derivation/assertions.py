@@ -28,6 +28,7 @@ MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
 STEPS: Mapping[str, Entry] = {
     **dict.fromkeys(CHAPTERS.split(), (g.is_proved, "")),  # what says no more than its formula
     **{f"kinematics.condition.{kind}.identity": (g.is_identity, "") for kind in IDENTITY.split()},
+    "kinematics.condition.sticking_speed.moving": (g.is_point_of_body, "kinematics.condition.sticking_speed.fixed"),
     "kinematics.dependent": (g.ties_to_others, "kinematics.determined"),
     "kinematics.orbit": (g.is_steady, ""),
     "kinematics.turning.opposite": (g.is_turned_back, "kinematics.turning.plain"),
@@ -90,6 +91,7 @@ PAGES: Mapping[str, Entry] = {
     "statement.vertical": (g.moves_in_vertical_plane, "statement.plane"),
     "statement.plane": (g.can_move, "statement.held"),
     "statement.held": (g.rests_in_vertical_plane, "statement.held_flat"),
+    "statement.rolling": (g.can_move, "statement.rolling_still"),
     "statement.still": (g.is_still, ""),
     "statement.driven": (g.is_driven, ""),
     "statement.rest": (g.leaves_rest, "statement.rest_there"),

@@ -23,6 +23,7 @@ from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
+from rbpsym.statement.curves import toucher
 
 if TYPE_CHECKING:
     from rbpsym.derivation.context import Context
@@ -130,6 +131,11 @@ def ties_to_others(said: Said) -> bool:
     """A coordinate that is not free depends on one that is."""
     value = said.system.dependent[said.slot("coordinate")]
     return is_proved(said) and any(not is_zero(derivative(value, name)) for name in said.system.independent)
+
+
+def is_point_of_body(said: Said) -> bool:
+    """What touches is a point of a body, and not of the ground."""
+    return is_proved(said) and toucher(said.step.data["element"]) is not None
 
 
 def is_turned_back(said: Said) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Inlines
 from rbpsym.document.places import line_in_words, point_in_words
@@ -23,7 +24,8 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     key = slots.pop("key", f"statement.{element.kind}")
     if not said.has(key):
         key, slots = "statement.other", _other(element, pose, said)
-    return capital(said.say(key, force=t.Vec(element.name), letter=t.Sym(element.name), **slots))
+    ground = Said(pose.study)
+    return capital(said.say(key, ground=ground, force=t.Vec(element.name), letter=t.Sym(element.name), **slots))
 
 
 def _pivot(element: Element, pose: DrawnPose, said: Words) -> Slots:

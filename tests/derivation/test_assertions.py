@@ -157,6 +157,8 @@ SAID = [  # a problem, changes of its text, what is not said of it, what is said
     ("block-sliding-or-tipping", {}, "changes the spin of the block", "The block does not turn, so the torques balance"),
     ("cylinder-in-corner", {}, "have no torque about this point", "Take the cylinder about the fixed point O. The net"),
     ("brake-drum", {}, "The unknown forces D and N have no torque", "Take the drum about the fixed point O. The unknown"),
+    ("three-logs", {}, "rolls without slipping", "rests on the floor"),
+    ("rod-tipping-over-edge", {}, "it moves along with the rod", "does not slip along what it touches"),
     ("ring-with-bob", {}, "two works, but whatever its value, they are opposite", "cancel in the sum, whatever its value"),
 ]
 
