@@ -13,11 +13,11 @@ from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Value
 from rbpsym.algebra.ideal import vanishes_on
-from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
@@ -205,12 +205,9 @@ def integrals_by_differentiation(context: Context, step: Step) -> Verdict:
 
 def _undone(context: Context, node: t.Integral) -> Verdict:
     integrand = context.value(node.integrand)
-    primitive = antiderivative(integrand, node.var)
-    if primitive is None:
-        return Verdict(UNDECIDED, reason="the integral has no closed form")
-    back = same(context, derivative(primitive, node.var), integrand)
-    ends = [substitute(primitive, {node.var: context.value(end)}) for end in (node.upper, node.lower)]
-    return weakest([back, same(context, ends[0] - ends[1], context.value(node))])
+    found = primitive(integrand, node.var)
+    ends = [substitute(found, {node.var: context.value(end)}) for end in (node.upper, node.lower)]
+    return same(context, ends[0] - ends[1], context.value(node))
 
 
 def _nothing() -> Verdict:
@@ -231,10 +228,7 @@ def _integrated(context: Context, of: Scalar, found: Scalar) -> Verdict:
     system, total = context.study.system, NOTHING
     for name in system.coordinates:
         slope = derivative(of, name)
-        primitive = antiderivative(slope, name)
-        if primitive is None:
-            return Verdict(UNDECIDED, reason="the rate can't be integrated back in closed form")
-        gained, moved = _gained((primitive, of), name)
+        gained, moved = _gained((primitive(slope, name), of), name)
         if not is_zero(gained - moved):
             return same(context, gained, moved)
         total = total + slope * system.scope.rates[name]

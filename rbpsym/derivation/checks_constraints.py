@@ -10,7 +10,6 @@ from rbpsym.derivation.checks import same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
-from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.conditions import all_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -66,7 +65,7 @@ def _velocity(system: System, body: str | None, place: Vector) -> Vector:
     if body is None:
         return Vector({})
     pose = system.bodies[body].pose
-    moving = vector_rate(at_point(pose, (symbol(LOCAL[0]), symbol(LOCAL[1]))), system.scope)
+    moving = at_point(pose, (symbol(LOCAL[0]), symbol(LOCAL[1]))).rate(system.scope.rates)
     arm = place - pose.origin
     along, across = (at_point(pose, unit) - pose.origin for unit in ((UNITY, NOTHING), (NOTHING, UNITY)))
     here = {LOCAL[0]: arm.dot(along), LOCAL[1]: arm.dot(across)}

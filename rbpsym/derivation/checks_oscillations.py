@@ -17,6 +17,7 @@ from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.entailment import short
 from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
@@ -24,7 +25,6 @@ from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.demands import assuming
-from rbpsym.mechanics.elimination import short
 
 Matrix = list[list[Scalar]]
 

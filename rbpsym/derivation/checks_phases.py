@@ -10,16 +10,15 @@ from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
-from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
+from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import UNDECIDED, Verdict
-from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import System
@@ -38,8 +37,8 @@ def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
     scope = context.study.system.scope
     rate = time_derivative(value, scope)
     gain = context.on_motion(time_derivative(rate, scope))
-    speed = antiderivative(gain, "t") + context.start(rate)
-    return antiderivative(speed, "t") + context.start(value), speed
+    speed = primitive(gain, "t") + context.start(rate)
+    return primitive(speed, "t") + context.start(value), speed
 
 
 def _of(context: Context, name: str) -> Scalar:
@@ -130,7 +129,7 @@ def parting(context: Context, step: Step) -> Verdict:
 def _approach(system: System, element) -> Scalar:
     where = geometry_of(system).where
     first, second = (where(ref) for ref in element["points"])
-    return pair(element["along"]).dot(vector_rate(second - first, system.scope))
+    return pair(element["along"]).dot((second - first).rate(system.scope.rates))
 
 
 def energy_jump(context: Context, step: Step) -> Verdict:

@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.facts import Fact
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation.tree import Add, Delta, Deriv, Integral, Node, PathIntegral, Sym, walk

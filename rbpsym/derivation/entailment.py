@@ -16,7 +16,7 @@ from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.normal import is_rooted, is_zero, shorten, without_even_roots
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
-from rbpsym.mechanics.motion import with_squares
+from rbpsym.algebra.squares import with_squares
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ class Known:
         for pivot in self.pivots:
             if depends_on(found, pivot.name):
                 _note(pivot, notes)
-                found = _short(substitute(found, {pivot.name: pivot.value}))
+                found = short(substitute(found, {pivot.name: pivot.value}))
         return found
 
     def with_squares(self, found: Scalar, notes: Notes) -> Scalar:
@@ -83,7 +83,8 @@ def _note(pivot: Pivot, notes: Notes) -> None:
         notes.use(id)
 
 
-def _short(value: Scalar) -> Scalar:
+def short(value: Scalar) -> Scalar:
+    """The value with sin² + cos² = 1 used where that makes it shorter."""
     num = shorten(value.num)
     return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
@@ -152,7 +153,7 @@ def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int
         value, sources = row.value, row.sources
         for pivot in pivots:
             if depends_on(value, pivot.name):
-                value, sources = _short(substitute(value, {pivot.name: pivot.value})), sources | pivot.sources
+                value, sources = short(substitute(value, {pivot.name: pivot.value})), sources | pivot.sources
         names = [name for name in names_in(value) if unknown(name)]
         choice = min(filter(None, (_slope(value, name, unknown(name)) for name in names)), default=None)
         if choice is not None:
@@ -186,7 +187,7 @@ def _slope(value: Scalar, name: str, rank: int) -> tuple[int, bool, int, int, st
 
 def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pivot:
     slope = derivative(value, name)
-    return Pivot(name, _short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources, row)
+    return Pivot(name, short(-(substitute(value, {name: NOTHING}) / slope)), slope, sources, row)
 
 
 def cofactors(known: Known, goal: Scalar) -> list[Scalar] | None:
@@ -203,15 +204,15 @@ def _without_poles(value: Scalar) -> Scalar:
     for index in {i for m in value.num.terms for i, e in m if e < 0 and atoms.atom(i).kind in ("cos", "sin")}:
         lowest = min(e for m in value.num.terms for i, e in m if i == index)
         by = Scalar(generator(index)) ** -lowest
-        value = _short(value * by) * by.inverse()
+        value = short(value * by) * by.inverse()
     return value
 
 
 def _combined(value: Scalar, combination: dict[int, Scalar], made: list) -> tuple[Scalar, dict[int, Scalar]]:
     for pivot, row, inner in made:
         if factor := derivative(value, pivot.name):
-            factor = _short(factor / pivot.divisor)
-            value = _short(value - factor * row)
+            factor = short(factor / pivot.divisor)
+            value = short(value - factor * row)
             combination = {k: combination.get(k, NOTHING) - factor * inner.get(k, NOTHING) for k in combination | inner}
     return value, combination
 

@@ -7,60 +7,69 @@ origin of its own frame are used.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.mechanics.assemble import vector_rate
-from rbpsym.mechanics.inertia import POWERS, total_moment
+from rbpsym.derivation.entailment import short
+from rbpsym.derivation.primitives import primitive
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
+from rbpsym.statement.model import MassElement
+
+WEIGHTS = (lambda x, y: UNITY, lambda x, y: x, lambda x, y: y, lambda x, y: x * x + y * y)
 
 
-@dataclass(frozen=True, slots=True)
-class Moments:
-    """∫dm, ∫x dm, ∫y dm, ∫r² dm in the body frame."""
-
-    zeroth: Scalar
-    x: Scalar
-    y: Scalar
-    second: Scalar
-
-
-def mass_moments(system: System, body: str) -> Moments:
-    """The moments of a body's mass about the origin of its frame."""
-    shape = system.problem.body(body).shape
+def mass_moments(system: System, body: str) -> tuple[Scalar, ...]:
+    """∫dm, ∫x dm, ∫y dm and ∫r² dm about the origin of the body's frame."""
+    shape, own = system.problem.body(body).shape, system.bodies[body].inertia
     if shape.elements:
-        return Moments(*(total_moment(shape.elements, power) for power in POWERS))
-    own = system.bodies[body].inertia
+        return tuple(sum((_spread(item, weight) for item in shape.elements), NOTHING) for weight in WEIGHTS)
     second = own.moment + own.mass * (own.x * own.x + own.y * own.y)
-    return Moments(own.mass, own.mass * own.x, own.mass * own.y, second)
+    return own.mass, own.mass * own.x, own.mass * own.y, second
+
+
+def _spread(element: MassElement, weight: Callable[[Scalar, Scalar], Scalar]) -> Scalar:
+    """∫ dm × the weight over one element, from the innermost variable outwards; each antiderivative is differentiated."""
+    value = scalar(element.density) * scalar(element.measure) * weight(scalar(element.x), scalar(element.y))
+    for item in reversed(element.ranges):
+        found = primitive(_plain(value), item.variable)
+        ends = (substitute(found, {item.variable: scalar(end)}) for end in (item.upper, item.lower))
+        value = next(ends) - next(ends)
+    return _plain(value) * element.sign
+
+
+def _plain(value: Scalar) -> Scalar:
+    """Even powers of roots worked out, so that an antiderivative can be proposed."""
+    return short(Scalar(without_even_roots(value.num), value.den))
 
 
 def angular_momentum(system: System, body: str, origin: Vector) -> Scalar:
     """∫ (r - origin) × v dm with r = A + x e₁ + y e₂, v = dr/dt, in Cartesian components."""
     place, speed, first, second, spin = _frame(system, body)
-    m = mass_moments(system, body)
+    zeroth, first_x, first_y, second_moment = mass_moments(system, body)
     ax, ay = place.x - origin.x, place.y - origin.y
     vx, vy = speed.x, speed.y
     ex, ey = first
     fx, fy = second
-    sx, sy = m.x * ex + m.y * fx, m.x * ey + m.y * fy
-    constant = (ax * vy - ay * vx) * m.zeroth
+    sx, sy = first_x * ex + first_y * fx, first_x * ey + first_y * fy
+    constant = (ax * vy - ay * vx) * zeroth
     linear = spin * (ax * sx + ay * sy) + (sx * vy - sy * vx)
-    return constant + linear + spin * m.second
+    return constant + linear + spin * second_moment
 
 
 def kinetic_energy(system: System, body: str) -> Scalar:
     """½ ∫ v² dm with v = V_A + ω k × (x e₁ + y e₂)."""
     _, speed, first, second, spin = _frame(system, body)
-    m = mass_moments(system, body)
-    sx, sy = m.x * first[0] + m.y * second[0], m.x * first[1] + m.y * second[1]
-    square = (speed.x * speed.x + speed.y * speed.y) * m.zeroth
+    zeroth, first_x, first_y, second_moment = mass_moments(system, body)
+    sx, sy = first_x * first[0] + first_y * second[0], first_x * first[1] + first_y * second[1]
+    square = (speed.x * speed.x + speed.y * speed.y) * zeroth
     mixed = spin * (speed.y * sx - speed.x * sy) * 2
-    return (square + mixed + spin * spin * m.second) * Fraction(1, 2)
+    return (square + mixed + spin * spin * second_moment) * Fraction(1, 2)
 
 
 def _frame(system: System, body: str):
@@ -69,14 +78,14 @@ def _frame(system: System, body: str):
     state = system.bodies[body]
     place, angle = state.pose.origin, state.pose.angle
     c, s = cosine(angle), sine(angle)
-    return place, vector_rate(place, system.scope), (c, s), (-s, c), state.omega
+    return place, place.rate(system.scope.rates), (c, s), (-s, c), state.omega
 
 
 def moment_about(study: Study, body: str, point: tuple[Scalar, Scalar]) -> Scalar:
     """∫ |r - p|² dm for a point p of the body frame."""
-    m = mass_moments(study.system, body)
+    zeroth, first_x, first_y, second_moment = mass_moments(study.system, body)
     x, y = point
-    return m.second - (m.x * x + m.y * y) * 2 + m.zeroth * (x * x + y * y)
+    return second_moment - (first_x * x + first_y * y) * 2 + zeroth * (x * x + y * y)
 
 
 def torque(forces: Iterable[Force], origin: Vector) -> Scalar:
@@ -94,7 +103,7 @@ def power(system: System, forces: Iterable[Force]) -> Scalar:
     for force in forces:
         state = system.bodies[force.on]
         lever = force.point - state.pose.origin
-        speed = vector_rate(state.pose.origin, system.scope)
+        speed = state.pose.origin.rate(system.scope.rates)
         vx, vy = speed.x - state.omega * lever.y, speed.y + state.omega * lever.x
         total = total + force.vector.x * vx + force.vector.y * vy + force.couple * state.omega
     return total

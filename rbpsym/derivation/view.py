@@ -16,6 +16,7 @@ from rbpsym.algebra.calculus import depends_on, names_in
 from rbpsym.algebra.evaluate import Scope, Value, value
 from rbpsym.algebra.modular import NoImage
 from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import EX, EY, Space
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_by_numbers
@@ -24,7 +25,6 @@ from rbpsym.derivation.letters import fixed, introducers
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.system import Condition
 from rbpsym.notation import tree as t
 

@@ -54,6 +54,24 @@ def _about_center(mass: Scalar, first: tuple[Scalar, Scalar], second: Scalar) ->
 POWERS = ((), ("x",), ("y",), ("r", "r"))
 
 
+@dataclass(frozen=True, slots=True)
+class Moments:
+    """∫dm, ∫x dm, ∫y dm, ∫r² dm in the body frame."""
+
+    zeroth: Scalar
+    x: Scalar
+    y: Scalar
+    second: Scalar
+
+
+def mass_moments(shape: Shape, own: Inertia) -> Moments:
+    """The moments of a body's mass about the origin of its frame, from its shape and its inertia."""
+    if shape.elements:
+        return Moments(*(total_moment(shape.elements, power) for power in POWERS))
+    second = own.moment + own.mass * (own.x * own.x + own.y * own.y)
+    return Moments(own.mass, own.mass * own.x, own.mass * own.y, second)
+
+
 def total_moment(elements: Iterable[MassElement], power: tuple[str, ...]) -> Scalar:
     """Σ over the elements of ∫ dm × 1, x, y or r² (power (), ("x",), ("y",), ("r", "r"))."""
     return tidy(sum((element_moment(element, power) for element in elements), NOTHING))

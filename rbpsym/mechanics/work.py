@@ -7,7 +7,7 @@ in it. The value is the integral from the start along the motion.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import derivative, substitute
@@ -115,4 +115,13 @@ def power(system: System, item: ForceWork) -> Scalar:
     for half in (item.translational, item.rotational):
         for name, part in half.parts.items():
             total = total + part * system.scope.rates[name]
+    return total
+
+
+def net_power(system: System, forces: Iterable[Force]) -> Scalar:
+    """Σ F·V + τ_cm ω: the rate at which forces work, the translational and the rotational part of it."""
+    total = NOTHING
+    for force in forces:
+        state = system.bodies[force.on]
+        total = total + force.vector.dot(state.velocity) + torque_about_center(force, state) * state.omega
     return total

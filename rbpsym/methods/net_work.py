@@ -14,6 +14,7 @@ from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics import work
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.mechanics.work import ForceWork
@@ -71,9 +72,7 @@ def is_kinetic(element: Element, name: str) -> bool:
 
 def net_power(draft: Draft, name: str) -> Scalar:
     """The rate of all works of a force together."""
-    from rbpsym.derivation.mass import power
-
-    return short(power(draft.study.system, forces_of(draft, name)))
+    return short(work.net_power(draft.study.system, forces_of(draft, name)))
 
 
 # --- ideal forces

@@ -13,9 +13,9 @@ from itertools import combinations
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.squares import with_squares
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import reactions_by_acceleration
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, formula_of

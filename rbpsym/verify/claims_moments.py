@@ -15,12 +15,12 @@ from rbpsym.algebra.calculus import depends_on, function, root, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.linear import decaying
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean

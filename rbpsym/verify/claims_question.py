@@ -9,11 +9,11 @@ from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.squares import with_squares
 from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal
 from rbpsym.equality.points import all_atoms
 from rbpsym.errors import Undecided
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.verify.claims_bound import Motion
 from rbpsym.verify.claims_ground import Ground
 

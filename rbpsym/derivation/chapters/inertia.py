@@ -14,9 +14,8 @@ from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import Scalar, lift
 from rbpsym.derivation.chapters.axes import together, turning_together, turns_about
 from rbpsym.derivation.draft import Draft, length
-from rbpsym.derivation.mass import Moments, mass_moments
 from rbpsym.derivation.step import BodyRef
-from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.inertia import Moments, mass_moments, tidy
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import MassElement
@@ -58,11 +57,15 @@ def write(draft: Draft) -> None:
             together(draft, label)
 
 
+def _moments(draft: Draft, name: str) -> Moments:
+    return mass_moments(draft.study.problem.body(name).shape, draft.study.system.bodies[name].inertia)
+
+
 def _placed_only(draft: Draft, name: str, state: BodyState) -> None:
     """Of a body that never turns only the centre of mass is of interest."""
     elements = draft.study.problem.body(name).shape.elements
     if elements:
-        moments = mass_moments(draft.study.system, name)
+        moments = _moments(draft, name)
         if not (is_zero(moments.x) and is_zero(moments.y)) and _shifted_rod(elements, state) is None:
             _center(draft, name, state, moments, elements)
 
@@ -72,7 +75,7 @@ def _by_power(state: BodyState) -> Mapping[int, Scalar]:
 
 
 def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
-    moments, elements = mass_moments(draft.study.system, name), draft.study.problem.body(name).shape.elements
+    moments, elements = _moments(draft, name), draft.study.problem.body(name).shape.elements
     centred = is_centred(draft, name)
     shifted = _shifted_rod(elements, state)
     if not centred:
@@ -206,7 +209,7 @@ def _about(name: str, state: BodyState, value: Scalar) -> dict:
 
 def is_centred(draft: Draft, name: str) -> bool:
     """Whether the frame in which the mass is described has its origin at the centre of mass."""
-    moments = mass_moments(draft.study.system, name)
+    moments = _moments(draft, name)
     return is_zero(moments.x) and is_zero(moments.y)
 
 

@@ -8,8 +8,8 @@ from functools import cached_property
 
 from rbpsym.algebra.evaluate import BARE, Scope, time_derivative
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.squares import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
-from rbpsym.mechanics.motion import with_squares
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import FORCE, LENGTH, MASS, TIME, Dimension
 from rbpsym.statement.checks import unknowns_of

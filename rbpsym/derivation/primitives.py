@@ -1,0 +1,19 @@
+"""Antiderivatives as checkers take them: whoever proposes one, it is differentiated before it is believed."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra.integration import antiderivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import Undecided
+
+
+def primitive(value: Scalar, name: str) -> Scalar:
+    """An antiderivative with respect to a symbol. Raises Undecided where none is known, or its derivative is another."""
+    found = antiderivative(value, name)
+    if found is None:
+        raise Undecided("the integral has no closed form")
+    if not is_zero(derivative(found, name) - value):
+        raise Undecided("the derivative of what is proposed as the integral is another function")
+    return found
