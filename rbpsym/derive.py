@@ -70,7 +70,7 @@ def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scal
         with at_most(MOST_PRODUCTS):
             return method(draft)
     except LimitError:
-        del draft.steps[before:]
+        draft.forget(before)
         draft.skip(name, "skipped.too_long", method=name)
         return None
 

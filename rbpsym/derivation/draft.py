@@ -80,6 +80,16 @@ class Draft:
                 raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
         return found
 
+    def forget(self, kept: int) -> None:
+        """Takes back all steps but the first ones, and the letters that they introduced."""
+        gone = {step.id for step in self.steps[kept:]}
+        del self.steps[kept:]
+        for id in gone:
+            del self.context.steps[id]
+        for letter in [name for name, (id, _) in self.context.introduced.items() if id in gone]:
+            del self.context.introduced[letter]
+        self.context.rows.clear()
+
     def those(self, *ids: str) -> tuple[str, ...]:
         """Those of the ids of which a step was made."""
         return tuple(id for id in ids if id in self.context.steps)

@@ -135,3 +135,12 @@ def test_links_lead_somewhere() -> None:
     for page in [ROOT / "README.md", ROOT / "ARCHITECTURE.md", ROOT / "CONTRIBUTING.md", *DOCS.glob("*.md")]:
         for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
             assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_what_proved_means_says_so() -> None:
+    """The example of the page on verdicts gives what it says."""
+    from rbpsym import derive, load_problem
+
+    page = (DOCS / "proved.md").read_text(encoding="utf-8")
+    step = derive(load_problem("sliding-ladder"), simulation=False).step("theorem.T.ladder")
+    assert f"step.premises  # {step.premises}" in page
