@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from rbpsym.algebra.effort import at_most
 from rbpsym.derivation import grounds as g
+from rbpsym.derivation import grounds_works as w
 from rbpsym.derivation.grounds import Said
 from rbpsym.derivation.step import PhraseRef, Step
 from rbpsym.errors import RbpsymError
@@ -49,30 +50,30 @@ STEPS: Mapping[str, Entry] = {
     "torque.balance.moving": (g.point_moves, "torque.balance.resting"),
     "torque.balance.crossing": (g.point_moves, "torque.balance.resting"),
     "newton_euler.reaction": (g.is_of_position_and_speed, "newton_euler.known"),
-    "work.cancels": (g.works_cancel, "work.cancelled"),
-    "work.cancels.grip": (g.works_cancel_as_points_move_together, "work.cancelled"),
-    "work.cancels.joint": (g.works_cancel_as_points_move_together, "work.cancelled"),
+    "work.cancels": (w.works_cancel, "work.cancelled"),
+    "work.cancels.grip": (w.works_cancel_as_points_move_together, "work.cancelled"),
+    "work.cancels.joint": (w.works_cancel_as_points_move_together, "work.cancelled"),
     "work.dissipated.damper": (g.is_never_positive, "work.drawn"),
-    "work.dissipated.friction": (g.works_do_not_cancel, "work.drawn"),
-    "work.theorem.whole.cancelled": (g.some_works_cancel, "work.theorem.whole.all"),
-    "work.added": (g.energy_is_conserved, "work.summed"),
-    "work.together.rotational": (g.rotational_work_is_opposite, "work.together.others_too"),
-    "work.together.others_too": (g.common_work_is_not_zero, "work.together.opposite"),
-    "work.together.energy": (g.common_work_is_not_zero, "work.together.constant"),
-    "work.together.turned": (g.does_not_turn_at_start, "work.together.grown"),
-    "energy.conserved": (g.energy_is_conserved, ""),
-    "energy.conserved.free": (g.no_force_acts, ""),
-    "energy.effective": (g.work_is_of_position, ""),
+    "work.dissipated.friction": (w.works_do_not_cancel, "work.drawn"),
+    "work.theorem.whole.cancelled": (w.some_works_cancel, "work.theorem.whole.all"),
+    "work.added": (w.energy_is_conserved, "work.summed"),
+    "work.together.rotational": (w.rotational_work_is_opposite, "work.together.others_too"),
+    "work.together.others_too": (w.common_work_is_not_zero, "work.together.opposite"),
+    "work.together.energy": (w.common_work_is_not_zero, "work.together.constant"),
+    "work.together.turned": (w.does_not_turn_at_start, "work.together.grown"),
+    "energy.conserved": (w.energy_is_conserved, ""),
+    "energy.conserved.free": (w.no_force_acts, ""),
+    "energy.effective": (w.work_is_of_position, ""),
     "energy.changes": (g.ends_otherwise, "energy.rated"),
-    "energy.square": (g.does_not_stay, "energy.square_resting"),
-    "energy.square_alone": (g.acceleration_is_alone, ""),
-    "energy.potential.force": (g.is_constant_action, "energy.potential.other"),
-    "energy.potential.couple": (g.is_constant_action, "energy.potential.other"),
+    "energy.square": (w.does_not_stay, "energy.square_resting"),
+    "energy.square_alone": (w.acceleration_is_alone, ""),
+    "energy.potential.force": (w.is_constant_action, "energy.potential.other"),
+    "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
     "contact.along": (g.is_of_position, "contact.known"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
-    "phases.taken": (g.only_friction_works, "phases.fallen"),
-    "phases.lost.some": (g.energy_is_lost, "phases.lost.change"),
+    "phases.taken": (w.only_friction_works, "phases.fallen"),
+    "phases.lost.some": (w.energy_is_lost, "phases.lost.change"),
     "comparison.spin.free": (g.ends_in_zero, ""),
     "skipped.no_freedom": (lambda said: not said.system.independent, ""),
     "skipped.no_forces": (lambda said: not said.system.forces, ""),
@@ -88,17 +89,17 @@ def _all(key: str) -> Condition:
 
 
 PAGES: Mapping[str, Entry] = {
-    "statement.vertical": (g.moves_in_vertical_plane, "statement.plane"),
-    "statement.plane": (g.can_move, "statement.held"),
-    "statement.held": (g.rests_in_vertical_plane, "statement.held_flat"),
-    "statement.rolling": (g.can_move, "statement.rolling_still"),
-    "statement.still": (g.is_still, ""),
-    "statement.driven": (g.is_driven, ""),
-    "statement.rest": (g.leaves_rest, "statement.rest_there"),
-    "statement.rest_there": (g.stays_at_rest, "statement.begins"),
+    "statement.vertical": (w.moves_in_vertical_plane, "statement.plane"),
+    "statement.plane": (w.can_move, "statement.held"),
+    "statement.held": (w.rests_in_vertical_plane, "statement.held_flat"),
+    "statement.rolling": (w.can_move, "statement.rolling_still"),
+    "statement.still": (w.is_still, ""),
+    "statement.driven": (w.is_driven, ""),
+    "statement.rest": (w.leaves_rest, "statement.rest_there"),
+    "statement.rest_there": (w.stays_at_rest, "statement.begins"),
     **{f"kinematics.{kind}_many": (_all(f"kinematics.{kind}"), "") for kind in MANY},
-    "newton_euler.rest.intro": (g.is_still, ""),
-    "newton_euler.driven.intro": (g.is_driven, ""),
+    "newton_euler.rest.intro": (w.is_still, ""),
+    "newton_euler.driven.intro": (w.is_driven, ""),
     "newton_euler.reactions": (_all("newton_euler.reaction"), ""),
     "torque.solved_all": (_all("torque.solved"), ""),
     "torque.solved_zero_all": (_all("torque.solved_zero"), ""),
@@ -109,23 +110,23 @@ PAGES: Mapping[str, Entry] = {
     "contact.constant": (_all("contact.along"), ""),
     "contact.other_forces": (_all("contact.other_force"), ""),
     "oscillations.unstable_many": (_all("oscillations.unstable"), ""),
-    "caption.checks": (g.most_are_checked_twice, "caption.checked"),
-    "checks.short": (g.all_steps_are_proved, ""),
-    "checks.all": (g.all_steps_are_proved, ""),
-    "checks.course": (g.all_steps_are_proved, ""),
-    "checks.roads": (g.is_confirmed, ""),
-    "checks.methods": (g.methods_agree, "checks.differ"),
-    "checks.differ": (g.methods_differ, "checks.open"),
-    "checks.lagrange.PROVED": (g.lagrange_agrees, ""),
-    "checks.simulation": (g.simulation_agrees, "checks.simulation_differs"),
+    "caption.checks": (w.most_are_checked_twice, "caption.checked"),
+    "checks.short": (w.all_steps_are_proved, ""),
+    "checks.all": (w.all_steps_are_proved, ""),
+    "checks.course": (w.all_steps_are_proved, ""),
+    "checks.roads": (w.is_confirmed, ""),
+    "checks.methods": (w.methods_agree, "checks.differ"),
+    "checks.differ": (w.methods_differ, "checks.open"),
+    "checks.lagrange.PROVED": (w.lagrange_agrees, ""),
+    "checks.simulation": (w.simulation_agrees, "checks.simulation_differs"),
 }
 
 ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
 
 NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some dimension
-explorer figure forces functions grammar growth header index it latex library line list method notation notebook number obligation
-part plain plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
+explorer figure forces functions grammar growth header index it latex library line list method notation notebook number
+obligation part plain plots point ref results section shape skipped spoken statement symbols verdict kinematics.intro kinematics.nothing
 kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro momentum.intro torque.intro torque.none
 torque.settled newton_euler.alone newton_euler.brief newton_euler.intro newton_euler.reactions_rest
 newton_euler.solved_many work.intro work.intro_below work.integrals work.none work.done_intro work.done_below
