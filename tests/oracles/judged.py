@@ -37,6 +37,8 @@ def judged(text: str) -> Judged:
     except RbpsymError as error:
         found.refused = error.what
         return found
+    except TimeoutError:
+        raise
     except Exception as error:  # whatever it is: a refusal has a sentence
         found.wrong.append(f"crash: {type(error).__name__}: {error}")
         return found
@@ -59,6 +61,8 @@ def judged(text: str) -> Judged:
     except RbpsymError as error:
         found.open_.append(error.what)
         return found
+    except TimeoutError:
+        raise
     except Exception as error:
         found.wrong.append(f"crash of the comparison: {type(error).__name__}: {error}")
         return found
