@@ -13,7 +13,6 @@ from pathlib import Path
 from tests.oracles.judged import Judged, judged
 from tests.oracles.systems import statement
 
-
 MOST = 40.0  # seconds of the processor for one system
 
 
