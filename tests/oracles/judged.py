@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from dataclasses import dataclass, field
 from zlib import crc32
 
@@ -26,8 +27,27 @@ class Judged:
     compared: int = 0
 
 
+MOST = 40.0  # seconds of the processor for one system; what takes longer is counted as refused
+
+
+def _late(number: int, frame: object) -> None:
+    raise TimeoutError
+
+
 def judged(text: str) -> Judged:
     """What is wrong with the derivation of a statement."""
+    before = signal.signal(signal.SIGPROF, _late)
+    signal.setitimer(signal.ITIMER_PROF, MOST)
+    try:
+        return _judged(text)
+    except TimeoutError:
+        return Judged(text, refused=f"more than {MOST:g} s")
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def _judged(text: str) -> Judged:
     found = Judged(text)
     try:
         derivation = derive(load_text(text))
