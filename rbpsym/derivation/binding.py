@@ -17,6 +17,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.notation import tree as t
 
 TELLS_MOTION = ("solution", "first_integral", "substitution")  # rules of steps that say what the motion is
+SIGNED = ("vanishing", "equilibrium")  # rules that decide signs on ranges: costly where they fail
 MOST_LAWS = 6  # of so many single laws it is tried whether they do
 
 
@@ -60,7 +61,7 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
     quiet = [id for id in said if id not in works]
     few = [*quiet, *laws] if len(laws) <= MOST_LAWS else []
     steps_up = ((), quiet, said, few, (*said, *told), (MOTION,), (*said, *told, MOTION))
-    if any(op != "=" for _, op, _ in t.relations(step.statement)):
+    if step.rule in SIGNED or any(op != "=" for _, op, _ in t.relations(step.statement)):
         steps_up = tuple((*more, *ranges) for more in ((), (*said, *told), (*said, *told, MOTION)))
     tried = set()
     for more in (*steps_up, (*said, *told, MOTION, *ranges)):

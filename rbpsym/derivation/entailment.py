@@ -13,7 +13,7 @@ from typing import Protocol
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.normal import is_rooted, is_zero, shorten, without_even_roots
+from rbpsym.algebra.normal import is_zero, shorten
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
 from rbpsym.algebra.squares import with_squares
@@ -123,23 +123,30 @@ def _reduced_image(found: dict[Monomial, int], pivots: list) -> tuple[dict[Monom
 
 def _image(value: Scalar, counts: Callable[[str], bool], is_even: Callable[[str], bool]) -> dict[Monomial, int]:
     """A value as a linear form in products of what is unknown."""
-    if value.den is not ONE and any(counts(name) for name in names_in(Scalar(value.den))):
-        raise NoImage
-    by = pow(value_of(value.den), -1, PRIME) if value.den is not ONE else 1
+    by = pow(_residue(Scalar(value.den), counts), -1, PRIME) if value.den is not ONE else 1
     found: dict[Monomial, int] = {}
-    for m, c in (without_even_roots(value.num) if is_rooted(value.num) else value.num).terms.items():
-        key, rest = [], []
+    for m, c in value.num.terms.items():
+        key, rest, factor = [], [], by
         for index, exponent in m:
-            name = atoms.symbol_name(index)
-            is_free = counts(name) if name else atoms.atom(index).kind == "root"
-            kept = exponent - exponent % 2 if name and is_even(name) else exponent
-            if is_free and kept:
-                key.append((index, kept))
-            if not is_free or kept != exponent:
-                rest.append((index, exponent if not is_free else exponent - kept))
-        image = value_of(Poly({tuple(rest): c})) * by
+            name, atom = atoms.symbol_name(index), atoms.atom(index)
+            if atom.kind == "root":  # √x is an unknown of its own, of which the square is x
+                factor = factor * pow(_residue(atom.arg, counts), exponent // 2, PRIME) % PRIME
+                key += [(index, 1)] if exponent % 2 else []
+                continue
+            is_free = bool(name) and counts(name)
+            kept = 0 if not is_free else exponent - exponent % 2 if is_even(name) else exponent
+            key += [(index, kept)] if kept else []
+            rest += [(index, exponent - kept)] if exponent != kept else []
+        image = value_of(Poly({tuple(rest): c})) * factor
         found[tuple(key)] = (found.get(tuple(key), 0) + image) % PRIME
     return {k: v for k, v in found.items() if v}
+
+
+def _residue(value: Scalar, counts: Callable[[str], bool]) -> int:
+    """The image of what is known."""
+    if any(counts(name) for name in names_in(value)):
+        raise NoImage
+    return value_of(value.num) * pow(value_of(value.den), -1, PRIME) % PRIME
 
 
 def known_by(rows: Iterable[Row], wanted: Set[str], unknown: Callable[[str], int], speeds: Set[str]) -> Known:
