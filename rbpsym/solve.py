@@ -9,6 +9,7 @@ from typing import Any
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
+from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError
@@ -20,7 +21,7 @@ from rbpsym.mechanics.linear import conditions, decaying, eigenvalues
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.work import Work
-from rbpsym.notation.machine import to_machine
+from rbpsym.notation.machine import machine_name, to_machine
 from rbpsym.statement.model import Problem
 
 
@@ -54,6 +55,7 @@ def results(study: Study) -> dict[str, Any]:
         "problem": study.problem.name,
         "degrees_of_freedom": len(system.independent),
         "coordinates": [c.name for c in study.problem.coordinates],
+        "symbols": symbols(study),
         "moments_of_inertia": {name: text(state.moment, study) for name, state in system.bodies.items()},
         "masses": {name: text(state.mass, study) for name, state in system.bodies.items()},
         "accelerations": _accelerations(study),
@@ -83,6 +85,15 @@ def results(study: Study) -> dict[str, Any]:
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "phases": _phases(study),
     }
+
+
+def symbols(study: Study) -> dict[str, dict[str, str]]:
+    """All names that an expression may hold, as they are written there, each with one that sympy reads as a symbol."""
+    problem, balance = study.problem, study.open_balance
+    moving = ["t", *(c.name for c in problem.coordinates)]
+    names = [*sorted(study.letters.quantities), "t", *(study.letters.free(f"d_{name}") for name in moving)]
+    names += [balance.name] if balance is not None else []
+    return {name: {"sympy": plain} for name, plain in plain_names(machine_name(n) for n in names).items()}
 
 
 def _accelerations(study: Study) -> dict[str, str] | None:
@@ -152,7 +163,7 @@ def _half(half: Work, study: Study) -> dict[str, str | None]:
     from rbpsym.algebra.scalar import symbol
 
     if len(half.parts) > 1:
-        integrand = sum((part * symbol(f"d_{name}") for name, part in half.parts.items()), NOTHING)
+        integrand = sum((part * symbol(study.letters.free(f"d_{name}")) for name, part in half.parts.items()), NOTHING)
     else:
         integrand = next(iter(half.parts.values()), NOTHING)
     return {"integrand": text(integrand, study), "value": text(half.value, study)}

@@ -5,7 +5,7 @@ sympy is imported here only, and only when one of these is needed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -83,6 +83,21 @@ def to_sympy(value: Scalar) -> Any:
     """The scalar as a sympy expression; plain symbols are positive-free `Symbol(name)`."""
     num = _expression(value.num)
     return num if value.den is ONE else num / _expression(value.den)
+
+
+def plain_names(names: Iterable[str]) -> dict[str, str]:
+    """Each name with one that `sympify` reads as a symbol, and not as what sympy or Python call so (I, N, beta, len)."""
+    import builtins
+
+    import sympy
+
+    names, found = list(dict.fromkeys(names)), {}
+    for name in names:
+        plain = name
+        while hasattr(sympy, plain) or hasattr(builtins, plain) or (plain != name and plain in names):
+            plain += "_"
+        found[name] = plain
+    return found
 
 
 def lambdified(values: Sequence[Scalar], names: Sequence[str]) -> Callable[..., list[float]]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.facts import Fact
@@ -63,6 +63,12 @@ class Context:
         """The accelerations, where there is no closed formula for them."""
         return self.whole.system.accelerations if self.whole.dynamics.accelerations is None else ()
 
+    def __post_init__(self) -> None:
+        """A quantity that has the name of a force is itself, and not the size of that vector."""
+        letters = self.study.letters
+        for name in letters.forces & letters.quantities - set(self.study.system.unknowns):
+            self.scalars.setdefault(name, symbol(name))
+
     @property
     def scope(self) -> Scope:
         """The scope in which trees are evaluated."""
@@ -70,16 +76,21 @@ class Context:
         return Scope(self.scalars, self.vectors, base.rates, base.start, self.body_integral, self.works)
 
     @property
+    def radius(self) -> str:
+        """The letter of the distance in ∫ r² dm."""
+        return self.study.letters.free("r", "rho", "q")
+
+    @property
     def assumptions(self) -> Assumptions:
         """The problem's declared signs and ranges, or those that a step assumes."""
         return self.assumed or self.study.assumptions
 
     def body_integral(self, integrand: Scalar, body: str) -> Scalar:
-        """∫ f dm for f a polynomial in the distance r from the centre of mass of a body."""
+        """∫ f dm for f a polynomial in the distance from the centre of mass of a body."""
         from rbpsym.algebra import atoms
         from rbpsym.algebra.scalar import NOTHING
 
-        parts = integrand.num.by_power(atoms.intern("symbol", "r"))
+        parts = integrand.num.by_power(atoms.intern("symbol", self.radius))
         moments = self.moments[body]
         return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -185,11 +185,9 @@ class Draft:
         """Name of a body's quantity: R_rod; for the only body R_cm."""
         return self.free(f"{letter}_cm" if self.is_single and letter in OF_CENTER else f"{letter}_{body}")
 
-    def free(self, name: str, mark: str = "b") -> str:
-        """A name that no quantity of the problem has: with a mark where it is taken."""
-        taken = {q.name for q in self.study.problem.parameters} | set(self.study.system.unknowns)
-        taken |= {c.name for c in self.study.problem.coordinates}
-        return f"{name}_{mark}" if name in taken else name
+    def free(self, name: str, mark: str = "b", *, taken: Collection[str] | None = None) -> str:
+        """A name that nothing of the problem has (see `Letters.free`)."""
+        return self.study.letters.free(name, mark=mark, taken=taken)
 
 
 MUCH_SHORTER = 0.75

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from rbpsym.document.phrases import phrases
 from rbpsym.notation.glyphs import MARKS, Notation, notation_for
+from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Problem
 
 
@@ -32,7 +33,7 @@ def common_notation(
 ) -> Notation:
     """The notation of several problems together, which should agree on names that they share; `said` overrides it."""
     problems = tuple(problems)
-    own = {q.name for p in problems for q in (*p.parameters, *(c.quantity for c in p.coordinates))}
+    own = {name for p in problems for name in letters_of(p).names}
     aliases = {name: drawn for p in problems for name, drawn in p.notation.items()}
     names = {name: word for p in problems for name, word in p.names_in(language).items()}
     found = notation_for(own, {**aliases, **said}, usual_notation(language))

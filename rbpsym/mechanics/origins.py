@@ -7,11 +7,12 @@ from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import System
+from rbpsym.statement.letters import letters_of
 
 
 def origins(system: System) -> dict[str, Vector]:
     """Name → position: O, the places of pivots that are elsewhere, the author's origins."""
-    found: dict[str, Vector] = {"O": ORIGIN}
+    found, letters = {"O": ORIGIN}, letters_of(system.problem)
     where = locator(
         system.problem, {n: s.inertia for n, s in system.bodies.items()}, {n: s.pose for n, s in system.bodies.items()}
     )
@@ -19,7 +20,7 @@ def origins(system: System) -> dict[str, Vector]:
         if element.kind == "pivot":
             place = where(element["point"])
             if _is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
-                found[f"P_{element.name}"] = place
+                found[letters.free(f"P_{element.name}", taken=letters.things)] = place
     for name, ref in system.problem.origins.items():
         place = pair(ref.at) if ref.body is None else where(ref)
         if _is_fixed(place, system) and not any(_same(place, other) for other in found.values()):

@@ -20,6 +20,7 @@ from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.notation.tree import Fn, Sym, walk
 from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
+from rbpsym.statement.letters import Letters, letters_of
 from rbpsym.statement.model import Problem
 
 
@@ -33,6 +34,11 @@ class Study:
     def system(self) -> System:
         """Kinematics and forces."""
         return assemble(self.problem)
+
+    @cached_property
+    def letters(self) -> Letters:
+        """The letters that are free."""
+        return letters_of(self.problem)
 
     @property
     def ties(self) -> tuple[Condition, ...]:

@@ -81,18 +81,21 @@ def _is_rigid(draft: Draft, bodies: tuple[str, ...]) -> bool:
 
 
 def _point(draft: Draft, balance: Balance) -> t.Node:
-    return t.Sym(balance.label if balance.kind == "fixed" else "cm" if balance.kind == "center" else "C")
+    """What the point is called: a fixed one as it is, the centre of mass, or a letter that no thing has."""
+    letters = draft.study.letters
+    return t.Sym({"fixed": balance.label, "center": "cm"}.get(balance.kind) or letters.free("C", taken=letters.things))
 
 
-def _subscript(balance: Balance) -> str:
-    body = "_".join(balance.bodies)
-    return {"fixed": f"{balance.label}_{body}", "center": f"cm_{body}"}.get(balance.kind, f"C_{body}")
+def _subscript(draft: Draft, balance: Balance) -> str:
+    return "_".join([_point(draft, balance).name, *balance.bodies])
 
 
 def _net_torque(draft: Draft, balance: Balance) -> Step:
     """The net torque on the set, force by force."""
     forces = outer_forces(draft.study.system, balance.bodies)
-    name = draft.free(f"tau_{_subscript(balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}")
+    name = draft.free(
+        f"tau_{_subscript(draft, balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}"
+    )
     parts = [short((f.point - balance.where).cross(f.vector) + f.couple) for f in forces]
     shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
     draft.context.vectors[name] = Space(z=balance.right)

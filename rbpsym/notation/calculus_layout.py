@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
 from rbpsym.notation.drawing import attach_sup, glyph_box
@@ -52,7 +54,9 @@ def _integral(node: t.Integral, style: Style) -> b.Box:
 
 @draws(t.BodyIntegral)
 def _body_integral(node: t.BodyIntegral, style: Style) -> b.Box:
-    sign = b.Script(b.Big("∫"), glyph_box(style.notation.glyph(node.body)))
+    name = style.notation.glyph(node.body)
+    name = replace(name, style="upright") if name.base.isascii() and name.base.isalpha() else name  # no limit, a body
+    sign = b.Script(b.Big("∫"), glyph_box(name))
     spread = t.spread(node.integrand)
     if spread is not None:
         return b.Row((sign, *_against(*spread, style)))

@@ -1,7 +1,8 @@
 """How a quantity's name is drawn: base letter, dots, primes, accent and subscripts.
 
 `theta_1_dot` is θ̇ with subscript 1, `W_T_N_w` is W with subscripts T and N_w, `cal_W_theta` is a
-calligraphic W. Every printer draws the same `Glyph`, and the LaTeX reader finds names by it.
+calligraphic W, `I_bar` is Ī, and `I__bar` is I with the subscript “bar”. Every printer draws the same
+`Glyph`, and the LaTeX reader finds names by it.
 """
 
 from __future__ import annotations
@@ -76,13 +77,13 @@ MARKS: Mapping[str, tuple[str, ...]] = MappingProxyType({"vectors": ("arrow", "b
 
 
 def notation_for(names: Iterable[str], said: Mapping[str, str] | None = None, usual: Notation = DEFAULT) -> Notation:
-    """The notation of a problem: its aliases and marks, and an upright dθ if it has a quantity named d.
+    """The notation of a problem: its aliases and marks, and an upright dθ if it has a quantity that is drawn as a d.
 
     `usual` is the notation of the language, for what is not said.
     """
     said = said or {}
-    style = "upright" if "d" in set(names) else usual.differential
     aliases = {key: value for key, value in said.items() if key not in MARKS}
+    style = "upright" if any(glyph(aliases.get(n, n)).base == "d" for n in names) else usual.differential
     return replace(
         usual,
         aliases=MappingProxyType(aliases),
@@ -100,8 +101,8 @@ def spaced(name: str) -> str:
 @lru_cache(maxsize=4096)
 def glyph(name: str) -> Glyph:
     """The glyph of a name; any identifier gives a glyph."""
-    parts = [part for part in name.split("_") if part] or [name]
-    script = parts[0] == "cal" and len(parts) > 1
+    parts = re.findall(r"(?<=_)_[^_]+|[^_]+", name) or [name]
+    script = parts[0] == "cal" and len(parts) > 1 and parts[1] not in DOTS
     parts = parts[1:] if script else parts
     if _is_change(parts):
         return replace(glyph("_".join(parts[1:])), prefix="Δ")
@@ -133,7 +134,9 @@ def _with_parts(base: Glyph, parts: list[str]) -> Glyph:
     subs: list[Glyph] = list(base.subs)
     labels: list[str] = []
     for part in parts:
-        if part in DOTS:
+        if part[0] == "_":
+            _subscript(subs, labels, part[1:])
+        elif part in DOTS:
             base = replace(base, dots=base.dots + DOTS[part])
         elif part in ACCENTS:
             base = replace(base, accent=part)

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction as Rational
+from keyword import iskeyword
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 
 _RELATION, _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(6)
 _FUNCTIONS = {"ln": "log"}
+_NUMBERS = ("Integer", "Float", "Rational", "Symbol", "Function")  # what sympy writes round what it reads
 
 
 def to_machine(node: t.Node, notation: Notation = DEFAULT) -> str:
@@ -38,7 +40,12 @@ def _num(node: t.Num) -> tuple[str, int]:
 
 
 def _name(node: t.Sym | t.Vec) -> tuple[str, int]:
-    return node.name, _ATOM
+    return machine_name(node.name), _ATOM
+
+
+def machine_name(name: str) -> str:
+    """The name as it is written: with an underscore where Python has a word of its own (lambda)."""
+    return f"{name}_" if iskeyword(name) or name in _NUMBERS else name
 
 
 def _add(node: t.Add) -> tuple[str, int]:

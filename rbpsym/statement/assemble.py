@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
 from rbpsym.statement.bodies import read_bodies
-from rbpsym.statement.checks import check_names_differ, check_problem
+from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.interactions import INTERACTIONS
+from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
 from rbpsym.statement.names import check_name
 from rbpsym.statement.phases import read_phases
@@ -77,7 +79,13 @@ def assemble(table: Table, name: str) -> Problem:
     )
     check_problem(problem, table)
     problem = replace(problem, phases=read_phases(table, problem, around))
+    for phase in problem.phases:
+        check_unknowns(phase.problem, table)
     check_translated_names(problem, table)
+    try:
+        letters_of(problem)
+    except StatementError as error:
+        raise error.at(table.source.key(("notation" if "notation" in table else "parameters",))) from None
     return problem
 
 

@@ -26,6 +26,12 @@ def check_problem(problem: Problem, table: Table) -> None:
         check(problem, table)
 
 
+def check_unknowns(problem: Problem, table: Table) -> None:
+    """Refuse names of unknown forces that can't be; also for the problem of a later phase."""
+    _unknowns_differ(problem, table)
+    _unknown_names(problem, table)
+
+
 def unknowns_of(element: Element) -> dict[str, Dimension]:
     """Names and dimensions of the unknown forces and couples that a constraint brings in."""
     if element.kind == "string":
@@ -75,6 +81,11 @@ def _unknowns_differ(problem: Problem, table: Table) -> None:
             if name in seen:
                 raise twice(name, seen[name], what, table.table("constraints", "constraints"), element.name)
             seen[name] = what
+        for field in CONSTRAINTS[element.kind].fields:
+            name = element.values.get(field.name) if field.kind == "name" else None
+            if name in _elements(problem):
+                raise twice(name, "an interaction or constraint", f"the {field.name} of “{element.name}”",
+                            table.table("constraints", "constraints"), element.name)  # fmt: skip
 
 
 def _unknown_names(problem: Problem, table: Table) -> None:
@@ -233,8 +244,7 @@ def _gravity_once(problem: Problem, table: Table) -> None:
 
 _CHECKS = (
     _something,
-    _unknowns_differ,
-    _unknown_names,
+    check_unknowns,
     _ranges,
     _coordinates_used,
     _known_names,

@@ -33,7 +33,7 @@ def force_node(draft: Draft, force: Force) -> t.Node:
     if is_reaction(draft, force):
         return t.neg(t.Vec(force.name))
     if len(same) > 1 and not any(is_reaction(draft, f) for f in same):
-        return t.Vec(draft.free(f"{force.name}_{force.on}"))
+        return t.Vec(draft.free(f"{force.name}_{force.on}", taken=()))
     return t.Vec(force.name)
 
 

@@ -84,7 +84,7 @@ def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> Non
         integral = _sum(
             draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements]
         )
-        radius = t.BodyIntegral(t.Pow(t.Sym("r"), t.TWO), name)
+        radius = t.BodyIntegral(t.Pow(t.Sym(draft.context.radius), t.TWO), name)
         draft.add(
             f"moment.{name}",
             "mass_integral",
