@@ -9,14 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.rest import is_autonomous, resting_forces
-from rbpsym.mechanics.roots import common_zeros
+from rbpsym.mechanics.rest import resting_forces
 from rbpsym.mechanics.system import System
 
 OPPOSITE = {"positive": "negative", "negative": "positive"}
@@ -43,11 +42,9 @@ class Balance:
 
 def balance(system: System, dynamics: Dynamics, assumptions: Assumptions) -> Balance | None:
     """The position of rest of a system with one coordinate whose equation has no solution in closed form."""
-    if not is_autonomous(system, dynamics) or len(system.independent) != 1:
+    if len(system.independent) != 1:
         return None
     [name], [force] = system.independent, resting_forces(system, dynamics)
-    if not depends_on(force, name) or common_zeros((force,), (name,)).found:
-        return None
     slope = short(derivative(force, name))
     stable = {"negative": True, "positive": False}.get(sign(slope, assumptions).kind)
     place = _free(f"{name}_e", system)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root, with_image, without_even_roots
@@ -17,7 +17,7 @@ from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.roots import Places, common_zeros
+from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.system import System
 
 At = dict[str, Scalar]
@@ -78,7 +78,7 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
         valid = _demands(system, dynamics, at, given)
         if valid is not None and not any(_is_one_place(at, old, given) for old, _ in places):
             places.append((at, valid))
-    open_ = _open(found, names, given)
+    open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
     return Rest(tuple(places), None if open_ else True, "an equation has no solution in closed form" * bool(open_), open_)
 
 
@@ -101,9 +101,13 @@ def _is_one_place(first: At, second: At, given: Assumptions) -> bool:
     return first.keys() == second.keys() and all(is_zero(rooted(first[n] - second[n], given)) for n in first)
 
 
-def _open(found: Places, names: Sequence[str], given: Assumptions) -> tuple[Scalar, ...]:
-    """The factors that may vanish in the range."""
-    return tuple(f for f in found.open_ if len(f.num) > LONGEST or not sign(f, given).is_nonzero)
+def _may_vanish(factor: Scalar, names: Sequence[str], known: list[At], given: Assumptions) -> bool:
+    """Whether a factor may vanish in the range, elsewhere than in one known place that is the only one if it is monotone."""
+    if len(factor.num) > LONGEST:
+        return True
+    if len(names) == 1 and sum(_balances([factor], at, given) for at in known) == 1:
+        factor = short(derivative(factor, names[0]))
+    return not sign(factor, given).is_nonzero
 
 
 def _all_turns(given: Assumptions, name: str, root: Scalar, period: Scalar | None) -> list[Scalar]:

@@ -216,7 +216,7 @@ def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Plac
             if len(places.found) < most:
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
                 _search([substitute(v, fixed) for v in values], names, fixed, places, most, spread)
-        if ways:
+        if ways or not left:
             places.open_.extend(left)
             return
     places.open_.append(values[0])
@@ -232,17 +232,16 @@ def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spr
     found: list[dict[str, Scalar]] = []
     left: list[Scalar] = []
     for factor in map(Scalar, numerator_factors(value)):
-        solved = ([{name: root} for root in _plain_zeros(factor, name, names, spread)] for name in open_)
-        ways = next(filter(None, solved), [])
-        found += ways
-        if not ways and any(depends_on(factor, name) for name in open_):
+        solved = ((name, _plain_zeros(factor, name, names)) for name in open_)
+        name, roots = next((item for item in solved if item[1]), ("", []))
+        found += [{name: place} for root in roots for place in spread(name, root, period(factor, name))]
+        if not roots and any(depends_on(factor, name) for name in open_):
             left.append(factor)
     return found, left
 
 
-def _plain_zeros(factor: Scalar, name: str, names: Sequence[str], spread: Spread) -> list[Scalar]:
-    roots = [root for root in zeros(factor, name) if _is_plain_in(root, names)]
-    return [place for root in roots for place in spread(name, root, period(factor, name))]
+def _plain_zeros(factor: Scalar, name: str, names: Sequence[str]) -> list[Scalar]:
+    return [root for root in zeros(factor, name) if _is_plain_in(root, names)]
 
 
 def _is_plain_in(value: Scalar, names: Sequence[str]) -> bool:

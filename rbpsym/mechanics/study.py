@@ -196,7 +196,7 @@ class Study:
     @cached_property
     def open_balance(self) -> balance.Balance | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
-        return None if self.equilibria else balance.balance(self.system, self.dynamics, self.assumptions)
+        return balance.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 
     @property
     def losses(self) -> tuple[events.Loss, ...]:

@@ -192,3 +192,15 @@ def _agrees(study: Study, name: str, numbers: dict[str, float]) -> bool:
         assert [force for force, _ in told_at] == [first[0]]
         assert abs(told_at[0][1] - first[1]) <= 2 * math.pi / STEPS / 4
     return True
+
+
+def test_a_tilted_pair_is_not_passed_over():
+    study = case("tilted-pair")
+    assert places(study)[0][0] == "0" and study.rest.complete is None
+    assert text(study.open_balance.force, study) == "m*g*L/2*sin(theta) - kappa*theta"
+
+
+@pytest.mark.parametrize("name", ["disk-at-rest", "hinged-on-spring"])
+def test_rest_is_derived_and_proved(name):
+    verdicts = solve(case(name).problem)["verdicts"]
+    assert verdicts["proved"] == verdicts["steps"] and verdicts["simulation"]["max_relative_error"] < 1e-8
