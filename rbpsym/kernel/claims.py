@@ -114,7 +114,11 @@ class Source:
     def _said(self, step: Step) -> Said:
         own = [row for row in rows(step.statement) if self._introduces(row)]
         self._introduced |= t.names(step.statement)
-        definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
+        try:
+            definitions = [claim for row in own for claim in DEFINED.get(step.rule, _by_first)(self, step, row)]
+        except RbpsymError as error:
+            self.unsaid[step.id] = str(error)
+            return Said()
         for claim in definitions:
             if claim.kind == "equal" and isinstance(claim.left, t.Sym) and any(map(self.moving, t.names(claim.right))):
                 self._defined.add(claim.left.name)
@@ -126,8 +130,8 @@ class Source:
         more = MORE.get(step.rule)
         try:
             return more(self, step, claims) if more else claims
-        except RbpsymError as error:
-            self.unsaid[step.id] = str(error)
+        except (RbpsymError, LookupError) as error:
+            self.unsaid[step.id] = str(error) if isinstance(error, RbpsymError) else "its data are not read yet"
             return []
 
     def _introduces(self, row: t.Chain) -> bool:
@@ -255,6 +259,9 @@ def _along(source: Source, work: t.Node, node: t.PathIntegral) -> Iterator[Claim
         pairs = [(source.components.part(path, axis), source.components.part(node.integrand, axis)) for axis in "xy"]
     else:
         pairs = [(source.components.plain(path), source.components.plain(node.integrand))]
+    pairs = [(letter, force) for letter, force in pairs if letter != t.ZERO]
+    if not all(isinstance(letter, t.Sym) for letter, _ in pairs):
+        raise RbpsymError("a work along a path that is no letter is not written yet")
     for letter, _ in pairs:
         yield Claim(letter, t.Sym(letter.name + RATE), "rate")
     yield Claim(work, t.add(*(t.Mul((force, t.Sym(letter.name + RATE))) for letter, force in pairs)), "rate")

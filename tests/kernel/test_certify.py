@@ -66,6 +66,13 @@ def test_a_lemma_names_only_what_its_step_lists(name: str) -> None:
             assert {premise.rpartition("'")[0] for premise in lemma.premises} <= set(map(identifier, allowed)), lemma.name
 
 
+@pytest.mark.parametrize("name", ["rod-with-spring", "step-ladder-with-cord", "atwood-with-massive-pulley"])
+def test_what_has_no_words_yet_is_told_by_its_step(name: str) -> None:
+    whole = found(name)
+    assert whole.refused and all(whole.refused.values())
+    assert {*whole.refused, *whole.lemmas} == {step.id for step in whole.source.derivation.steps}
+
+
 def test_multiples_are_found_with_their_account() -> None:
     a, b, m, s, c = map(symbol, ("a", "b", "m", "sin x", "cos x"))
     known = [m * a * s - b, m * a * c - 1]
