@@ -56,14 +56,14 @@ def forces_at_rest(context: Context, step: Step) -> Verdict:
 def force_vanishes(context: Context, step: Step) -> Verdict:
     """What is said to be equal differs by the force at rest in the named place, but for a factor that does not vanish.
 
-    `data`: "balance". The factor has a sign and does not depend on the place.
+    `data`: "balance". The factor does not vanish in the range.
     """
     item, [force] = step.data["balance"], _forces_at_rest(context)
     [(left, _, right)] = list(relations(step.statement))
     stated = context.value(right) - context.value(left)
     there = substitute(force, {item.name: symbol(item.place)})
     factor = short(there / stated)
-    if depends_on(factor, item.place) or not sign(factor, context.assumptions).is_nonzero:
+    if not sign(substitute(factor, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
         return same(context, stated, there)
     return same(context, stated * factor, there)
 
