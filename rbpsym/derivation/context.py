@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.facts import Fact
@@ -62,12 +62,6 @@ class Context:
     def unsolved(self) -> tuple[str, ...]:
         """The accelerations, where there is no closed formula for them."""
         return self.whole.system.accelerations if self.whole.dynamics.accelerations is None else ()
-
-    def __post_init__(self) -> None:
-        """A quantity that has the name of a force is itself, and not the size of that vector."""
-        letters = self.study.letters
-        for name in letters.forces & letters.quantities - set(self.study.system.unknowns):
-            self.scalars.setdefault(name, symbol(name))
 
     @property
     def scope(self) -> Scope:
