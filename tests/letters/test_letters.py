@@ -60,10 +60,11 @@ def names_for(name: str, seed: int) -> Names:
     """Other names for all that the problem names."""
     chance, problem = random.Random(f"{name} {seed}"), original(name)
     letters = [letter for letter in LETTERS if letter not in RESERVED]
-    words = [word for word in WORDS if word not in RESERVED]
     symbols, things = symbols_of(problem), things_of(problem)
+    new = chance.sample(letters, len(symbols))
+    words = [word for word in WORDS if word not in RESERVED and word not in new]
     return Names(
-        dict(zip(symbols, chance.sample(letters, len(symbols)), strict=True)),
+        dict(zip(symbols, new, strict=True)),
         dict(zip(things, chance.sample(words, len(things)), strict=True)),
     )
 
