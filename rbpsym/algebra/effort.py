@@ -44,3 +44,13 @@ def at_most(products: int) -> Iterator[None]:
         _left.reset(token)
         if outer is not None:
             outer[0] -= granted - own[0]
+
+
+@contextmanager
+def apart() -> Iterator[None]:
+    """Within it, what is spent counts for no bound that was set outside."""
+    token = _left.set(None)
+    try:
+        yield
+    finally:
+        _left.reset(token)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.atoms import symbol_name
+from rbpsym.algebra.effort import apart
 from rbpsym.algebra.grouping import leads_positive
 from rbpsym.algebra.normal import is_rooted, without_even_roots
 from rbpsym.algebra.poly import Poly
@@ -37,6 +38,7 @@ class Draft:
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
         self.chapter = "statement"
+        self.has_gaps = False
 
     def add(
         self,
@@ -66,15 +68,19 @@ class Draft:
             data=data or {},
         )
         introduce(self.context, step)
-        step = bound(self.context, step, self._named(step, premises))
+        with apart():  # what is proved of a step is no work of the method that makes it
+            step = bound(self.context, step, self._named(step, premises))
         step = told(step, Said(self.study, steps=self.steps, context=self.context))
         self.steps.append(step)
         self.context.steps[step.id] = step
         return step
 
     def _named(self, step: Step, premises: Iterable[str]) -> tuple[str, ...]:
-        """The premises as ids of steps or facts. Raises KeyError for one that is neither."""
-        found = tuple(premises)
+        """The premises as ids of steps or facts. Raises KeyError for one that is neither.
+
+        Where a method was given up, what it would have told is missing, and is not named.
+        """
+        found = self.those(*premises) if self.has_gaps else tuple(premises)
         for id in found:
             if id not in self.context.steps and id not in self.context.facts:
                 raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
@@ -82,7 +88,7 @@ class Draft:
 
     def forget(self, kept: int) -> None:
         """Takes back all steps but the first ones, and the letters that they introduced."""
-        gone = {step.id for step in self.steps[kept:]}
+        self.has_gaps, gone = True, {step.id for step in self.steps[kept:]}
         del self.steps[kept:]
         for id in gone:
             del self.context.steps[id]
@@ -92,7 +98,7 @@ class Draft:
 
     def those(self, *ids: str) -> tuple[str, ...]:
         """Those of the ids of which a step was made."""
-        return tuple(id for id in ids if id in self.context.steps)
+        return tuple(id for id in ids if id in self.context.steps or id in self.context.facts)
 
     def certified(self, step: Step) -> Step:
         """The step with its certificate."""

@@ -45,7 +45,7 @@ def test_what_is_no_problem(name: str, value: object) -> None:
 
 
 @pytest.mark.parametrize("name", ["load_course", "derive_course", "course_notes"])
-@pytest.mark.parametrize("value", [3, None, object()], ids=str)
+@pytest.mark.parametrize("value", [3, None, object()], ids=lambda value: type(value).__name__)
 def test_what_is_no_course(name: str, value: object) -> None:
     with pytest.raises(RbpsymError):
         getattr(rbpsym, name)(value)
