@@ -8,7 +8,7 @@ from contextlib import suppress
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.friction import geometry_of, slip_senses
@@ -103,7 +103,7 @@ def _velocity(system: System, ref: PointRef):
 def _numbers(study: Study, state: State) -> dict[str, float]:
     """Sample numbers with the places and speeds of a state: the first at which the motion comes there."""
     for known in samples(study.problem):
-        with suppress(ValueError, ZeroDivisionError):
+        with suppress(NoNumber):
             places = {name: number(value, known) for name, value in state.places.items()}
             return known | places | {f"{name}_dot": number(value, known) for name, value in state.speeds.items()}
     raise NotApplicable("at none of the sample numbers does the motion come to the end of a phase")

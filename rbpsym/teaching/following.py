@@ -12,7 +12,7 @@ from itertools import combinations
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import reactions_by_acceleration
@@ -96,7 +96,9 @@ def _with_moments(study: Study, quantities: tuple[str, ...]) -> Study:
 
 
 def _value(study: Study, target: Target, supplied: set[str]) -> Scalar | None:
-    """The target in the state; an unknown force in terms of the accelerations that are supplied."""
+    """The target in the state; an unknown force, or the square of a speed, by the accelerations that are supplied."""
+    if target.kind == "speed":
+        return _square(study, target.id.removeprefix("speed."), supplied)
     if target.kind != "reaction":
         return target.value(study)
     name, given = target.id.removeprefix("reaction."), study.dynamics.accelerations or {}
@@ -105,6 +107,16 @@ def _value(study: Study, target: Target, supplied: set[str]) -> Scalar | None:
     value = reactions_by_acceleration(study.system).get(name)
     others = {key: found for key, found in given.items() if key not in supplied}
     return None if value is None else substitute(value, others)
+
+
+def _square(study: Study, name: str, supplied: set[str]) -> Scalar | None:
+    """q̇², gained in the measure in which the own acceleration is greater or smaller than the right one."""
+    square, key = study.squares.get(name), f"{name}_ddot"
+    actual = (study.dynamics.accelerations or {}).get(key)
+    if square is None or key not in supplied or not actual:
+        return square
+    first = study.system.scope.start.get(f"{name}_dot", NOTHING)
+    return first * first + (square - first * first) * (symbol(key) / actual)
 
 
 def is_even(value: Scalar, name: str) -> bool:

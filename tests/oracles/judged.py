@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from dataclasses import dataclass, field
 from zlib import crc32
 
@@ -26,8 +27,27 @@ class Judged:
     compared: int = 0
 
 
+MOST = 40.0  # seconds of the processor for one system; what takes longer is counted as refused
+
+
+def _late(number: int, frame: object) -> None:
+    raise TimeoutError
+
+
 def judged(text: str) -> Judged:
     """What is wrong with the derivation of a statement."""
+    before = signal.signal(signal.SIGPROF, _late)
+    signal.setitimer(signal.ITIMER_PROF, MOST)
+    try:
+        return _judged(text)
+    except TimeoutError:
+        return Judged(text, refused=f"more than {MOST:g} s")
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def _judged(text: str) -> Judged:
     found = Judged(text)
     try:
         derivation = derive(load_text(text))
@@ -37,6 +57,8 @@ def judged(text: str) -> Judged:
     except RbpsymError as error:
         found.refused = error.what
         return found
+    except TimeoutError:
+        raise
     except Exception as error:  # whatever it is: a refusal has a sentence
         found.wrong.append(f"crash: {type(error).__name__}: {error}")
         return found
@@ -59,6 +81,8 @@ def judged(text: str) -> Judged:
     except RbpsymError as error:
         found.open_.append(error.what)
         return found
+    except TimeoutError:
+        raise
     except Exception as error:
         found.wrong.append(f"crash of the comparison: {type(error).__name__}: {error}")
         return found

@@ -51,7 +51,10 @@ def marks(**answers: str) -> dict[str, Mark]:
     ("item", "answer", "credit", "status"),
     [
         ("4", "b", 1, "right"), ("4", "B)", 1, "right"), ("4", "2", 1, "right"), ("4", "a", 0, "wrong"), ("4", "z", 0, "invalid"),
-        ("4", "b c", 1, "right"), ("5", "b c a", 1, "right"), ("5", "c, b, a", 1, "right"), ("5", "cba", 1, "right"),
+        ("4", "b c", 0, "invalid"), ("4", "b or a", 0, "invalid"), ("4", "a/b", 0, "invalid"), ("4", "b, c?", 0, "invalid"),
+        ("4", "b because a force pulls", 1, "right"), ("4", "b, maybe", 1, "right"), ("4", "b b", 1, "right"),
+        ("1", "don't know", 0, "empty"), ("2", "I don't know.", 0, "empty"), ("4", "???", 0, "empty"),
+        ("5", "b c a", 1, "right"), ("5", "c, b, a", 1, "right"), ("5", "cba", 1, "right"),
         ("5", "2 > 3 > 1", 1, "right"), ("5", "b a c", 0, "wrong"), ("5", "a b c", 0, "wrong"), ("5", "a b", 0, "invalid"),
         ("5", "a a b", 0, "invalid"), ("6", "2", 1, "right"), ("6", "line 2", 1, "right"), ("6", "b", 1, "right"),
         ("6", "1", 0, "wrong"), ("6", "2: alpha = " + POWERED, 1, "right"),

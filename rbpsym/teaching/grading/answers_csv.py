@@ -1,5 +1,7 @@
 """The table of answers: a row a student with a column an item, or a row an answer.
 
+“3 points” beside an item holds what the teacher decided of it.
+
 Columns: `student` (or `id`), or `code` (or `form`) for the form code on the paper; then the items, as
 “3”, “Q3” or “item 3”, blanks as “3.1”. Other columns are passed over, and named in a report.
 """
@@ -10,7 +12,7 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
@@ -23,18 +25,20 @@ STUDENT, CODE, ITEM, ANSWER = (
     ("item", "task"),
     ("answer", "respuesta"),
 )
+_POINTS = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+)[\s_.:-]*(?:points?|puntos?)", re.IGNORECASE)
 _ITEM = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+(?:\.\d+)?)\.?", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """The answers of one student by item; `line` of the file, `name` that of the class list."""
+    """The answers of one student by item; `line` of the file, `name` that of the class list, points `decided` by the teacher."""
 
     student: str
     code: str
     answers: Mapping[str, str]
     line: int = 0
     name: str = ""
+    decided: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,10 +67,10 @@ def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:
     if item is not None and answer is not None:
         return AnswerTable(_from_long(lines, who, code, item, answer, file))
     columns = {place: found[1] for place, name in enumerate(names) if (found := _ITEM.fullmatch(name))}
-    other = tuple(
-        header[place] for place in range(len(names)) if place not in (*columns, who, code) and header[place].strip()
-    )
-    return AnswerTable(_from_wide(lines, who, code, columns, file), other)
+    decided = {place: found[1] for place, name in enumerate(names) if (found := _POINTS.fullmatch(name))}
+    known = (*columns, *decided, who, code)
+    other = tuple(header[place] for place in range(len(names)) if place not in known and header[place].strip())
+    return AnswerTable(_from_wide(lines, who, code, columns, decided, file), other)
 
 
 def _text(path: Path) -> str:
@@ -110,12 +114,18 @@ def _cell(cells: list[str], place: int | None) -> str:
 
 
 def _from_wide(
-    lines: Iterator[tuple[int, list[str]]], who: int | None, code: int | None, columns: Mapping[int, str], file: str
+    lines: Iterator[tuple[int, list[str]]],
+    who: int | None,
+    code: int | None,
+    columns: Mapping[int, str],
+    decided: Mapping[int, str],
+    file: str,
 ) -> tuple[Row, ...]:
     rows = []
     for line, cells in lines:
         answers = {item: _cell(cells, place) for place, item in columns.items()}
-        rows.append(Row(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line))
+        points = {item: told for place, item in decided.items() if (told := _cell(cells, place).strip())}
+        rows.append(Row(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line, decided=points))
     return _unique(rows, file)
 
 

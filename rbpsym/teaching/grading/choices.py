@@ -31,6 +31,11 @@ def place_of(label: str, count: int) -> int | None:
 _FIRST = re.compile(r"\s*[(\[]?([A-Za-z]|\d{1,3})(?:[)\].:,;\s]|$)")
 
 
+# further labels: “d or c”, “b/a”, “a, b”; the words of an explanation are none
+_BETWEEN = r"[/,;&+|?]|\b(?:or|and|o|y|u|maybe|perhaps|quizás?)\b"
+_OTHER = re.compile(rf"(?:^|{_BETWEEN})\s*[(\[]?([A-Za-z]|\d{{1,3}})(?=[)\].:?\s]*(?:$|{_BETWEEN}))", re.IGNORECASE)
+
+
 def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
     """The judgement on a chosen option; words after its label go to the teacher."""
     if not text.strip():
@@ -40,6 +45,9 @@ def judge_choice(text: str, key: ChoiceKey | ComparisonKey) -> Judgement:
     if place is None:
         return _no_option(text, len(key.options))
     rest = text[found.end() :].strip()
+    others = {place_of(word[1], len(key.options)) for word in _OTHER.finditer(rest)}
+    if others - {place, None}:
+        return Judgement(Status.INVALID, remarks=(Remark("several options", {"text": text[:40]}),))
     judged = j.RIGHT if place == key.right else _wrong_option(key, place)
     return _with_words(judged) if rest and isinstance(key, ComparisonKey) else judged
 

@@ -18,7 +18,7 @@ from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import Ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.number import judge_number, wanted
-from rbpsym.teaching.grading.own_answers import own_formula, own_number
+from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.verdicts import are_equal
 from rbpsym.teaching.model import (
@@ -101,12 +101,23 @@ def grade_worksheet(worksheet: Worksheet, answers: Answers, desk: Desk) -> tuple
 
 def _marked(item: Item, case: Case) -> Mark:
     text = case.answers.get(item.id, "")
+    text = "" if j.GIVES_UP.fullmatch(text) else text
     if isinstance(item.key, BlanksKey):
         typed = blank_texts(text, item, case.answers)
         text = text if text.strip() else "; ".join(typed[number] for number in sorted(typed)).strip("; ")
     found = JUDGES[type(item.key)](text, item, case)
     case.judged[item.id] = found
     return Mark(item.id, text, found, found.credit * item.points, item.points)
+
+
+def decided(mark: Mark, told: str) -> Mark:
+    """The mark with the points that the teacher gave. Raises RbpsymError for what are no points of this item."""
+    points = Fraction(told.replace(",", ".")) if re.fullmatch(r"\d{1,6}(?:[.,]\d{1,6})?", told) else None
+    if points is None or points > mark.most:
+        raise RbpsymError(f"item {mark.item} earns 0 to {points_text(mark.most)} points, not “{told[:20]}”")
+    status = Status.RIGHT if points == mark.most else Status.PARTLY if points else Status.WRONG
+    found = Judgement(status, points / mark.most if mark.most else j.NONE, (Remark("decided"),))
+    return replace(mark, judgement=found, points=points)
 
 
 # --- one judge for each kind of key
@@ -116,7 +127,10 @@ def _formula(text: str, item: Item, case: Case) -> Judgement:
     key: FormulaKey = item.key
     ground = case.ground(item, key.value, key.left)
     carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
-    return judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
+    found = judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
+    if found.status is Status.WRONG and with_numbers_put_in(text, item, case):
+        return Judgement(Status.UNDECIDED, remarks=(Remark("numbers put in"),))
+    return found
 
 
 def _number(text: str, item: Item, case: Case) -> Judgement:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -21,6 +22,7 @@ from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero
 from rbpsym.teaching.model import Anticipated
 
 EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)
+_RADIANS = re.compile(r"(?<=[)\]}\s])\s*\b(?:rad|radians?|radianes)\s*$")  # a unit behind a formula of an angle
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
@@ -52,7 +54,7 @@ def judge_formula(text: str, sought: Sought) -> Judgement:
     """The judgement on a typed formula. Errors of the student are judgements, never exceptions."""
     if not text.strip():
         return j.EMPTY
-    text, number = without_number(text, sought.ground.book)
+    text, number = without_number(_RADIANS.sub("", text), sought.ground.book)
     try:
         found = judge_tree(read_formula(text, sought.ground.book), sought)
     except RbpsymError as error:

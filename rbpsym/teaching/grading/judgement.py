@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
@@ -29,6 +30,9 @@ class Status(StrEnum):
     EMPTY = "empty"
 
 
+GIVES_UP = re.compile(
+    r"\s*(?:i\s+)?(?:don['’]?t\s+know|do\s+not\s+know|no\s+idea|idk|no\s+(?:lo\s+)?s[eé]|ni\s+idea|\?+)[\s.!]*", re.IGNORECASE
+)
 FOR_THE_TEACHER = frozenset({Status.INVALID, Status.UNDECIDED, Status.OPEN})
 
 

@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.teaching.executor import crew, run
 from rbpsym.teaching.grading.answers_csv import AnswerTable, Row, read_answers
 from rbpsym.teaching.grading.class_list import ClassList, class_list
-from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet, points_text
+from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet, points_text
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.grading.marks_csv import marks_csv
 from rbpsym.teaching.journal import Journal
@@ -149,6 +149,10 @@ def _marked(order: Order, row: Row) -> dict[str, object]:
     except RbpsymError as error:
         return _refused(row, error.what)
     marks = grade_worksheet(sheet, row.answers, _desk(sheet.language))
+    try:
+        marks = tuple(decided(mark, row.decided[mark.item]) if mark.item in row.decided else mark for mark in marks)
+    except RbpsymError as error:
+        return _refused(row, error.what)
     return _told(order, row, sheet, marks)
 
 

@@ -27,6 +27,7 @@ from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
 if TYPE_CHECKING:
     from rbpsym.teaching.grading.desk import Case
 
+ROUNDED = 0.01  # how far numbers that are put in may be rounded
 NOT_VALID = frozenset({Status.EMPTY, Status.INVALID})
 
 
@@ -55,6 +56,23 @@ def own_number(follow: FollowOn, key: NumberKey, case: Case) -> float | None:
         return number(scalar(follow.formula, case.desk.ground(problem).scope), {**given, **own})
     except (RbpsymError, ZeroDivisionError):
         return None
+
+
+def with_numbers_put_in(text: str, item: Item, case: Case) -> bool:
+    """Does an answer without some of the symbols agree with the key at the numbers of the paper, as far as numbers tell?"""
+    ground, given = case.ground(item, item.key.value), case.worksheet.part_of(item.id).given
+    numbers = {name: float(m.value) * read_unit(m.unit).factor for name, m in given.items()}
+    for tree in _read(text, ground):
+        try:
+            own, key = scalar(tree, ground.scope), scalar(item.key.value, ground.scope)
+            free = sorted((t.names(tree) | t.names(item.key.value)) - numbers.keys())
+            states = [{**numbers, **{name: 0.3 + 0.17 * (k + n) for n, name in enumerate(free)}} for k in range(3)]
+            pairs = [(number(own, state), number(key, state)) for state in states]
+        except (RbpsymError, ZeroDivisionError):
+            continue
+        if t.names(tree) < t.names(item.key.value) and all(abs(a - b) <= ROUNDED * abs(b) for a, b in pairs):
+            return True
+    return False
 
 
 Source = tuple[str, str, int]  # (id of the item, name in the formula, blank)

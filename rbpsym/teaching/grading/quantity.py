@@ -44,10 +44,17 @@ _NUMBER = re.compile(rf"([+\-−]?)\s*({_DECIMAL})(?:[eE]([+\-−]?\d{{1,4}})(?!
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
 
 
+_SENSE = re.compile(r"\b(?:(?:counter|anti)-?\s?)?clockwise\b|\b(?:c?cw|(?:anti)?horari[oa])\b", re.IGNORECASE)
+
+
 def read_quantity(text: str, language: str = "en") -> Typed:
     """The number of an answer; what stands before a sign = is passed. Raises ReadError with a caret."""
     if len(text) > LONGEST:
         raise ReadError(f"this is too long for a number: {len(text)} characters", instead="Enter the number alone.")
+    if _SENSE.search(text):
+        raise ReadError(
+            "a direction in words is not read", instead="Give the number with its sign and unit; counter-clockwise is positive."
+        )
     told = _bare(text, language)
     if not told:
         raise ReadError("there is no answer", instead="Enter a number with its unit, as in 4.2 m/s^2.")

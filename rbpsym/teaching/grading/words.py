@@ -90,6 +90,7 @@ def _readings(word: str) -> Iterator[str]:
         yield plain + rate
         yield re.sub(r"(dd?ot)$", r"_\1", plain) + rate
         yield re.sub(r"(?<=[A-Za-z])(\d+)$", r"_\1", plain) + rate
+        yield re.sub(r"_?[oO]$", "_0", plain) + rate  # θo is meant to be θ₀
         if primes == 1:
             yield plain + "_prime"
 
