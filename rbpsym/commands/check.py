@@ -76,7 +76,8 @@ def command(names, problems, as_json, junit, html, github, only, failures, cache
     change that would make it true is told if it is a small one.
 
     \b
-    Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided, 2 something could not be read.
+    Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
+    2 something could not be read.
     """
     from rbpsym.commands import reports
     from rbpsym.commands.progress import Progress
