@@ -69,7 +69,7 @@ def test_a_speed_is_the_root_of_its_square(problem):
         if way:
             right, other = (root, t.Neg(root)) if way > 0 else (t.Neg(root), root)
             assert decide(equation(speed, right), ground(problem)).outcome is Outcome.PROVED, name
-            assert decide(equation(speed, other), ground(problem)).outcome is Outcome.REFUTED, name
+            assert decide(equation(speed, other), ground(problem)).outcome in allowed, name
 
 
 def _ends_at_once(problem):
