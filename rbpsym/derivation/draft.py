@@ -38,7 +38,6 @@ class Draft:
         self.steps: list[Step] = []
         self.skipped: list[Skipped] = []
         self.chapter = "statement"
-        self.has_gaps = False
 
     def add(
         self,
@@ -54,7 +53,11 @@ class Draft:
         data: dict[str, Any] | None = None,
         **slots: Any,
     ) -> Step:
-        """Adds a step, checked; its id is made unique."""
+        """Adds a step, checked; its id is made unique.
+
+        `premises` names what a reader should look at, as far as steps of these ids were made; from these, and from the
+        facts, those are found that the step needs.
+        """
         step = Step(
             self._unique(id, {step.id for step in self.steps}),
             rule,
@@ -69,26 +72,15 @@ class Draft:
         )
         introduce(self.context, step)
         with apart():  # what is proved of a step is no work of the method that makes it
-            step = bound(self.context, step, self._named(step, premises))
+            step = bound(self.context, step, self.those(*premises))
         step = told(step, Said(self.study, steps=self.steps, context=self.context))
         self.steps.append(step)
         self.context.steps[step.id] = step
         return step
 
-    def _named(self, step: Step, premises: Iterable[str]) -> tuple[str, ...]:
-        """The premises as ids of steps or facts. Raises KeyError for one that is neither.
-
-        Where a method was given up, what it would have told is missing, and is not named.
-        """
-        found = self.those(*premises) if self.has_gaps else tuple(premises)
-        for id in found:
-            if id not in self.context.steps and id not in self.context.facts:
-                raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
-        return found
-
     def forget(self, kept: int) -> None:
         """Takes back all steps but the first ones, and the letters that they introduced."""
-        self.has_gaps, gone = True, {step.id for step in self.steps[kept:]}
+        gone = {step.id for step in self.steps[kept:]}
         del self.steps[kept:]
         for id in gone:
             del self.context.steps[id]
