@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from functools import cache
 
 from rbpsym.showing import Shown
 
@@ -261,21 +262,28 @@ def spread(integrand: Node) -> tuple[Node, str, Node] | None:
     return integrand.left, "cross" if isinstance(integrand, Cross) else "dot", rate.of
 
 
+@cache
+def _parts(kind: type[Node]) -> tuple[str, ...]:
+    return tuple(item.name for item in fields(kind) if item.name != "span")
+
+
 def children(node: Node) -> Iterator[Node]:
     """The direct parts of a node, in reading order."""
-    for item in fields(node):
-        value = getattr(node, item.name)
+    for name in _parts(type(node)):
+        value = getattr(node, name)
         if isinstance(value, Node):
             yield value
-        elif isinstance(value, tuple) and item.name != "span":
+        elif isinstance(value, tuple):
             yield from (part for part in value if isinstance(part, Node))
 
 
 def walk(node: Node) -> Iterator[Node]:
     """The node and all its parts, parents first."""
-    yield node
-    for child in children(node):
-        yield from walk(child)
+    left = [node]
+    while left:
+        found = left.pop()
+        yield found
+        left += reversed([*children(found)])
 
 
 def relations(statement: Node) -> Iterator[tuple[Node, str, Node]]:
