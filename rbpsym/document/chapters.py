@@ -124,9 +124,9 @@ def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
 SOLUTIONS = ("torque.solved", "torque.solved_zero")
 
 
-def manner_of_solution(step: Step) -> tuple[str, tuple[str, ...]]:
+def manner_of_solution(step: Step) -> tuple[str, frozenset[str]]:
     """What accelerations that are found together have in common."""
-    return step.phrase, step.reasons if step.phrase == "torque.solved" else ()
+    return step.phrase, frozenset(step.reasons if step.phrase == "torque.solved" else ())
 
 
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
