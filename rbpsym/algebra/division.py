@@ -139,7 +139,7 @@ def _remainder(a: list[int], b: list[int]) -> list[int]:
 
 
 def _cancel_by_gcd(num: Poly, den: Poly) -> tuple[Poly, Poly]:
-    from rbpsym.algebra.sympy_bridge import cofactors
+    from rbpsym.algebra.ring import cofactors
 
     shift_n, shift_d = num.content()[1], den.content()[1]
     a, b = cofactors(num.scaled(1, inverse(shift_n)), den.scaled(1, inverse(shift_d)))

@@ -256,7 +256,7 @@ def is_worth_factoring(poly: Poly, style: Style) -> bool:
 
 def best_factors(poly: Poly, style: Style) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]] | None:
     """Factors of the sum as it is, or with one of sin², cos² replaced; None if it has none."""
-    from rbpsym.algebra.sympy_bridge import factors
+    from rbpsym.algebra.ring import factors
 
     for form in _forms(poly):
         coefficient, found = factors(form)

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import atoms, sympy_bridge
 from rbpsym.algebra.normal import Bases, bases_of, in_bases, partner
 from rbpsym.algebra.poly import ONE, Poly, generator, inverse
+from rbpsym.algebra.ring import element
 from rbpsym.algebra.scalar import Scalar
 
 MOST_TERMS = 400
@@ -24,16 +25,12 @@ def vanishes_on(value: Scalar, relations: Iterable[Scalar]) -> bool:
     if len(target) > MOST_TERMS:
         return False
     basis, order = _basis(relations, bases, tuple(sorted(target.atoms())))
-    from rbpsym.algebra.sympy_bridge import to_element
-
-    return not to_element(target, list(order)).rem(list(basis))
+    return not element(target, order, sympy_bridge).rem(list(basis))
 
 
 @lru_cache(maxsize=64)
 def _basis(relations: tuple[Poly, ...], bases: Bases, more: tuple[int, ...]):
     """A Gröbner basis of the relations and of sin² + cos² = 1, with the order of its atoms."""
-    from rbpsym.algebra.sympy_bridge import groebner_basis, to_element
-
     ideal = [_ordinary(in_bases(relation, bases)) for relation in relations]
     used = sorted(set(more).union(*(p.atoms() for p in ideal)))
     circles = [i for i in used if atoms.atom(i).kind in ("cos", "sin")]
@@ -41,8 +38,8 @@ def _basis(relations: tuple[Poly, ...], bases: Bases, more: tuple[int, ...]):
         other = partner(index)
         used = sorted({*used, other})
         ideal.append(generator(index) * generator(index) + generator(other) * generator(other) - ONE)
-    elements = [to_element(p, used) for p in dict.fromkeys(ideal)]
-    return groebner_basis(elements), tuple(used)
+    elements = [element(p, used, sympy_bridge) for p in dict.fromkeys(ideal)]
+    return sympy_bridge.groebner_basis(elements), tuple(used)
 
 
 def _ordinary(poly: Poly) -> Poly:

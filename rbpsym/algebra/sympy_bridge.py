@@ -1,4 +1,4 @@
-"""What we ask of sympy: greatest common divisors, factors, and exchange of expressions.
+"""What we ask of sympy: Gröbner bases, exchange of expressions, and what `algebra.ring` asks where flint is not installed.
 
 sympy is imported here only, and only when one of these is needed.
 """
@@ -6,12 +6,11 @@ sympy is imported here only, and only when one of these is needed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
+from rbpsym.algebra.poly import ONE, Coefficient, Poly
 from rbpsym.algebra.scalar import Scalar
 
 
@@ -24,52 +23,21 @@ def _ring(count: int) -> Any:
     return PolyRing([f"x{k}" for k in range(count)], QQ, lex)
 
 
-def to_element(poly: Poly, order: list[int]) -> Any:
-    """The polynomial (no negative powers) as an element of ℚ[x0, x1, ...]."""
-    ring = _ring(len(order))
-    place = {index: k for k, index in enumerate(order)}
-    convert = ring.domain.convert
-    terms = {}
-    for m, c in poly.terms.items():
-        powers = [0] * len(order)
-        for index, exponent in m:
-            powers[place[index]] = exponent
-        terms[tuple(powers)] = ring.domain(c.numerator, c.denominator) if type(c) is Fraction else convert(c)
-    return ring.from_dict(terms)
+def element(terms: dict[tuple[int, ...], Coefficient], count: int) -> Any:
+    """An element of ℚ[x0, ...] from its coefficients by powers."""
+    ring = _ring(count)
+    return ring.from_dict({m: ring.domain(c.numerator, c.denominator) for m, c in terms.items()})
 
 
-def from_element(element: Any, order: list[int]) -> Poly:
-    """Back from ℚ[x0, x1, ...]."""
-    return Poly({_monomial(powers, order): _coefficient(c) for powers, c in element.terms()})
+def cofactors(a: Any, b: Any) -> tuple[Any, Any] | None:
+    """Both without their greatest common divisor; None if there is none."""
+    common, *found = a.cofactors(b)
+    return None if common.is_ground else tuple(found)
 
 
-def _monomial(powers: tuple[int, ...], order: list[int]) -> Monomial:
-    return tuple((index, e) for index, e in zip(order, powers, strict=True) if e)
-
-
-def _coefficient(c: Any) -> Coefficient:
-    return int(c.numerator) if c.denominator == 1 else Fraction(int(c.numerator), int(c.denominator))
-
-
-def cofactors(a: Poly, b: Poly) -> tuple[Poly, Poly]:
-    """a/g and b/g for the greatest common divisor g."""
-    order = sorted(a.atoms() | b.atoms())
-    x, y = to_element(a, order), to_element(b, order)
-    _, p, q = x.cofactors(y)
-    return from_element(p, order), from_element(q, order)
-
-
-@lru_cache(maxsize=4096)
-def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
-    """Rational coefficient and irreducible factors over ℚ with multiplicities.
-
-    Sines and cosines count as independent; negative powers must have been taken out.
-    """
-    order = sorted(poly.atoms())
-    if not order:
-        return poly.constant_value() or 0, ()
-    coefficient, found = to_element(poly, order).factor_list()
-    return _coefficient(coefficient), tuple((from_element(f, order), k) for f, k in found)
+def factor_list(value: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    """Coefficient and irreducible factors."""
+    return value.factor_list()
 
 
 def groebner_basis(elements: list[Any]) -> tuple[Any, ...]:

@@ -52,7 +52,7 @@ def split(poly: Poly, deep: bool) -> tuple[Fraction, tuple[tuple[Poly, int], ...
 
 @lru_cache(maxsize=512)
 def _factor_list(poly: Poly) -> tuple[Fraction, tuple[tuple[Poly, int], ...]]:
-    from rbpsym.algebra.sympy_bridge import factors
+    from rbpsym.algebra.ring import factors
 
     if len(poly) > MOST_TERMS:
         raise LimitError("a radicand is too large to be factored")

@@ -176,7 +176,7 @@ def _by_factors(study: Study, poly: Poly) -> int:
     """The product of the signs of irreducible factors."""
     if not study.factoring or len(poly) < 2 or _is_linear(poly):
         return ANY
-    from rbpsym.algebra.sympy_bridge import factors
+    from rbpsym.algebra.ring import factors
 
     _, powers = poly.content()
     coefficient, found = factors(poly.scaled(1, inverse(powers)))

@@ -11,9 +11,9 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import is_zero, normal, shorten
 from rbpsym.algebra.poly import ONE, Poly, generator, inverse
+from rbpsym.algebra.ring import factors
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
-from rbpsym.algebra.sympy_bridge import factors
 from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)

@@ -7,11 +7,13 @@ from fractions import Fraction
 import pytest
 from hypothesis import assume, given
 
+from rbpsym.algebra import flint_ring, ring, sympy_bridge
 from rbpsym.algebra.division import cancel, divide
 from rbpsym.algebra.normal import is_zero, same
-from rbpsym.algebra.poly import ONE
+from rbpsym.algebra.poly import ONE, Poly, inverse
+from rbpsym.algebra.ring import cofactors, factors
 from rbpsym.algebra.scalar import Scalar, lift, quotient
-from rbpsym.algebra.sympy_bridge import cofactors, factors, to_sympy
+from rbpsym.algebra.sympy_bridge import to_sympy
 from rbpsym.algebra.trig import cosine, sine
 from tests.algebra.strategies import A, B, M, X, Y, divisors, polynomials, quotients, steady
 
@@ -100,3 +102,26 @@ def test_sympy_sees_the_same_value() -> None:
     value = (X * cosine(A + B) + sine(A) ** 2) / (1 + Y**2)
     expected = (names["x"] * sympy.cos(names["a"] + names["b"]) + sympy.sin(names["a"]) ** 2) / (1 + names["y"] ** 2)
     assert sympy.simplify(to_sympy(value) - expected) == 0
+
+
+@steady
+@given(polynomials, divisors, divisors)
+def test_flint_and_sympy_find_the_same(p: Scalar, q: Scalar, common: Scalar) -> None:
+    """Factors with their order and scale, cofactors up to a number, in plain integers and fractions."""
+    a, b = (_without_inverses((part * common).num) for part in (p, q))
+    assume(a.terms)
+    found = []
+    for backend in (flint_ring, sympy_bridge):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(ring, "backend", lambda backend=backend: backend)
+            found.append((ring.factors.__wrapped__(a), ring.cofactors(a, b)))
+    (ours, (x, y)), (theirs, (z, w)) = found
+    assert ours == theirs
+    assert x * w == y * z and len(x) == len(z)
+    for poly in (x, y, *(factor for factor, _ in ours[1])):
+        assert all(type(c) in (int, Fraction) for c in poly.terms.values())
+        assert all(type(e) is int for m in poly.terms for _, e in m)
+
+
+def _without_inverses(poly: Poly) -> Poly:
+    return poly.scaled(1, inverse(poly.content()[1]))

@@ -2,8 +2,8 @@
 
 import pytest
 
+from rbpsym.algebra.ring import factors
 from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.algebra.sympy_bridge import factors
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.mechanics.roots import _is_irreducible, numerator_factors
 
