@@ -101,6 +101,6 @@ BRACKETS = {
 }
 
 
-def shell(name: str, *, autoescape: bool = False, **values: object) -> str:
+def shell(name: str, /, *, autoescape: bool = False, **values: object) -> str:
     """A page shell with its places filled."""
     return environment(autoescape).get_template(name).render(**values)

@@ -1,17 +1,51 @@
-"""What all exports work with: one worksheet, its page, and what could not be carried so far."""
+"""What all exports work with: a platform, one worksheet on its way to it, and what could not be carried so far."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from rbpsym.document.model import Block, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.teaching.exports.packing import slug, zipped
 from rbpsym.teaching.exports.page import Paper, blocks_html
-from rbpsym.teaching.exports.telling import feedback, word
+from rbpsym.teaching.exports.telling import feedback, left_out, word
+from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet
+
+# what a format may be unable to carry; a platform may say it in other words, and "" where it is able to
+LACKS: Mapping[str, str] = {
+    "carried": "an error carried forward from an earlier answer is not recognised",
+    "figures": "the unit is printed in the question; unit and significant figures are not marked",
+    "slips of numbers": "",
+    "slips of formulas": "",
+    "reason": "the reason of a comparison is not asked in a second field",
+    "correction": "the corrected formula is not asked",
+    "cancelling": "which works cancel is not asked",
+    "pairs": "the order is asked pair by pair, since several orders may be right",
+    "formula": "a formula can't be compared: it is asked as a choice among the known wrong results",
+    "formula as text": "a formula can't be compared: it is asked as a text that the teacher marks",
+    "blanks": "a formula can't be compared: the blanks are asked as a text that the teacher marks",
+    "rubric": "",
+}
+
+
+@dataclass(frozen=True)
+class Platform:
+    """A learning platform: its name, a page for it, how it asks keys for which it has a way of its own (by type),
+    what it lacks in other words than `LACKS`, and how it shows a drop-down within text."""
+
+    name: str
+    paper: Callable[[dict], Paper]
+    kinds: Mapping[type, Callable[[Item, Desk], Any]] = field(default_factory=dict)
+    lacks: Mapping[str, str] = field(default_factory=dict)
+    dropdown: Callable[[Any], str] = lambda field: f"[{field.name}]"
+
+
+ANY = Platform("", lambda drawn: Paper(drawn=drawn))
 
 
 @dataclass(frozen=True)
@@ -21,6 +55,7 @@ class Desk:
     worksheet: Worksheet
     paper: Paper
     missing: list[tuple[Item, str]] = field(default_factory=list)
+    platform: Platform = ANY
 
     @cached_property
     def page(self) -> Page:
@@ -28,8 +63,13 @@ class Desk:
         return self.paper.page(self.worksheet.notation, self.worksheet.language)
 
     def lacks(self, item: Item, what: str) -> None:
-        """Note what the format can't carry."""
-        self.missing.append((item, what))
+        """Note what the format can't carry: a key of `LACKS`, or of the platform's own table."""
+        sentence = (LACKS | self.platform.lacks)[what]
+        self.missing.extend([(item, sentence)] if sentence else [])
+
+    def dropdown(self, field: Any) -> str:
+        """A drop-down within text."""
+        return self.platform.dropdown(field)
 
     def word(self, key: str) -> str:
         """A word in the language of the worksheet."""
@@ -64,6 +104,23 @@ class Desk:
     def feedback(self, slip: Slip | None) -> str:
         """The feedback of a wrong answer as HTML."""
         return f"<p>{self.inlines(feedback(slip, self.worksheet))}</p>"
+
+
+def in_packages(worksheets: tuple[Worksheet, ...], platform: Platform, package: Callable[[Desk], dict]) -> Exported:
+    """A zip package for each student; `package` gives its files by path."""
+    files, missing, drawn = {}, [], {}
+    for sheet in worksheets:
+        desk = Desk(sheet, platform.paper(drawn), missing, platform)
+        files[f"{slug(sheet.code)}.{platform.name.split()[0].lower()}.zip"] = zipped(package(desk))
+    return Exported(files, left_out(platform.name, missing))
+
+
+def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: list) -> Iterator[list[tuple[Item, Desk]]]:
+    """For each place on the paper the items of all students, each on a page of its own."""
+    drawn: dict = {}
+    for place in range(max((len(sheet.items) for sheet in worksheets), default=0)):
+        sheets = (sheet for sheet in worksheets if place < len(sheet.items))
+        yield [(sheet.items[place], Desk(sheet, platform.paper(drawn), missing, platform)) for sheet in sheets]
 
 
 def nearest_pairs(key: OrderKey) -> list[tuple[int, int]]:

@@ -2,101 +2,101 @@
 
 from __future__ import annotations
 
-from xml.etree.ElementTree import Element
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
 
-from rbpsym.teaching.exports.bench import Desk
-from rbpsym.teaching.exports.packing import identifier, slug, zipped
+from markupsafe import Markup
+
+from rbpsym.teaching import model as m
+from rbpsym.teaching.exports import question as q
+from rbpsym.teaching.exports.bench import Desk, Platform, in_packages, orders
+from rbpsym.teaching.exports.packing import identifier
 from rbpsym.teaching.exports.page import Paper, mathml
-from rbpsym.teaching.exports.qti_items import KINDS
-from rbpsym.teaching.exports.telling import left_out
-from rbpsym.teaching.exports.xml import element, written
+from rbpsym.teaching.exports.xml import written
 from rbpsym.teaching.formats import Exported, Options
-from rbpsym.teaching.model import Item, Worksheet
-
-QTI = "http://www.imsglobal.org/xsd/imsqti_v2p1"
-SCHEMA = f"{QTI} http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd"
-PACKAGE = "http://www.imsglobal.org/xsd/imscp_v1p1"
-INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
 
 
-def export_qti(worksheets: tuple[Worksheet, ...], options: Options) -> Exported:
+@dataclass(frozen=True, slots=True)
+class Order:
+    """Steps to be put in order: what each says, and the orders that are right, the printed one first."""
+
+    steps: tuple[str, ...]
+    sample: tuple[int, ...]
+    right: tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Signs:
+    """Rows with two inline choices each: head of the row, and (name, word, sign) of its fields."""
+
+    rows: tuple[tuple[str, tuple[tuple[str, str, str], ...]], ...]
+    each: float
+
+
+def export_qti(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exported:
     """A zip package for each student. Formulas are MathML, pictures SVG files."""
-    files, missing, drawn = {}, [], {}
-    for sheet in worksheets:
-        desk = Desk(sheet, Paper(mathml, drawn=drawn), missing)
-        files[f"{slug(sheet.code)}.qti.zip"] = zipped(package(desk))
-    return Exported(files, left_out("QTI 2.1", missing))
+    return in_packages(worksheets, QTI, package)
 
 
 def package(desk: Desk) -> dict[str, bytes]:
-    """The files of one package."""
+    """The files of one package: the items, their pictures, the test and the manifest."""
     sheet = desk.worksheet
-    files = {f"{item_name(item)}.xml": written(assessment_item(item, desk)) for item in sheet.items}
-    files["test.xml"] = written(assessment_test(desk))
+    title, names = desk.plain(sheet.title), {item.id: identifier(f"item {item.id}") for item in sheet.items}
+    files = {f"{names[item.id]}.xml": question(item, desk, names[item.id], title) for item in sheet.items}
+    files["test.xml"] = written(
+        "qti-test.xml", code=sheet.code, own=identifier(sheet.code), title=title, names=names.values()
+    )
     files |= desk.paper.pictures
-    files["imsmanifest.xml"] = written(manifest(desk, list(files)))
+    files["imsmanifest.xml"] = written(
+        "qti-manifest.xml", own=identifier(f"package {sheet.code}"), names=names.values(), pictures=desk.paper.pictures
+    )
     return files
 
 
-def item_name(item: Item) -> str:
-    """The identifier of an item in its package."""
-    return identifier(f"item {item.id}")
-
-
-def assessment_item(item: Item, desk: Desk) -> Element:
+def question(item: m.Item, desk: Desk, name: str, title: str) -> bytes:
     """One item: declarations, body, processing, feedback."""
-    parts = KINDS[type(item.key)](item, desk)
-    root = element(
-        "assessmentItem", None, *parts,
-        xmlns=QTI, identifier=item_name(item), title=f"{desk.plain(desk.worksheet.title)} {item.id}",
-        adaptive="false", timeDependent="false",
-    )  # fmt: skip
-    root.set("xmlns:xsi", INSTANCE)
-    root.set("xsi:schemaLocation", SCHEMA)
-    return root
-
-
-def assessment_test(desk: Desk) -> Element:
-    """The test: all items in the printed order."""
-    sheet = desk.worksheet
-    refs = [
-        element("assessmentItemRef", None, identifier=item_name(item), href=f"{item_name(item)}.xml")
-        for item in sheet.items
-    ]
-    section = element("assessmentSection", None, *refs, identifier="all", title=desk.plain(sheet.title), visible="true")
-    part = element(
-        "testPart", None, section, identifier="part", navigationMode="nonlinear", submissionMode="simultaneous"
+    form = q.asked_as(item, desk)
+    return written(
+        "qti-item.xml",
+        kind=SHELLS[type(form)],
+        form=form,
+        item=item,
+        desk=desk,
+        own=name,
+        title=title,
+        text=Markup(desk.question(item)),
+        rubric=Markup(q.rubric(item, desk)),
     )
-    outcome = element("outcomeDeclaration", None, identifier="SCORE", cardinality="single", baseType="float")
-    total = element("sum", None, element("testVariables", None, variableIdentifier="SCORE"))
-    process = element("outcomeProcessing", None, element("setOutcomeValue", None, total, identifier="SCORE"))
-    root = element(
-        "assessmentTest", None, outcome, part, process,
-        xmlns=QTI, identifier=identifier(sheet.code), title=f"{desk.plain(sheet.title)} {sheet.code}",
-    )  # fmt: skip
-    root.set("xmlns:xsi", INSTANCE)
-    root.set("xsi:schemaLocation", SCHEMA)
-    return root
 
 
-def manifest(desk: Desk, paths: list[str]) -> Element:
-    """The manifest: the test depends on the items, these on their pictures."""
-    items = [item_name(item) for item in desk.worksheet.items]
-    pictures = [path for path in paths if path.endswith(".svg")]
-    resources = [
-        element(
-            "resource", None, element("file", None, href="test.xml"),
-            *(element("dependency", None, identifierref=name) for name in items),
-            identifier="test", type="imsqti_test_xmlv2p1", href="test.xml",
-        )
-    ]  # fmt: skip
-    for name in items:
-        files = [element("file", None, href=f"{name}.xml"), *(element("file", None, href=path) for path in pictures)]
-        resources.append(
-            element("resource", None, *files, identifier=name, type="imsqti_item_xmlv2p1", href=f"{name}.xml")
-        )
-    metadata = element("metadata", None, element("schema", "QTIv2.1 Package"), element("schemaversion", "1.0.0"))
-    return element(
-        "manifest", None, metadata, element("organizations"), element("resources", None, *resources),
-        xmlns=PACKAGE, identifier=identifier(f"package {desk.worksheet.code}"),
-    )  # fmt: skip
+SHELLS: Mapping[type, str] = {q.Number: "number", q.Choice: "choice", Order: "order", Signs: "signs", q.Essay: "text"}
+
+
+def order(item: m.Item, desk: Desk) -> Order:
+    """All orders that keep the graph are right, as far as they can be listed."""
+    key: m.OrderKey = item.key
+    right = orders(key)
+    if right is None:
+        desk.lacks(item, "orders")
+    return Order(tuple(q.line_of(piece, desk) for piece in key.pieces), key.sample, tuple(right or [key.sample]))
+
+
+def signs(item: m.Item, desk: Desk) -> Signs:
+    """A paragraph for each force."""
+    q.note_cancelling(item, desk)
+    rows = []
+    for place, row in enumerate(item.key.rows, start=1):
+        works = (("translational", row.translational), ("rotational", row.rotational))
+        fields = tuple((f"{work[0].upper()}{place}", desk.word(work), SIGN_NAMES[sign]) for work, sign in works)
+        rows.append((q.force_of(row, desk), fields))
+    return Signs(tuple(rows), float(item.points) / (2 * len(rows)))
+
+
+SIGN_NAMES = {"+": "plus", "-": "minus", "0": "zero"}
+KINDS: Mapping[type, Any] = {m.OrderKey: order, m.SignsKey: signs, m.ExplanationKey: q.essay_with_sample}
+LACKS: Mapping[str, str] = {
+    "figures": "the unit is printed beside the field; unit and significant figures are not marked",
+    "orders": "more than 24 orders are right: those that differ from the printed one are marked wrong",
+}
+QTI = Platform("QTI 2.1", lambda drawn: Paper(mathml, drawn=drawn), KINDS, LACKS)

@@ -1,0 +1,281 @@
+"""Questions without a platform: how an item is asked, and what of it can't be carried.
+
+A platform names the kinds of keys for which it has a way of its own (`Platform.kinds`); all others are asked in the ways
+of `KINDS`: a formula as a choice among known wrong ones, an order pair by pair, signs as a table of drop-downs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from markupsafe import escape
+
+from rbpsym.document.model import Math, Text
+from rbpsym.notation import tree as t
+from rbpsym.teaching import model as m
+from rbpsym.teaching.exports.bench import Desk, free_pairs, nearest_pairs
+from rbpsym.teaching.exports.names import RESERVED, exported_names
+from rbpsym.teaching.grading.units import read_unit
+from rbpsym.teaching.units import unit_text
+
+FEWEST = 3  # options of a choice that stands for a formula
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One of several options, `right` by its place; `before` stands above them, `praise` is told of the right one."""
+
+    options: tuple[m.Option, ...]
+    right: int
+    before: str = ""
+    praise: str = ""
+    shuffled: bool = True
+
+    @property
+    def slips(self) -> tuple[tuple[int, m.Option], ...]:
+        """The wrong options whose slip is known, with their places from 1."""
+        places = enumerate(self.options, start=1)
+        return tuple((place, option) for place, option in places if option.slip and place != self.right + 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number: in its unit `exact` and `printed`, which may be off by the share `reach`, and known wrong ones."""
+
+    key: m.NumberKey
+    exact: float
+    printed: float
+    unit: str
+    wrong: tuple[m.Anticipated, ...]
+
+    @property
+    def reach(self) -> float:
+        """The share by which an answer may be off."""
+        return float(self.key.tolerance.relative)
+
+    def bounds(self, value: float, reach: float) -> list[float]:
+        """The least and the greatest number that is taken for a value."""
+        return sorted(value * (1 + side * reach) for side in (-1, 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A drop-down: its words and the place of the right one."""
+
+    name: str
+    words: tuple[str, ...]
+    right: int
+
+
+@dataclass(frozen=True, slots=True)
+class Fields:
+    """Text with drop-downs in it, as the platform shows each (`Platform.dropdown`)."""
+
+    markup: str
+    fields: tuple[Field, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A formula to be typed: its number, the right one, known wrong ones, and its share of the points."""
+
+    number: int
+    value: t.Node
+    anticipated: tuple[m.Anticipated, ...]
+    share: Fraction = Fraction(1)
+
+    @property
+    def wrong(self) -> tuple[m.Anticipated, ...]:
+        """The known wrong formulas."""
+        return tuple(known for known in self.anticipated if known.formula is not None)
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """Formulas to be typed, with the names that are typed for ours; `left` is what stands before a single one."""
+
+    entries: tuple[Entry, ...]
+    names: Mapping[str, str]
+    left: t.Node | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Essay:
+    """Words that the teacher marks; `sample` shows a full answer. `before` stands above the field."""
+
+    before: str = ""
+    sample: str = ""
+
+
+# --- how each kind is asked where the platform has no way of its own
+
+
+def number(item: m.Item, desk: Desk) -> Number:
+    """A number in the unit that is printed."""
+    key: m.NumberKey = item.key
+    desk.lacks(item, "figures")
+    if key.anticipated:
+        desk.lacks(item, "slips of numbers")
+    if key.follows:
+        desk.lacks(item, "carried")
+    wrong = tuple(known for known in key.anticipated if known.number is not None)
+    unit = key.measure.unit
+    return Number(key, key.exact / read_unit(unit).factor, float(key.measure.value), unit_text(unit), wrong)
+
+
+def choice(item: m.Item, desk: Desk) -> Choice:
+    """One of the options as they are."""
+    if isinstance(item.key, m.ComparisonKey) and item.rubric:
+        desk.lacks(item, "reason")
+    return Choice(item.key.options, item.key.right)
+
+
+def choice_of_lines(item: m.Item, desk: Desk) -> Choice:
+    """Which line is wrong."""
+    desk.lacks(item, "correction")
+    numbered = enumerate(item.key.lines, start=1)
+    options = (m.Option((Text(f"{desk.word('line')} {place}: "), Math(line.statement))) for place, line in numbered)
+    return Choice(tuple(options), item.key.wrong)
+
+
+def formula_as_choice(item: m.Item, desk: Desk) -> Choice | Essay:
+    """A formula among its known wrong ones, in an order that tells nothing: by their length, then by their text."""
+    key: m.FormulaKey = item.key
+    wrong = ((known.formula, known.slip) for known in key.anticipated if known.formula is not None)
+    pairs = sorted([(key.value, None), *wrong], key=lambda pair: (len(str(pair[0])), str(pair[0])))
+    if len(pairs) < FEWEST:
+        desk.lacks(item, "formula as text")
+        return Essay(f"<p>{desk.formula(key.left)} = …</p>", f"<p>{desk.formula(key.value)}</p>")
+    desk.lacks(item, "formula")
+    options = tuple(m.Option((Math(formula),), slip, formula) for formula, slip in pairs)
+    return Choice(options, next(place for place, option in enumerate(options) if option.slip is None))
+
+
+def blanks_as_text(item: m.Item, desk: Desk) -> Essay:
+    """All blanks in one field."""
+    desk.lacks(item, "blanks")
+    right = (f"<p>{blank.number}: {desk.formula(blank.value)}</p>" for blank in item.key.blanks)
+    return Essay(sample="".join(right))
+
+
+def essay(item: m.Item, desk: Desk) -> Essay:
+    """An open question, without its answer."""
+    desk.lacks(item, "rubric")
+    return Essay()
+
+
+def essay_with_sample(item: m.Item, desk: Desk) -> Essay:
+    """An open question for a platform that shows a full answer to who marks it."""
+    return Essay(sample=desk.html(item.key.sample))
+
+
+def rubric(item: m.Item, desk: Desk) -> str:
+    """What earns points, as a list; "" if nothing is said."""
+    rows = "".join(f"<li>{desk.inlines(row.text)} ({float(row.points):g})</li>" for row in item.rubric)
+    return f"<ul>{rows}</ul>" if rows else ""
+
+
+def signs(item: m.Item, desk: Desk) -> Fields:
+    """A table with two drop-downs for each force."""
+    note_cancelling(item, desk)
+    fields, rows = [], ""
+    for place, row in enumerate(item.key.rows, start=1):
+        own = [
+            Field(f"{work}{place}", SIGNS, m.SIGNS.index(sign))
+            for work, sign in (("T", row.translational), ("R", row.rotational))
+        ]
+        cells = "".join(f"<td>{desk.dropdown(field)}</td>" for field in own)
+        rows += f"<tr><td>{force_of(row, desk)}</td>{cells}</tr>"
+        fields += own
+    head = "".join(f"<th>{desk.word(name)}</th>" for name in ("row", "translational", "rotational"))
+    return Fields(f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>", tuple(fields))
+
+
+SIGNS = tuple(sign.replace("-", "−") for sign in m.SIGNS)
+
+
+def note_cancelling(item: m.Item, desk: Desk) -> None:
+    """No platform asks which works cancel."""
+    if any(row.cancels for row in item.key.rows):
+        desk.lacks(item, "cancelling")
+
+
+def force_of(row: m.SignRow, desk: Desk) -> str:
+    """The head of a row of signs."""
+    return f"{desk.formula(row.force)} ({desk.inlines(row.label)})"
+
+
+def order_in_pairs(item: m.Item, desk: Desk) -> Fields:
+    """An order asked pair by pair, since more than one order may be right."""
+    key: m.OrderKey = item.key
+    desk.lacks(item, "pairs")
+    words = tuple(desk.word(name) for name in ("before", "after", "either"))
+    pairs = [*((pair, 0) for pair in nearest_pairs(key)), *((pair, 2) for pair in free_pairs(key))]
+    fields, asked, step = [], "", desk.word("step")
+    for place, ((first, second), right) in enumerate(pairs, start=1):
+        fields.append(Field(f"P{place}", words, right))
+        asked += f"<li>{step} {first + 1} {desk.dropdown(fields[-1])} {step.lower()} {second + 1}</li>"
+    return Fields(f"{lines(key.pieces, desk)}<p>{desk.word('pair')}</p><ul>{asked}</ul>", tuple(fields))
+
+
+def lines(pieces: Iterable[m.Piece], desk: Desk) -> str:
+    """Pieces of a derivation as a numbered list."""
+    return f"<ol>{''.join(f'<li>{line_of(piece, desk)}</li>' for piece in pieces)}</ol>"
+
+
+def line_of(piece: m.Piece, desk: Desk) -> str:
+    """A piece with its reason."""
+    return f"{desk.formula(piece.statement)} {desk.inlines(piece.reason)}"
+
+
+# --- for platforms that compare formulas
+
+
+def typed_formula(item: m.Item, desk: Desk) -> Formulas:
+    """One formula."""
+    key: m.FormulaKey = item.key
+    if key.follows:
+        desk.lacks(item, "carried")
+    return _formulas(item, desk, (Entry(1, key.value, key.anticipated),), key.left)
+
+
+def typed_blanks(item: m.Item, desk: Desk) -> Formulas:
+    """A formula for each blank."""
+    blanks = item.key.blanks
+    whole = sum((blank.points for blank in blanks), Fraction(0)) or Fraction(1)
+    return _formulas(item, desk, tuple(Entry(b.number, b.value, b.anticipated, b.points / whole) for b in blanks))
+
+
+def _formulas(item: m.Item, desk: Desk, entries: tuple[Entry, ...], left: t.Node | None = None) -> Formulas:
+    if any(entry.anticipated for entry in entries):
+        desk.lacks(item, "slips of formulas")
+    formulas = [e.value for e in entries] + [known.formula for e in entries for known in e.wrong]
+    used = set(item.key.names).union(*map(t.names, formulas)) - {"pi"}
+    return Formulas(entries, exported_names(used, desk.worksheet.problems[item.asked.problem], RESERVED), left)
+
+
+def legend(names: Mapping[str, str], desk: Desk) -> str:
+    """What is typed for each letter."""
+    pairs = (f"{desk.formula(t.Sym(name))}: <code>{escape(typed)}</code>" for name, typed in sorted(names.items()))
+    return f"<p>{desk.word('type')} {', '.join(pairs)}</p>"
+
+
+KINDS: Mapping[type, Callable[[m.Item, Desk], Any]] = {
+    m.FormulaKey: formula_as_choice,
+    m.NumberKey: number,
+    m.ChoiceKey: choice,
+    m.ComparisonKey: choice,
+    m.OrderKey: order_in_pairs,
+    m.SlipKey: choice_of_lines,
+    m.SignsKey: signs,
+    m.BlanksKey: blanks_as_text,
+    m.ExplanationKey: essay,
+}
+
+
+def asked_as(item: m.Item, desk: Desk) -> Any:
+    """How the platform asks an item."""
+    return (KINDS | desk.platform.kinds)[type(item.key)](item, desk)
