@@ -22,7 +22,7 @@ from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.roots import factor_zeros, numerator_factors, period
+from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 from rbpsym.statement.paths import tensions
@@ -136,7 +136,7 @@ def _joined(parts: list[Losses]) -> Losses:
 def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
     found, open_, reasons, given = [], [], [], assuming(given, way.asked)
     for force, value in forces.items():
-        for factor in (f for f in map(Scalar, numerator_factors(value)) if depends_on(f, way.name)):
+        for factor in factors_in(value, way.name):
             if not factor_zeros(factor, way.name) and not _is_clear(factor, way, given):
                 surely = _changes_sign(way, value, factor, held, given)
                 (found if surely else open_).append(Loss(force, factor, {}, way.name))

@@ -33,6 +33,21 @@ def numerator_factors(value: Scalar) -> list[Poly]:
     return [factor for factor, _ in factors(cleared)[1]]
 
 
+def factors_in(value: Scalar, *names: str) -> list[Scalar]:
+    """The factors of the numerator in some coordinates, each of which `factor_zeros` solves wholly or not at all.
+
+    What does not split with sines of several multiples of an angle may do so in those of the angle itself:
+    sin 2θ cos θ - k cos θ sin θ cos 2θ vanishes with cos θ, and elsewhere.
+    """
+    found: list[Scalar] = []
+    for factor in map(Scalar, numerator_factors(value)):
+        mixed = any(len(_angles(factor, name)) > 1 for name in names)
+        parts = [Scalar(part) for part in numerator_factors(Scalar(normal(factor.num)))] if mixed else []
+        found += parts if len(parts) > 1 else [factor]
+    found = [factor for factor in found if any(depends_on(factor, name) for name in names)]
+    return [factor for k, factor in enumerate(found) if factor not in found[:k]]
+
+
 def _is_irreducible(poly: Poly) -> bool:
     """One term, or a x + B with a single term a (that has no factor in common with B, since the content is out)."""
     if len(poly) < 2:
@@ -88,11 +103,7 @@ def _solve_quadratic(a: Scalar, b: Scalar, c: Scalar) -> list[Scalar]:
 
 def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
     """Zeros of a cos A + b sin A + d with A = rate × coordinate + phase."""
-    angles = {
-        atoms.atom(i).arg
-        for i in factor.num.atoms()
-        if atoms.atom(i).kind in ("cos", "sin") and depends_on(Scalar(atoms.atom(i).arg), name)
-    }
+    angles = _angles(factor, name)
     if len(angles) != 1:
         return _other_forms(factor, name, angles)
     [angle] = angles
@@ -102,6 +113,12 @@ def _trig_zeros(factor: Scalar, name: str) -> list[Scalar]:
     cos, sin = (atoms.intern(kind, angle) for kind in ("cos", "sin"))
     phase = substitute(Scalar(angle), {name: NOTHING})
     return [_principal((solution - phase) / rate) for solution in _waves(factor.num, cos, sin, name)]
+
+
+def _angles(factor: Scalar, name: str) -> set[Poly]:
+    """The angles in its sines and cosines that depend on a coordinate."""
+    waves = (atoms.atom(i) for i in factor.num.atoms())
+    return {wave.arg for wave in waves if wave.kind in ("cos", "sin") and depends_on(Scalar(wave.arg), name)}
 
 
 def _waves(poly: Poly, cos: int, sin: int, name: str) -> list[Scalar]:
@@ -231,12 +248,11 @@ def _ways(value: Scalar, open_: Sequence[str], names: Sequence[str], spread: Spr
     and the factors that are not solved."""
     found: list[dict[str, Scalar]] = []
     left: list[Scalar] = []
-    for factor in map(Scalar, numerator_factors(value)):
+    for factor in factors_in(value, *open_):
         solved = ((name, _plain_zeros(factor, name, names)) for name in open_)
         name, roots = next((item for item in solved if item[1]), ("", []))
         found += [{name: place} for root in roots for place in spread(name, root, period(factor, name))]
-        if not roots and any(depends_on(factor, name) for name in open_):
-            left.append(factor)
+        left += [] if roots else [factor]
     return found, left
 
 

@@ -8,7 +8,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.roots import common_zeros, factor_zeros, factors_in, zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement import load_text
@@ -40,6 +40,13 @@ def test_zeros_are_zeros(text, name, count):
 
 def test_what_has_no_closed_form_has_no_zeros():
     assert zeros(value("a*cos(theta)**2 + b*sin(theta)*cos(theta) + c*sin(theta)"), "theta") == []
+
+
+def test_a_factor_is_solved_wholly_or_not_at_all():
+    hidden = value("a*sin(2*theta) + b*cos(theta)*cos(2*theta) + c*sin(theta)*cos(theta)**2*sin(2*theta)")
+    solved = {factor: bool(factor_zeros(factor, "theta")) for factor in factors_in(hidden, "theta")}
+    assert sorted(solved.values()) == [False, True]
+    assert len(common_zeros([hidden], ["theta"]).open_) == 1
 
 
 BOUNDED = """

@@ -272,7 +272,7 @@ def _losses(bench: Bench, study: Study, start, seen: Followed, found: Findings, 
         gap = _gap(event.of, told, known, visited)
         if gap == WRONG and event.of in {loss.force for loss in study.ended.open_}:
             found.missing["place of a loss"] = "it is told that it is not decided"
-        elif gap == WRONG and study.ended.complete is not True:
+        elif gap == WRONG and study.ended.complete is not True and not study.ended.open_:  # what is named leaves the rest decided
             found.missing[f"loss of {event.of}"] = f"the list is not said to be complete: {study.ended.reason}"
         else:
             found.note(f"place where {event.of} is lost", gap, numbers)

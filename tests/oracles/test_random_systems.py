@@ -35,13 +35,17 @@ def test_each_kind_of_system_is_derived_and_compared(name):
 
 
 # seeds at which something was wrong once: what it was
-MENDED = {85: "a bound without a value at a sample point ended the derivation", 113: "a premise without a step ended it"}
+MENDED = {
+    85: "a bound without a value at a sample point ended the derivation",
+    113: "a premise without a step ended it",
+    1015: "a force has a zero in closed form, and another one without, which was forgotten",
+}
 
 
 @pytest.mark.parametrize("number", MENDED)
 def test_what_was_found_is_mended(number):
     found = judged(statement(random.Random(number).choice))
-    assert not [line for line in found.wrong if "crash" in line], MENDED[number]
+    assert not found.wrong, MENDED[number]
 
 
 def test_a_bound_without_a_value_is_no_error():
