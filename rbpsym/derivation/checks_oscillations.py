@@ -246,9 +246,9 @@ def mode_shape(context: Context, step: Step) -> Verdict:
 RATE = "rate away"  # λ, a name that no user can write
 
 
-def coefficients(value: Scalar) -> list[Scalar]:
+def coefficients(value: Scalar, letter: str = RATE) -> list[Scalar]:
     """Of a polynomial in λ, that of the highest power first."""
-    parts = value.num.by_power(atoms.intern("symbol", RATE))
+    parts = value.num.by_power(atoms.intern("symbol", letter))
     return [Scalar(parts.get(k, Poly({}))) / Scalar(value.den) for k in range(max(parts), -1, -1)]
 
 
@@ -270,12 +270,16 @@ def divides(context: Context, near: Nearby, powers: Sequence[Scalar]) -> Verdict
 def polynomial(context: Context, step: Step) -> Verdict:
     """The left side is det(M λ² + C λ + K) but for a factor that does not vanish and is free of λ (`data`: "at")."""
     [(left, _, right)] = list(relations(step.statement))
-    letter = symbol(step.slots["letter"].name)
-    stated, whole = context.value(left) - context.value(right), singular(near_place(context, step), letter)
-    factor = short(whole / stated)
-    if depends_on(factor, step.slots["letter"].name) or not sign(factor, context.assumptions).is_nonzero:
+    letter = step.slots["letter"].name
+    stated, whole = context.value(left) - context.value(right), singular(near_place(context, step), symbol(letter))
+    own, parts = coefficients(stated, letter), coefficients(whole, letter)
+    if len(own) != len(parts):
         return same(context, whole, stated)
-    return same(context, whole, stated * factor)
+    factor = short(parts[0] / own[0])  # not of the whole: roots in the coefficients hide what is common to both
+    found = weakest(same(context, part, mine * factor) for part, mine in zip(parts, own, strict=True))
+    if sign(factor, context.assumptions).is_nonzero or not found.is_proved:
+        return found
+    return Verdict(UNDECIDED, reason="it is not decided whether a common factor vanishes")
 
 
 def motion_of_mode(context: Context, step: Step) -> Verdict:

@@ -10,7 +10,9 @@ import pytest
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation import checks_oscillations, checks_stability, expansion
 from rbpsym.derivation.rules import certify
+from rbpsym.derive import derive
 from rbpsym.notation import tree as t
+from rbpsym.statement.loader import load_text
 from tests.derivation.conftest import drafted
 
 RULES = {"linearization", "linear_system"}
@@ -161,7 +163,6 @@ def test_about_a_stated_working_position():
     from rbpsym.equality.decide import scalars_equal
     from rbpsym.mechanics.study import Study
     from rbpsym.notation.infix import read_infix
-    from rbpsym.statement.loader import load_text
 
     study = Study(load_text(WORKING))
     [item] = study.equilibria
@@ -171,6 +172,60 @@ def test_about_a_stated_working_position():
     assert scalars_equal(stiffness, wanted).is_proved
     assert item.frequencies_squared == () and item.nature.proved == "open"
     assert scalars_equal(item.where / wanted, item.where / stiffness).is_proved
+
+
+SLANTED = """
+[parameters]
+m = "mass"
+n = "mass"
+k = "stiffness"
+c = "damping"
+L = "length"
+ell = "length"
+g = "acceleration"
+[points]
+Q = ["L", "0"]
+[coordinates.x]
+dimension = "length"
+[coordinates.q]
+meaning = "angle"
+[bodies.cart]
+shape = "particle"
+mass = "n"
+center = ["x", "0"]
+[bodies.bob]
+shape = "particle"
+mass = "m"
+center = ["x + ell*sin(q)", "-ell*cos(q)"]
+[constraints.N]
+type = "guide"
+point = "cart.center"
+line = "y = 0"
+[constraints.T]
+type = "string"
+path = ["cart.center", "bob.center"]
+length = "ell"
+[interactions.W]
+type = "gravity"
+[interactions.S]
+type = "spring"
+between = ["O", "cart.center"]
+stiffness = "k"
+[interactions.D]
+type = "damper"
+between = ["Q", "bob.center"]
+coefficient = "c"
+"""
+
+
+def test_a_polynomial_with_roots_in_its_coefficients_is_compared_part_by_part():
+    found = derive(load_text(SLANTED), simulation=False)
+    step = found.step("characteristic.1")
+    assert step.certificate.verdict.is_proved
+    (rows,) = step.statement.items[:1]
+    for place in range(len(rows.terms)):  # each coefficient matters
+        spoilt = replace(step, statement=t.equation(t.add(*(x for k, x in enumerate(rows.terms) if k != place)), t.ZERO))
+        assert checks_oscillations.polynomial(found.letters, spoilt).is_refuted
 
 
 def test_a_closed_loop_swings_with_what_its_conditions_allow():

@@ -37,7 +37,6 @@ def test_each_kind_of_system_is_derived_and_compared(name):
 # seeds at which something was wrong once: what it was
 MENDED = {
     85: "a bound without a value at a sample point ended the derivation",
-    113: "a premise without a step ended it",
     1015: "a force has a zero in closed form, and another one without, which was forgotten",
 }
 
