@@ -7,7 +7,7 @@ Used for drawing, for the simulation and to choose between two equally valid con
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
@@ -19,31 +19,6 @@ from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named
 
 Numbers = Mapping[str, float]
-
-
-def number(value: Scalar, numbers: Numbers) -> float:
-    """The value at these numbers. Raises NoNumber where it has none, or a name is missing."""
-    try:
-        return _number(value, numbers)
-    except KeyError as error:
-        raise NoNumber(f"no number is known for {error}") from None
-    except (ArithmeticError, ValueError) as error:  # a pole, or outside of what a function of `math` takes
-        raise NoNumber(f"there is no number here: {error}") from None
-
-
-def _number(value: Scalar, numbers: Numbers) -> float:
-    top = _poly(value.num, numbers)
-    return top if value.den is ONE else top / _poly(value.den, numbers)
-
-
-def _poly(poly: Poly, numbers: Numbers) -> float:
-    total = 0.0
-    for m, c in poly.terms.items():
-        product = float(c)
-        for index, exponent in m:
-            product *= _atom(index, numbers) ** exponent
-        total += product
-    return total
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
@@ -58,15 +33,52 @@ FUNCTIONS: Mapping[str, Callable[[float], float]] = {
 }
 
 
-def _atom(index: int, numbers: Numbers) -> float:
-    found = atoms.atom(index)
-    if index == atoms.PI:
-        return math.pi
-    if found.kind == "symbol":
-        return numbers[found.arg]
-    arg = found.arg
-    inner = _number(arg, numbers) if isinstance(arg, Scalar) else _poly(arg, numbers)
-    return FUNCTIONS[found.kind](inner)
+class Values:
+    """Values of scalars where the names have these numbers, each sine and root computed once."""
+
+    __slots__ = ("known", "names")
+
+    def __init__(self, names: Numbers) -> None:
+        self.names, self.known = names, {atoms.PI: math.pi}
+
+    def of(self, value: Scalar) -> float:
+        """The value (KeyError for a name without a number)."""
+        top = self._poly(value.num)
+        return top if value.den is ONE else top / self._poly(value.den)
+
+    def row(self, values: Iterable[Scalar]) -> list[float]:
+        """Several values."""
+        return [self.of(value) for value in values]
+
+    def _poly(self, poly: Poly) -> float:
+        total, known = 0.0, self.known
+        for m, c in poly.terms.items():
+            product = float(c)
+            for index, exponent in m:
+                base = known[index] if index in known else self._atom(index)
+                product *= base if exponent == 1 else base**exponent
+            total += product
+        return total
+
+    def _atom(self, index: int) -> float:
+        found = atoms.atom(index)
+        if found.kind == "symbol":
+            value = self.names[found.arg]
+        else:
+            inner = self.of(found.arg) if isinstance(found.arg, Scalar) else self._poly(found.arg)
+            value = FUNCTIONS[found.kind](inner)
+        self.known[index] = value
+        return value
+
+
+def number(value: Scalar, numbers: Numbers) -> float:
+    """The value at these numbers. Raises NoNumber where it has none, or a name is missing."""
+    try:
+        return Values(numbers).of(value)
+    except KeyError as error:
+        raise NoNumber(f"no number is known for {error}") from None
+    except (ArithmeticError, ValueError) as error:  # a pole, or outside of what a function of `math` takes
+        raise NoNumber(f"there is no number here: {error}") from None
 
 
 def sample(problem: Problem, example: Mapping[str, str] | None = None) -> dict[str, float]:

@@ -1,21 +1,35 @@
-"""Contacts in maximal coordinates, from the directions of their unit forces.
+"""Contacts and strings in maximal coordinates, from the directions of their unit forces; and all that is simulated.
 
 Of a constraint force per unit (pushes at places on bodies) the row of the condition is its
 generalized force in X: an ideal force does no work, so that row times V vanishes. Its rate along V
 is taken by a complex step, exact to rounding (Squire & Trapp, SIAM Review 40 (1998) 110).
-Written apart from `mechanics`: numbers only, no formulas are shared.
+Written apart from `mechanics`: numbers only, no formulas are shared. A new kind is a new entry of `KINDS`.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.statement.model import Element, PointRef
+from rbpsym.errors import NotApplicable
+from rbpsym.statement.model import Element, PointRef, Turn
+from rbpsym.statement.paths import runs, tensions
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
-from rbpsym.verify.simulation_joints import Drag, Entries, Kept, Row
+from rbpsym.verify.simulation_joints import (
+    Drag,
+    Entries,
+    Kept,
+    Row,
+    driven_angle,
+    driven_point,
+    pin,
+    pivot,
+    turn,
+    turning,
+    weld,
+)
 
 STEP = 1e-30
 Complex = list[complex]
@@ -210,10 +224,8 @@ def _real(pushes: Pushes, where: State, share: float) -> Entries:
 
 def slider(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     """N, and the couple that keeps the angle as it is in the poses."""
-    from rbpsym.verify.simulation_joints import turning
-
     first, second = mechanism.body_number(element["of"]), mechanism.spot(element["point"]).body
-    offset = start[3 * second + 2] - (start[3 * first + 2] if first >= 0 else 0.0)
+    offset = turn(first, second)(start, start).value
     return [*sliding(element, mechanism, start), turning(first, second, offset, element)]
 
 
@@ -234,3 +246,77 @@ def meshing(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
 def slipping(element: Element, mechanism: Mechanism, start: State) -> Kept:
     """Its row times V is the speed with which what touches slips forward over the curve."""
     return kept_by(element.name, element.name, _forward(curve(element, mechanism, start)))
+
+
+def string(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A tension for each run of the string, for the speeds along it."""
+    return [
+        kept_by(element.name, name, _pulls(run, mechanism), _stretch(element, run, mechanism))
+        for name, run in zip(tensions(element), runs(element["path"]), strict=True)
+    ]
+
+
+def _stretch(element: Element, run: tuple[Turn, ...], mechanism: Mechanism) -> Callable[[Complex], complex] | None:
+    """Natural length minus length, for a straight piece whose length is given."""
+    if element["length"] is None:
+        return None
+    first, second = (mechanism.spot(turn.center) for turn in run)
+    length = mechanism.number(element["length"])
+
+    def gap(where: Complex) -> complex:
+        (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
+        return length - cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
+
+    return gap
+
+
+def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
+    circles = [(mechanism.spot(turn.center), turn.sense * mechanism.number(turn.radius)) for turn in run]
+
+    def pushes(where: Complex) -> list[Push]:
+        found = []
+        for (first, r1), (second, r2) in zip(circles, circles[1:], strict=False):
+            (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
+            ux, uy = _along(bx - ax, by - ay, r2 - r1)
+            found += [
+                Push(first.body, (ax + r1 * uy, ay - r1 * ux), ux, uy),
+                Push(second.body, (bx + r2 * uy, by - r2 * ux), -ux, -uy),
+            ]
+        return found
+
+    return pushes
+
+
+def _along(dx: complex, dy: complex, offset: complex) -> Point:
+    """u with d = L u + offset k×u."""
+    square = dx * dx + dy * dy
+    length = cmath.sqrt(square - offset * offset)
+    return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
+
+
+KINDS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
+    "pivot": pivot,
+    "pin": pin,
+    "weld": weld,
+    "contact": sliding,
+    "guide": sliding,
+    "slider": slider,
+    "touch": sliding,
+    "rolling": holding,
+    "gear": meshing,
+    "sticking": holding,
+    "string": string,
+    "link": string,
+    "prescribed": driven_point,
+    "prescribed-angle": driven_angle,
+}
+
+
+def conditions(mechanism: Mechanism, start: State) -> list[Kept]:
+    """All conditions of a statement; `start` says where a pivot without a place holds its point."""
+    found = []
+    for element in mechanism.problem.constraints:
+        if element.kind not in KINDS:
+            raise NotApplicable(f"the simulation does not know the constraint {element.kind}")
+        found += KINDS[element.kind](element, mechanism, start)
+    return found

@@ -1,16 +1,17 @@
-"""Constraints in maximal coordinates: each a list of scalar conditions with a multiplier.
+"""Constraints in maximal coordinates: joints of points, and what is driven; each a list of scalar conditions.
 
 A multiplier is the unknown force (or couple) of the statement itself: the row of a condition is
-the force's direction on the body that the statement means. A new kind is a new entry of
-`JOINTS`.
+the force's direction on the body that the statement means.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from rbpsym.errors import NotApplicable
+from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State, placed
 
@@ -54,38 +55,58 @@ class Kept:
         return self.name if self.is_place else self.multiplier
 
 
+Condition = Callable[[State, State], Row]
+
+
+def component(spot: Spot, dx: float, dy: float) -> Condition:
+    """The place of a spot along a direction."""
+
+    def row(where: State, speed: State) -> Row:
+        at = placed(spot, where, speed)
+        return Row(dx * at.place[0] + dy * at.place[1], at.along(dx, dy), dx * at.bias[0] + dy * at.bias[1])
+
+    return row
+
+
+def turn(first: int, second: int) -> Condition:
+    """φ_second - φ_first of two bodies by their numbers, -1 for the ground."""
+    ends = [(3 * k + 2, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
+    return lambda where, speed: Row(sum(sign * where[column] for column, sign in ends), ends, 0.0)
+
+
+def _difference(first: Condition, second: Condition) -> Condition:
+    def row(where: State, speed: State) -> Row:
+        a, b = first(where, speed), second(where, speed)
+        return Row(b.value - a.value, b.entries + [(k, -entry) for k, entry in a.entries], b.bias - a.bias)
+
+    return row
+
+
 def _meeting(first: Spot, second: Spot, name: str) -> list[Kept]:
     """second - first = 0; the force is on the body of the second."""
-
-    def along(dx: float, dy: float) -> Callable[[State, State], Row]:
-        def row(where: State, speed: State) -> Row:
-            a, b = placed(first, where, speed), placed(second, where, speed)
-            gap = [dx * (q[0] - p[0]) + dy * (q[1] - p[1]) for p, q in ((a.place, b.place), (a.bias, b.bias))]
-            return Row(gap[0], b.along(dx, dy) + a.along(-dx, -dy), gap[1])
-
-        return row
-
-    return [Kept(name, f"{name}_x", along(1.0, 0.0)), Kept(name, f"{name}_y", along(0.0, 1.0))]
+    ways = (("x", 1.0, 0.0), ("y", 0.0, 1.0))
+    rows = ((axis, _difference(component(first, *way), component(second, *way))) for axis, *way in ways)
+    return [Kept(name, f"{name}_{axis}", row) for axis, row in rows]
 
 
 def turning(first: int, second: int, offset: float, element: Element) -> Kept:
     """φ_second - φ_first = offset; the couple is on the second."""
+    angle = turn(first, second)
 
     def row(where: State, speed: State) -> Row:
-        ends = [(k, sign) for k, sign in ((second, 1.0), (first, -1.0)) if k >= 0]
-        value = sum(sign * where[3 * k + 2] for k, sign in ends) - offset
-        return Row(value, [(3 * k + 2, sign) for k, sign in ends], 0.0)
+        found = angle(where, speed)
+        return Row(found.value - offset, found.entries, found.bias)
 
     return Kept(element["couple"], element["couple"], row)
 
 
-def _pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    held = mechanism.spot(element["point"])
-    if element["at"] is not None and not mechanism.is_constant(*element["at"]):
-        from rbpsym.verify.simulation_drives import driven_pivot
-
-        return driven_pivot(element, mechanism)
-    here = placed(held, start, [0.0] * len(start)).place if element["at"] is None else mechanism.pair(element["at"])
+def pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A point that stays where it is, or where its support moves; `start` says where if the statement does not."""
+    held, at = mechanism.spot(element["point"]), element["at"]
+    if at is not None and not mechanism.is_constant(*at):
+        ways = (("x", 1.0, 0.0, at[0]), ("y", 0.0, 1.0, at[1]))
+        return [_driven(element.name, f"{element.name}_{a}", component(held, *d), n, mechanism) for a, *d, n in ways]
+    here = placed(held, start, [0.0] * len(start)).place if at is None else mechanism.pair(at)
     return _meeting(Spot(-1, *here), held, element.name)
 
 
@@ -95,11 +116,13 @@ def _ends(element: Element, mechanism: Mechanism) -> tuple[Spot, Spot]:
     return (first, second) if second.body >= 0 else (second, first)
 
 
-def _pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+def pin(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """Two points that stay together."""
     return _meeting(*_ends(element, mechanism), element.name)
 
 
-def _weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+def weld(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """The same, and the angle between the bodies."""
     first, second = _ends(element, mechanism)
     offset = _weld_angle(element, mechanism, first, second, start)
     return [*_meeting(first, second, element.name), turning(first.body, second.body, offset, element)]
@@ -113,23 +136,30 @@ def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spo
     joined = [spot.body for spot in (first, second) if spot.body >= 0]
     if any(mechanism.problem.bodies[k].angle is None for k in joined):
         return 0.0
-    return start[3 * second.body + 2] - (start[3 * first.body + 2] if first.body >= 0 else 0.0)
+    return turn(first.body, second.body)(start, start).value
 
 
-JOINTS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {
-    "pivot": _pivot,
-    "pin": _pin,
-    "weld": _weld,
-}
+def _driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanism: Mechanism) -> Kept:
+    """A quantity of the bodies that equals a function of time."""
+    wanted = scalar(node)
+    speed_wanted = derivative(wanted, "t")
+    gain_wanted = derivative(speed_wanted, "t")
+
+    def row(where: State, speed: State) -> Row:
+        own = quantity(where, speed)
+        at, rate, gain = (mechanism.at_time(value) for value in (wanted, speed_wanted, gain_wanted))
+        return Row(own.value - at, own.entries, own.bias - gain, -rate)
+
+    return Kept(name, multiplier, row)
 
 
-def conditions(mechanism: Mechanism, start: State) -> list[Kept]:
-    """All conditions of a statement; `start` says where a pivot without a place holds its point."""
-    from rbpsym.verify.simulation_kinds import KINDS
+def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A point driven along a direction; the force is along it."""
+    along = component(mechanism.spot(element["point"]), *mechanism.pair(element["along"]))
+    return [_driven(element.name, element.name, along, element["distance"], mechanism)]
 
-    found, known = [], {**JOINTS, **KINDS}
-    for element in mechanism.problem.constraints:
-        if element.kind not in known:
-            raise NotApplicable(f"the simulation does not know the constraint {element.kind}")
-        found += known[element.kind](element, mechanism, start)
-    return found
+
+def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A body that is turned; the couple is the multiplier."""
+    angle = turn(mechanism.body_number(element["of"]), mechanism.body_number(element["body"]))
+    return [_driven(element.name, element.name, angle, element["angle"], mechanism)]

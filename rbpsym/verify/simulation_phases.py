@@ -19,8 +19,7 @@ from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Element, Phase, Problem
-from rbpsym.verify.simulation import simulate_study
-from rbpsym.verify.simulation_bench import Bench, Derived, Errors, SimulationReport
+from rbpsym.verify.simulation import Bench, Derived, Errors, SimulationReport, simulate_study
 from rbpsym.verify.simulation_bodies import placed
 from rbpsym.verify.simulation_contacts import slipping
 from rbpsym.verify.simulation_placement import dotted

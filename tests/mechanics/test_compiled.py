@@ -7,7 +7,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.compiled import compiled_accelerations
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
-from rbpsym.verify.simulation_bench import Bench, Derived
+from rbpsym.verify.simulation import Bench, Derived
 
 
 def chain(n: int) -> str:

@@ -17,14 +17,12 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.numbers import Values, number
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 from rbpsym.verify import simulation_phases
-from rbpsym.verify.simulation import angular_momenta, known_works
-from rbpsym.verify.simulation_bench import Bench, Derived, Errors
-from rbpsym.verify.simulation_numbers import Numbers as Values
+from rbpsym.verify.simulation import Bench, Derived, Errors, angular_momenta, known_works
 from tests.oracles.motion import CLOSE, LONGEST, NEAR, Followed, Unfit, declared_start, follow, forces_at
 from tests.oracles.sets import Numbers, bounds, drawn
 

@@ -17,7 +17,7 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.paths import runs
-from rbpsym.verify.simulation_bench import Bench
+from rbpsym.verify.simulation import Bench
 from rbpsym.verify.simulation_contacts import slipping, spot_at
 from rbpsym.verify.simulation_placement import dotted
 

@@ -18,7 +18,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.study import Study
 from rbpsym.solve import results
 from rbpsym.statement.loader import load_problem
-from rbpsym.verify.simulation_bench import Bench, Derived
+from rbpsym.verify.simulation import Bench, Derived
 from tests.derivation.conftest import FILES
 from tests.library.derived import NAMES
 from tests.oracles.conftest import DRAWS, SETS

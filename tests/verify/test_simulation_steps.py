@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rbpsym.errors import NotApplicable
-from rbpsym.verify.simulation_steps import over
+from rbpsym.verify.simulation_motion import over
 
 
 def test_an_oscillation_is_followed_to_rounding() -> None:
