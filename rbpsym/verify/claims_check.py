@@ -17,11 +17,9 @@ from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_dimensions import with_dimensions
 from rbpsym.verify.claims_given import premises, relations, told, under
-from rbpsym.verify.claims_ground import Ground, grounded
+from rbpsym.verify.claims_ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
-from rbpsym.verify.claims_question import Question
-from rbpsym.verify.claims_symbols import Glossary, glossary, with_own_symbols
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}

@@ -18,8 +18,8 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.symbol_table import SymbolTable
 from rbpsym.quantities import ENERGY, NUMBER, Dimension
 from rbpsym.verify.claims_bound import Bound, World
+from rbpsym.verify.claims_ground import Glossary
 from rbpsym.verify.claims_model import Setting
-from rbpsym.verify.claims_symbols import Glossary
 
 
 def with_dimensions(words: Glossary, setting: Setting, world: World) -> SymbolTable:

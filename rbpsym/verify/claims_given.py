@@ -15,10 +15,9 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.notation import tree as t
 from rbpsym.notation.text import to_text
-from rbpsym.verify.claims_ground import Ground
+from rbpsym.verify.claims_ground import Ground, Question
 from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import Link, Outcome, Printed
-from rbpsym.verify.claims_question import Question
 
 # what a value may not be, by the declared sign of its name
 CONTRADICTS = {

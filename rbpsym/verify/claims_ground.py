@@ -1,22 +1,122 @@
-"""The ground on which a claim's formulas are read and decided: symbols with their values, and a motion."""
+"""The ground on which formulas are read and decided: printed symbols with names and values, a motion, how deep one looks."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
+from types import MappingProxyType
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import Scope, time_derivative
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.equality.constants import is_algebraic
+from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal
+from rbpsym.equality.points import all_atoms
+from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
+from rbpsym.notation.latex_names import drawn_name
+from rbpsym.notation.latex_tokens import tokenize
+from rbpsym.notation.letters import NAME_OF_LETTER
+from rbpsym.notation.source import Source
+from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
 from rbpsym.verify.claims_bound import Bound, Motion, World
-from rbpsym.verify.claims_model import Setting
-from rbpsym.verify.claims_symbols import Glossary
+from rbpsym.verify.claims_model import Meaning, Setting
+
+
+@dataclass(frozen=True, slots=True)
+class Glossary:
+    """The table for the reader, and for each printed symbol (its name, has it an arrow?)."""
+
+    table: SymbolTable
+    names: Mapping[str, tuple[str, bool]]
+
+
+def with_own_symbols(setting: Setting, world: World) -> Setting:
+    """The setting with the problem's own names as they are printed, where it gives them no other meaning."""
+    taken = {found[0] for latex in setting.symbols if (found := _drawn(latex))}
+    own = {latex: Meaning(name) for latex, name in world.symbols.items() if _is_free(latex, taken)}
+    return replace(setting, symbols={**own, **setting.symbols}) if own else setting
+
+
+def _is_free(latex: str, taken: set[Drawn]) -> bool:
+    found = _drawn(latex)
+    return found is not None and found[0] not in taken
+
+
+def glossary(symbols: Mapping[str, Meaning]) -> Glossary:
+    """The glossary of printed symbols. Raises ReadError for one that is no symbol."""
+    return _glossary(tuple(symbols.items()))
+
+
+@lru_cache(maxsize=256)
+def _glossary(symbols: tuple[tuple[str, Meaning], ...]) -> Glossary:
+    drawn: dict[Drawn, tuple[str, ...]] = {Drawn("π"): ("pi",)}
+    spelled: dict[tuple[str, ...], str] = {}
+    names: dict[str, tuple[str, bool]] = {}
+    shown: dict[tuple[str, bool], tuple[Drawn | str, str, Meaning]] = {}
+    for latex, meaning in symbols:
+        found = _drawn(latex)
+        if found:
+            name = name_of(found[0])
+            drawn[found[0]] = (name,)
+        else:
+            name = _spelled_name(latex)
+            spelled[_spelling(latex, meaning)] = name
+        names[latex] = (name, found[1] if found else latex.lstrip().startswith(r"\vec"))
+        _enter_once(shown, names[latex], found[0] if found else latex, latex, meaning)
+    return Glossary(SymbolTable(MappingProxyType(drawn), MappingProxyType(spelled)), names)
+
+
+def _enter_once(shown: dict, named: tuple[str, bool], drawing: Drawn | str, latex: str, meaning: Meaning) -> None:
+    """Enter a printed symbol. Raises ReadError where another one with another meaning has its name."""
+    for arrow in (True, False):
+        drawn, other, means = shown.get((named[0], arrow), (drawing, latex, meaning))
+        alike = arrow != named[1] and (drawn == drawing or isinstance(drawing, str))
+        if means != meaning and not alike:
+            what = f"“{other}” and “{latex}” would have one name, {named[0]}, but mean different things"
+            raise ReadError(what, instead="Print one of them otherwise.", place=meaning.place or means.place)
+    shown[named] = (drawing, latex, meaning)
+
+
+@lru_cache(maxsize=4096)
+def _drawn(latex: str) -> tuple[Drawn, bool] | None:
+    return drawn_name(latex)
+
+
+def _spelling(latex: str, meaning: Meaning) -> tuple[str, ...]:
+    try:
+        return spelling(tokenize(Source(latex))[:-1])
+    except ReadError as error:
+        raise ReadError(f"“{latex}” is not a symbol: {error.what}", place=meaning.place) from None
+
+
+def name_of(drawn: Drawn) -> str:
+    """The name that draws so: R_cm, cal_W_T, I_O_prime, v_prime, Delta_x."""
+    base = NAME_OF_LETTER.get(drawn.base, drawn.base)
+    parts = [*(["cal"] if drawn.script else []), base]
+    parts += {1: ["dot"], 2: ["ddot"], 3: ["dddot"]}.get(drawn.dots, [])
+    parts += [drawn.accent] * bool(drawn.accent) + ["prime"] * drawn.primes + _label_parts(drawn.label)
+    return "_".join([*(["Delta"] if drawn.prefix else []), *parts])
+
+
+def _label_parts(label: str) -> list[str]:
+    plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else char for char in label)
+    return [part for part in plain.replace("'", "_prime").split("_") if part]
+
+
+def _spelled_name(latex: str) -> str:
+    """A name for what no name draws, such as W^{nc}_T."""
+    for said, plain in (r"\vec", ""), (r"\mathcal", "cal "), (r"\mathpzc", "cal "), ("(", " of "):
+        latex = latex.replace(said, plain)
+    words = re.findall(r"[A-Za-z0-9]+|'", latex)
+    return "_".join("prime" if word == "'" else word for word in words) or "symbol"
 
 
 @dataclass(frozen=True)
@@ -109,3 +209,74 @@ def grounded(setting: Setting, words: Glossary, world: World, names: Collection[
                 f"the meaning of {latex}: {error.what}", instead=error.instead, place=meaning.place
             ) from None
     return Ground(world, words, bounds)
+
+
+DEPTHS = ("identity", "motion", "start")
+HOW = {
+    "identity": "identity",
+    "motion": "on the motion",
+    "start": "along the motion from the start",
+    "sense": "along the motion from the start until it first comes to rest",
+    "rates": "equal at the start and in rate",
+    "constant": "its rate vanishes on the motion",
+}
+
+
+@dataclass(frozen=True)
+class Question:
+    """Two values, and how deep one may look for their equality."""
+
+    ground: Ground
+    depth: str = ""
+    witnesses: bool = True
+
+    @property
+    def motion(self) -> Motion:
+        """What is true of the motion."""
+        return self.ground.motion
+
+    @property
+    def depths(self) -> tuple[str, ...]:
+        """The depths that may be tried, from the strongest claim to the weakest."""
+        return DEPTHS[: DEPTHS.index(self.depth) + 1] if self.depth else DEPTHS
+
+    def seen(self, found: Scalar, depth: str) -> Scalar:
+        """A value at some depth."""
+        if depth == "identity":
+            return found
+        found = self.motion.moved(found)
+        return with_squares(found, self.motion.squares) if depth == "start" else found
+
+    def rate(self, found: Scalar, depth: str = "motion") -> Scalar:
+        """d/dt, works and integrals included. Raises Undecided where it is not known (an unknown force's, say)."""
+        if depth == "identity" and self.motion.is_lawless(found):
+            raise Undecided("it is not known how this changes with time")
+        return time_derivative(self.motion.settled(found), self.ground.scope)
+
+    def begin(self, found: Scalar) -> Scalar:
+        """The value in the start state."""
+        return substitute(self.motion.moved(found), self.ground.scope.start)
+
+
+def are_same(a: Scalar, b: Scalar, question: Question) -> bool:
+    """Whether equality is PROVED; no witness is looked for where the normal form says no."""
+    gap = cross_difference(a, b)
+    if not is_zero(gap) and _is_plain(gap):
+        return False
+    return scalars_equal(a, b, question.motion.assumptions).is_proved
+
+
+def _is_plain(value: Scalar) -> bool:
+    """Is the normal form that of a field, in which only 0 is zero?"""
+    return all(atoms.atom(index).kind in PLAIN and not is_algebraic(index) for index in all_atoms([value]))
+
+
+def tells_of_start(value: Scalar, question: Question) -> bool:
+    """Does it hold start values, works or integrals from the start?"""
+    names = (*question.motion.starts, *question.motion.ledger)
+    return any(depends_on(value, name) for name in names)
+
+
+def holds_unknowns(value: Scalar, question: Question) -> bool:
+    """Does it hold unknown forces or accelerations?"""
+    return any(depends_on(value, name) for name in question.motion.unsettled)

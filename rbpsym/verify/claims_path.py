@@ -1,6 +1,8 @@
-"""The motion from its start as a path: speeds as functions of the place, and which states lie on it.
+"""The motion from its start as a path: speeds as functions of the place, which states lie on it; and a glance along it.
 
-q̇ = σ √(q̇²(q)), where σ is the sense in which the motion sets out; so it goes until it first comes to rest.
+q̇ = σ √(q̇²(q)), where σ is the sense in which the motion sets out; so it goes until it first comes to rest. A glance
+in floating-point numbers tells whether a proof of an equality is worth trying. Nothing is decided by it: what looks
+different is refuted exactly, and tried to be proved if that fails.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from hashlib import blake2b
 from itertools import product
 
 from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
@@ -145,3 +148,60 @@ def path_of(values: Iterable[Scalar], motion: Motion) -> Path:
     """The path along the coordinates on which values depend, by their places or speeds."""
     names = set().union(*(names_in(value) for value in values))
     return Path(motion, tuple(n for n in motion.squares if names & {n, f"{n}_dot"} and n in motion.scope.start))
+
+
+CLEAR = 1e-6
+LOOKS, SEEDS = 2, 20
+
+
+class State(dict):
+    """Numbers in one state of the motion, found when they are asked for. Raises ArithmeticError where there are none."""
+
+    def __init__(self, motion: Motion, seed: int) -> None:
+        super().__init__()
+        self.motion, self.seed = motion, seed
+
+    def __missing__(self, name: str) -> float:
+        self[name] = self._found(name)
+        return self[name]
+
+    def _found(self, name: str) -> float:
+        motion, coordinate = self.motion, name.removesuffix("_dot")
+        if name in motion.unsettled or name in motion.lawless:
+            return self._on_motion(name)
+        if name in motion.ledger:
+            raise ArithmeticError("a work has no number of its own")
+        if name != coordinate and coordinate in motion.squares:
+            return math.sqrt(number(motion.squares[coordinate], self)) * (sense(motion, coordinate) or 1)
+        if name in motion.speeds and not motion.is_free:
+            raise ArithmeticError("the speed is not known")
+        digest = blake2b(f"{self.seed} {name}".encode(), digest_size=4).digest()
+        return 0.4 + int.from_bytes(digest) / 2**32
+
+    def _on_motion(self, name: str) -> float:
+        moved = self.motion.moved(symbol(name))
+        if moved == symbol(name):
+            raise ArithmeticError("it is not known on the motion")
+        return number(moved, self)
+
+
+def is_along_one_path(motion: Motion) -> bool:
+    """Is the speed of the only coordinate a function of its place, so that all states of the motion can be looked at?"""
+    return not motion.is_free and len(motion.speeds) == 1 and len(motion.squares) == 1
+
+
+def look_different(a: Scalar, b: Scalar, motion: Motion) -> bool:
+    """Do numbers show the values to be apart in a state of the motion?"""
+    seen = 0
+    for seed in range(SEEDS):
+        try:
+            state = State(motion, seed)
+            x, y = number(a, state), number(b, state)
+        except NoNumber:
+            continue
+        seen += 1
+        if abs(x - y) > CLEAR * max(abs(x), abs(y), CLEAR):
+            return True
+        if seen == LOOKS:
+            return False
+    return False

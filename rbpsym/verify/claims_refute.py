@@ -26,8 +26,8 @@ from rbpsym.errors import RbpsymError, Undecided
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_ground import Question, holds_unknowns, tells_of_start
 from rbpsym.verify.claims_path import Path, on_path, path_of, reachable, with_energy
-from rbpsym.verify.claims_question import Question, holds_unknowns, tells_of_start
 
 ORDERS = ("at the start", "rates of change at the start", "second rates at the start", "third rates at the start")
 PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))

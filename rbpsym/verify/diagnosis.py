@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 
 from rbpsym.algebra.calculus import depends_on
@@ -21,12 +21,51 @@ from rbpsym.notation.limits import number_of
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_bound import Bound
 from rbpsym.verify.claims_check import decide
-from rbpsym.verify.claims_ground import Ground
+from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.claims_question import Question, holds_unknowns
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
-from rbpsym.verify.diagnosis_sites import is_in_exponent, put, sites, terms
+
+Path = tuple[tuple[str, int | None], ...]
+
+
+def sites(node: t.Node, path: Path = ()) -> Iterator[tuple[Path, t.Node]]:
+    """All parts of a formula with the way to them, the whole first."""
+    yield path, node
+    for item in fields(node):
+        value = getattr(node, item.name)
+        if isinstance(value, t.Node):
+            yield from sites(value, (*path, (item.name, None)))
+        elif isinstance(value, tuple) and item.name != "span":
+            for place, part in enumerate(value):
+                if isinstance(part, t.Node):
+                    yield from sites(part, (*path, (item.name, place)))
+
+
+def put(node: t.Node, path: Path, new: t.Node) -> t.Node:
+    """The formula with another part at the end of the path."""
+    if not path:
+        return new
+    (name, place), rest = path[0], path[1:]
+    old = getattr(node, name)
+    if place is None:
+        return replace(node, **{name: put(old, rest, new)})
+    parts = list(old)
+    parts[place] = put(parts[place], rest, new)
+    return replace(node, **{name: tuple(parts)})
+
+
+def terms(relation: t.Chain) -> Iterator[tuple[Path, t.Node]]:
+    """The terms of all sums and the sides themselves, the right side first: what can have a sign or be left out."""
+    for path, node in sorted(sites(relation), key=lambda item: item[0][:1] != (("items", 1),)):
+        if path and (path[-1][0] in ("terms", "items")) and node != t.ZERO:
+            yield path, node
+
+
+def is_in_exponent(path: Path) -> bool:
+    """Does the place stand in an exponent, or in the limits of an integral?"""
+    return any(name in ("exponent", "lower", "upper", "to", "condition") for name, _ in path)
+
 
 MOST_UNSEEN, MOST_DECIDED = 24, 12
 FACTORS = tuple(

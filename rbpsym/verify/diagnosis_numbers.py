@@ -16,8 +16,8 @@ from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
+from rbpsym.verify.claims_ground import Question
 from rbpsym.verify.claims_path import sense
-from rbpsym.verify.claims_question import Question
 from rbpsym.verify.claims_refute import carried_out
 
 Triple = tuple[float, float, float]

@@ -16,17 +16,42 @@ from fractions import Fraction
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.energy import potentials
+from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import System, rotated
 from rbpsym.statement.model import Element, PointRef
+
+
+def friction_forces(motion, dynamics: Dynamics) -> dict[str, Scalar]:
+    """For each coordinate Σ -μN ∂(slip)/∂q̇ over the contacts with kinetic friction."""
+    rough = [e for e in motion.system.problem.constraints if e.values.get("coefficient") is not None]
+    return {name: sum((_share(motion, e, dynamics.reactions, name) for e in rough), NOTHING) for name in motion.names}
+
+
+def _share(motion, element: Element, reactions: Mapping[str, Scalar], name: str) -> Scalar:
+    geometry = geometry_of(motion.system)
+    met = meeting(element, geometry)
+    against = -slip_sense(element, geometry, met)
+    slip = met.forward.dot(_velocity(motion, met.on, met.place) - _velocity(motion, met.by, met.place))
+    return reactions[element.name] * scalar(element["coefficient"]) * against * derivative(slip, f"{name}_dot")
+
+
+def _velocity(motion, body: str | None, place: Vector) -> Vector:
+    """Velocity of the material point of a body at a place, every speed a free symbol."""
+    if body is None:
+        return ORIGIN
+    state = motion.system.bodies[body]
+    return motion.velocity(state.center) + (place - state.center).turned() * motion.rate(state.pose.angle)
+
 
 HALF = Fraction(1, 2)
 
@@ -198,8 +223,6 @@ def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> l
 
 def _with_friction(system: System, dynamics: Dynamics, expressions: Mapping[str, Scalar]) -> dict[str, Scalar]:
     """The expressions less the virtual work of kinetic friction."""
-    from rbpsym.verify.lagrange_friction import friction_forces
-
     drags = friction_forces(motion_of(system), dynamics)
     return {name: value - drags[name] for name, value in expressions.items()}
 
@@ -224,6 +247,6 @@ def _solution_verdicts(system: System, dynamics: Dynamics, assumptions: Assumpti
     """Where M q̈ = f stays unsolved, it has one solution only if det M is not 0: shown at one point."""
     if dynamics.accelerations is not None:
         return []
-    from rbpsym.verify.regular import regular_verdict
+    from rbpsym.verify.agreement import regular_verdict
 
     return [regular_verdict(dynamics.mass_matrix)]

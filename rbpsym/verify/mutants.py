@@ -14,11 +14,10 @@ from rbpsym.algebra.vector import Space
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_ground import Ground
+from rbpsym.verify.claims_ground import Ground, Question
 from rbpsym.verify.claims_integrals import prepared, valued
-from rbpsym.verify.claims_question import Question
+from rbpsym.verify.diagnosis import is_in_exponent, put, sites, terms
 from rbpsym.verify.diagnosis_numbers import Numbers, Sample, samples
-from rbpsym.verify.diagnosis_sites import is_in_exponent, put, sites, terms
 
 DIFFERENT = 1e-5
 COEFFICIENTS = tuple(

@@ -15,11 +15,10 @@ from pathlib import Path
 from rbpsym.notation import tree as t
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_check import Checker, decide, read, relations
-from rbpsym.verify.claims_ground import Ground
+from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Claim, Outcome
-from rbpsym.verify.claims_symbols import glossary, with_own_symbols
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.mutants import is_different, mutants
 from rbpsym.verify.mutants_rewrites import rewrites
 

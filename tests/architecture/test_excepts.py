@@ -49,7 +49,7 @@ ALLOWED = {
     "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",
     "verify/mutants.py": "a look in floating-point numbers, which chooses and never decides",
     "verify/paper_source.py": READS,
-    "verify/regular.py": "pow(x, -1, p) at a pole",
+    "verify/agreement.py": "pow(x, -1, p) at a pole",
 }
 
 

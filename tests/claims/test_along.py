@@ -21,11 +21,10 @@ from rbpsym.statement.library import library_folder, problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.verify import claims_check
 from rbpsym.verify.claims_check import decide
-from rbpsym.verify.claims_ground import Ground
+from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
 from rbpsym.verify.claims_model import Outcome, Setting
 from rbpsym.verify.claims_path import first_push, sense
-from rbpsym.verify.claims_symbols import glossary, with_own_symbols
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.mutants import is_different, mutants
 from rbpsym.verify.mutants_run import trials
 

@@ -4,7 +4,7 @@ import pytest
 
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 
 PROVED, REFUTED, UNDECIDED, DEFINITION = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED, Outcome.DEFINITION
 LADDER = {

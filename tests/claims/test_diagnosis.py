@@ -6,7 +6,7 @@ from rbpsym.statement.library import library_folder
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Outcome, Printed
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 from rbpsym.verify.diagnosis import diagnosis
 
 FILE = load_claims(library_folder() / "claims" / "paper.toml")

@@ -6,7 +6,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_loader import read_claims
 from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 from tests.claims.broken import CHECKING, CLAIM, HEAD, LOADING
 
 

@@ -4,9 +4,9 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_ground import glossary
 from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_symbols import glossary
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 from tests.claims.worlds import world
 
 PROVED, REFUTED, UNDECIDED = Outcome.PROVED, Outcome.REFUTED, Outcome.UNDECIDED

@@ -6,11 +6,10 @@ import pytest
 
 from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
 from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_ground import Question, glossary
 from rbpsym.verify.claims_model import Claim, Meaning, Outcome, Printed, Setting
-from rbpsym.verify.claims_question import Question
 from rbpsym.verify.claims_refute import refutation
-from rbpsym.verify.claims_symbols import glossary
-from rbpsym.verify.claims_worlds import Worlds
+from rbpsym.verify.claims_run import Worlds
 
 LADDER = """
 [parameters]

@@ -5,8 +5,8 @@ import time
 import pytest
 
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.paper_bind import printed
-from rbpsym.verify.paper_macros import definitions, expanded
+from rbpsym.verify.paper_check import printed
+from rbpsym.verify.paper_source import definitions, expanded
 from rbpsym.verify.paper_walk import read_paper
 
 TEXT = r"""\documentclass{article} % \begin{equation} in a comment
