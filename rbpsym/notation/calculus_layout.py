@@ -6,9 +6,7 @@ from dataclasses import replace
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation import tree as t
-from rbpsym.notation.drawing import attach_sup, glyph_box
-from rbpsym.notation.levels import ATOM, CROSS, PRODUCT
-from rbpsym.notation.setting import Style, draw, draws, fenced, wrapped
+from rbpsym.notation.setting import ATOM, CROSS, PRODUCT, Style, attach_sup, draw, draws, fenced, glyph_box, wrapped
 
 
 @draws(t.Deriv)

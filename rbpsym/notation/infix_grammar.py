@@ -9,8 +9,17 @@ from types import MappingProxyType
 
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.infix_doubts import in_last_argument, is_bare_call, is_call, is_settled, stands_apart
-from rbpsym.notation.infix_names import Reader, function_named, symbol_named, unknown
+from rbpsym.notation.infix_names import (
+    Reader,
+    function_named,
+    in_last_argument,
+    is_bare_call,
+    is_call,
+    is_settled,
+    stands_apart,
+    symbol_named,
+    unknown,
+)
 from rbpsym.notation.infix_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
 

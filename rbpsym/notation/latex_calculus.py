@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_calls import operand
+from rbpsym.notation.latex_calls import operand, relation
 from rbpsym.notation.latex_grammar import (
     argument,
     between,
@@ -11,9 +11,8 @@ from rbpsym.notation.latex_grammar import (
     multiplied,
 )
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
-from rbpsym.notation.latex_relations import relation
-from rbpsym.notation.latex_table import Reader, begins
 from rbpsym.notation.latex_tokens import Token
+from rbpsym.notation.symbol_table import Reader, begins
 
 Limits = tuple[t.Node | str | None, t.Node | None]
 

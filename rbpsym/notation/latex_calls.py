@@ -1,15 +1,36 @@
-"""What depends on what: x(t) and V(θ) are no products, and d/dt in front of a product is of all of it.
+"""LaTeX tokens -> relations (a = b = c, 0 < x); and what depends on what.
 
-Decided by what the symbols are declared to be (`SymbolTable.varies`) and by dimensions; else refused.
+x(t) and V(θ) are no products, and d/dt in front of a product is of all of it. Decided by what the symbols are declared
+to be (`SymbolTable.varies`) and by dimensions; else refused.
 """
 
 from __future__ import annotations
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_grammar import begins_factor, ends_integrand, factor, refuse_number
+from rbpsym.notation.latex_grammar import begins_factor, ends_integrand, expression, factor, refuse_number
 from rbpsym.notation.latex_names import begins_name, read_name
-from rbpsym.notation.latex_table import Reader, begins
+from rbpsym.notation.symbol_table import Reader, begins
+
+SIGNS = {
+    "=": "=", "<": "<", ">": ">", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
+    r"\to": "->",
+}  # fmt: skip
+
+
+def relation(reader: Reader) -> t.Node:
+    """A chain, or an expression alone."""
+    start = reader.token.start
+    return reader.spanned(chained(reader, [expression(reader)], []), start)
+
+
+def chained(reader: Reader, items: list[t.Node], ops: list[str]) -> t.Node:
+    """The chain that goes on with the signs that follow."""
+    while reader.sees_sign(*SIGNS):
+        ops.append(SIGNS[reader.take().text])
+        items.append(expression(reader))
+    return t.Chain(tuple(items), tuple(ops)) if ops else items[0]
+
 
 MOST_ASKED = 6  # of such questions in a formula; behind them, what varies is a function
 _CALLED = "is this a product, or a value of a function?"

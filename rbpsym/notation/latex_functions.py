@@ -13,9 +13,9 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.hyperbolic import HYPERBOLIC
 from rbpsym.notation.latex_grammar import SPACING, argument, atom, begins_factor, between, factor, number, power_of
 from rbpsym.notation.latex_names import begins_name
-from rbpsym.notation.latex_table import COMMANDS, Reader, begins
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token
 from rbpsym.notation.limits import MAX_EXPONENT
+from rbpsym.notation.symbol_table import COMMANDS, Reader, begins
 
 FUNCTIONS = {rf"\{word}": name for word, name in FUNCTION_WORDS.items()}
 _INVERSE_POWER = frozenset({"asin", "acos", "atan", "exp", "ln"})

@@ -10,8 +10,8 @@ from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
-from rbpsym.notation.latex_table import COMMANDS, Reader, begins
 from rbpsym.notation.limits import check_exponent, number_of
+from rbpsym.notation.symbol_table import COMMANDS, Reader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 BELOW = "is this factor above or below the slash?"

@@ -7,10 +7,9 @@ from difflib import get_close_matches
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_table import COMMANDS, Reader
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token, tokenize
 from rbpsym.notation.source import Source
-from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
+from rbpsym.notation.symbol_table import COMMANDS, Drawn, Reader, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 _ACCENTS = {r"\hat": "hat", r"\bar": "bar", r"\tilde": "tilde", r"\check": "check"}

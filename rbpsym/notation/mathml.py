@@ -6,10 +6,9 @@ from collections.abc import Callable
 from html import escape
 
 from rbpsym.notation import boxes as b
-from rbpsym.notation.alphabets import bold, script
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
-from rbpsym.notation.letters import UPRIGHT_CAPITALS
+from rbpsym.notation.letters import UPRIGHT_CAPITALS, bold, script
 from rbpsym.notation.tree import Node, System
 
 _THIN = '<mspace width="0.1667em"/>'

@@ -9,10 +9,9 @@ from collections.abc import Callable
 from html import escape
 
 from rbpsym.notation import boxes as b
-from rbpsym.notation.alphabets import bold
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
-from rbpsym.notation.letters import UPRIGHT_CAPITALS
+from rbpsym.notation.letters import UPRIGHT_CAPITALS, bold
 from rbpsym.notation.tree import Node, System
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"

@@ -13,7 +13,7 @@ from types import MappingProxyType
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Glyph, Notation, letter_name
-from rbpsym.notation.levels import plain_fraction, signed
+from rbpsym.notation.setting import plain_fraction, signed
 
 WORDS: Mapping[str, str] = MappingProxyType({
     "plus": "plus", "minus": "minus", "times": "times", "over": "over", "end": "end fraction",

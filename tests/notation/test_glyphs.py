@@ -6,9 +6,9 @@ from hypothesis import strategies as st
 
 from rbpsym.notation.glyphs import Glyph, Notation, glyph, notation_for
 from rbpsym.notation.latex import to_latex
-from rbpsym.notation.printers import PRINTERS
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Deriv, Sym, Vec
+from tests.notation.printers import PRINTERS
 
 DRAWN = {
     "theta": (r"\theta", "θ"),

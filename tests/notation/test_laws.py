@@ -11,7 +11,7 @@ from rbpsym.notation.infix import read_infix, read_relation
 from rbpsym.notation.latex import to_latex, to_latex_rows
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.machine import to_machine
-from rbpsym.notation.printers import PRINTERS
+from tests.notation.printers import PRINTERS
 from tests.notation.samples import RELATIONS, SAMPLES, SCALARS
 from tests.notation.trees import NAMES, scalars
 from tests.notation.values import close

@@ -18,7 +18,7 @@ from rbpsym.document.figures.sketch import (
 )
 from rbpsym.document.phrases import has_phrase, plain
 from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
-from rbpsym.notation.plain_letters import plain_letters
+from rbpsym.notation.text import plain_letters
 
 
 def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:

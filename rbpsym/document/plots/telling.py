@@ -12,7 +12,7 @@ from rbpsym.document.plots.scales import Scale
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
-from rbpsym.notation.plain_letters import plain_letters
+from rbpsym.notation.text import plain_letters
 
 FLAT = 1e-4  # of the height of a panel: less is no rise
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rbpsym.notation.alphabets import script
+from rbpsym.notation.letters import script
 
 COMMANDS: Mapping[str, str] = {r"\,": r"\thinspace ", r"\{": r"\lbrace ", r"\}": r"\rbrace ", r"\;": r"\thickspace "}
 
