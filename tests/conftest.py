@@ -27,3 +27,11 @@ def _quiet_collector() -> None:
     """
     gc.collect()
     gc.freeze()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log):
+    """What is of one statement goes to one worker (see tests.sharing)."""
+    from tests.sharing import ByStatement
+
+    return ByStatement(config, log) if config.getvalue("dist") == "load" else None

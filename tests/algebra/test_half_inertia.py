@@ -2,11 +2,9 @@
 
 import pytest
 
-from rbpsym.derive import derive
 from rbpsym.document.notes import notation_of
 from rbpsym.notation.text import to_text
-from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem
+from tests.library.derived import unsimulated
 
 ENERGY = {
     "rod-and-disk-fixed": "½(mℓ²/3 + Mℓ² + MR²/2) ω²",
@@ -17,7 +15,7 @@ ENERGY = {
 
 @pytest.mark.parametrize("name", ENERGY)
 def test_kinetic_energy_is_half_an_inertia_times_a_square(name):
-    derivation = derive(load_problem(find_problem(name)), simulation=False)
+    derivation = unsimulated(name)
     kinetic = next(step for step in derivation.steps if step.id == "kinetic")
     said = to_text(kinetic.statement.items[-1], notation_of(derivation))
     assert said.replace(" ", "") == ENERGY[name].replace(" ", "")

@@ -12,11 +12,11 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.derive import derive
-from rbpsym.mechanics.study import Study
 from rbpsym.solve import solve
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, load_problem, load_text
 from rbpsym.statement.phases import EVENTS, IMPULSES
 from tests.architecture.source import ROOT
+from tests.library.derived import derived_from, stated
 
 DOCS = ROOT / "docs"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -42,26 +42,26 @@ def test_no_example_is_left_over() -> None:
     assert sorted([*EXAMPLES, *PHASES]) == sorted((DOCS / "examples").rglob("*.toml"))
 
 
-@pytest.mark.parametrize("path", PHASES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", PHASES, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_examples_of_phases_are_derived(path: Path) -> None:
     """The example of an event or an impulse has it, every step is proved, and the simulation sees it come."""
-    problem = load_problem(path)
+    problem = stated(path)
     [phase] = problem.phases
     assert path.stem in {phase.event.replace(" ", "-"), *(impulse.kind for impulse in phase.impulses)}
-    summary = derive(problem).summary()
+    summary = derived_from(path).summary()
     assert (summary["refuted"], summary["undecided"], summary["lagrange"]) == (0, 0, "PROVED")
     assert summary["simulation"]["max_relative_error"] <= 1e-8
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_examples_are_derived(path: Path) -> None:
     """The example of a kind is of that kind, its motion is determined, and every step is proved."""
-    problem = load_problem(path)
+    problem = stated(path)
     kinds = {body.shape.kind for body in problem.bodies} | {e.kind for e in problem.interactions + problem.constraints}
     kinds |= {"link" for e in problem.constraints if e.values.get("rigid")}  # read as a string that may push
     assert path.stem in kinds
-    assert Study(problem).dynamics.accelerations is not None
-    summary = derive(problem, simulation=False).summary()
+    assert derived_from(path).study.dynamics.accelerations is not None
+    summary = derived_from(path).summary()
     assert (summary["refuted"], summary["undecided"], summary["lagrange"]) == (0, 0, "PROVED")
     assert summary["methods_agree"], summary
 

@@ -19,6 +19,7 @@ from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
+from tests.library.derived import derived
 
 
 def said_in(derivation, detail: str = "full") -> str:
@@ -172,7 +173,7 @@ def test_what_is_false_is_not_said(name: str, changes: dict[str, str], never: st
 
 def test_a_force_that_pulls_at_several_bodies_is_named_once() -> None:
     """Both pulls of a string have the same sense: neither is the opposite of the other."""
-    steps = derive(load_problem(problem_files()["double-atwood"]), simulation=False).steps
+    steps = derived("double-atwood").steps
     assert next(s for s in steps if s.id == "energy").slots["ideal"] == [t.Vec("T_1"), t.Vec("T_2")]
     assert [s.slots["force"] for s in steps if s.rule == "workless"] == [t.Vec("T_1"), t.Vec("T_2")]
 

@@ -9,11 +9,13 @@ import pytest
 
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation import checks_oscillations, checks_stability, expansion
+from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
 from rbpsym.notation import tree as t
 from rbpsym.statement.loader import load_text
 from tests.derivation.conftest import drafted
+from tests.library.derived import unsimulated
 
 RULES = {"linearization", "linear_system"}
 DAMPED = ("rod-on-damped-cart", "rods-with-rotary-damper", "disk-on-viscous-bearing", "rod-with-damper")
@@ -61,7 +63,7 @@ def test_a_pendulum_whose_support_is_damped_does_not_swing_alone(name):
     item = draft.study.equilibria[0]
     assert item.frequencies_squared == () and item.linear.is_damped
     square = item.stiffness[1][1] if name == "rod-on-damped-cart" else item.stiffness[0][0]
-    alone = t.relation(t.Sym("theta_ddot"), "~", t.neg(t.mul(draft.show(square), t.Sym("theta"))))
+    alone = t.relation(t.Sym("theta_ddot"), "~", t.neg(t.mul(Draft(draft.study).show(square), t.Sym("theta"))))
     step = next(s for s in draft.steps if s.id == "linear.1")
     wrong = replace(step, rule="linearization", statement=alone, data={"name": "theta", "at": item.at})
     assert not certify(draft.context, wrong).verdict.is_proved
@@ -96,13 +98,10 @@ def test_makers_and_checkers_share_no_linearisation(module):
 
 
 def test_no_period_is_asked_for_where_the_motion_is_damped():
-    from rbpsym.derive import derive
-    from rbpsym.statement.library import problem_files
-    from rbpsym.statement.loader import load_problem
     from rbpsym.teaching.targets import targets
 
     for name in DAMPED:
-        found = targets(derive(load_problem(problem_files()[name]), simulation=False))
+        found = targets(unsimulated(name))
         assert not [target for target in found if target.kind == "frequency"], name
 
 

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from rbpsym.derivation.rules import certify
-from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Display
 from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.numbering import parts
@@ -21,7 +20,7 @@ def _rows(node):
 
 def test_every_display_of_the_file_is_proved(whole_draft, tmp_path):
     draft = whole_draft
-    derivation = Derivation(draft.study, tuple(draft.steps), tuple(draft.skipped))
+    derivation = replace(draft.derivation, phases=(), simulation=None)
     document = notes(derivation, "en", "full")
     file = tmp_path / "notes.tex"
     file.write_text(writer("tex")(document), encoding="utf-8")

@@ -5,12 +5,11 @@
 
 from pathlib import Path
 
-from rbpsym.derive import derive
 from rbpsym.document.notes import notes
 from rbpsym.document.writers import writer
 from rbpsym.statement.course import load_course
-from rbpsym.statement.library import course_files, problem_files
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.library import course_files
+from tests.library.derived import unsimulated
 
 FOLDER = Path(__file__).parents[1] / "golden"
 NAMES = tuple(part.name for part in load_course(course_files()["paper"]).parts if part.kind == "problem")
@@ -18,7 +17,7 @@ NAMES = tuple(part.name for part in load_course(course_files()["paper"]).parts i
 
 def body(name: str) -> str:
     """What stands between \\begin{document} and \\end{document}."""
-    text = writer("tex")(notes(derive(load_problem(problem_files()[name]), simulation=False)))
+    text = writer("tex")(notes(unsimulated(name)))
     return text.partition("\\begin{document}")[2].partition("\\end{document}")[0].strip() + "\n"
 
 

@@ -41,6 +41,7 @@ from rbpsym.document.writers.pdf import compiled, write_pdf
 from rbpsym.document.writers.slides import COLUMN, FULL, frames, height, write_slides
 from rbpsym.errors import RbpsymError
 from tests.document.samples import NASTY, sample
+from tests.library.derived import unsimulated
 
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
@@ -48,7 +49,7 @@ W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 
 @cache
 def ladder():
-    return rbpsym.derive(rbpsym.load_problem(rbpsym.find_problem("sliding-ladder")), simulation=False)
+    return unsimulated("sliding-ladder")
 
 
 def count(document: Document, kind: type) -> int:

@@ -22,8 +22,8 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
 from tests.architecture.source import ROOT
+from tests.library.derived import derived_from
 
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*/*.toml"))
 FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
@@ -32,7 +32,7 @@ SHARES = (None, 0.3, 0.8)
 
 @cache
 def study(name: str) -> Study:
-    return Study(load_problem(FILES[name]))
+    return derived_from(FILES[name]).study
 
 
 def pose(found: Study, share: float | None) -> DrawnPose:

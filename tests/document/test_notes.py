@@ -17,16 +17,16 @@ from rbpsym.document.writers import writer
 from rbpsym.notation import tree as t
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
-from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.statement.loader import load_text
 from tests.document.unseen import UNSEEN
+from tests.library.derived import unsimulated
 
 NAMES = (*sorted(problem_files()), *UNSEEN)
 
 
 @cache
 def derived(name):
-    found = problem_files()
-    return derive(load_problem(found[name]) if name in found else load_text(UNSEEN[name]), simulation=False)
+    return derive(load_text(UNSEEN[name]), simulation=False) if name in UNSEEN else unsimulated(name)
 
 
 @cache
@@ -36,7 +36,7 @@ def document(name, detail="standard"):
 
 @cache
 def course():
-    return derive_course(load_course(course_files()["paper"]), simulation=False)
+    return derive_course(load_course(course_files()["paper"]), derived=lambda path: derived(path.stem))
 
 
 by_problem = pytest.mark.parametrize("name", NAMES)

@@ -7,20 +7,15 @@ from functools import cache
 import pytest
 
 import rbpsym
-from rbpsym.derivation.step import Derivation
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Table, Text
 from rbpsym.document.notes import plain
 from rbpsym.document.numbering import numbered, once_each, parts
 from rbpsym.document.tables import TOO_WIDE
 from rbpsym.notation import tree as t
+from tests.library.derived import unsimulated as derived
 
 NAMES = ("rod-struck-off-center", "ball-slipping-to-rolling", "yo-yo", "spool-pulled-at-angle")
-
-
-@cache
-def derived(name: str) -> Derivation:
-    return rbpsym.derive(rbpsym.load_problem(rbpsym.find_problem(name)), simulation=False)
 
 
 @cache

@@ -30,8 +30,8 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
-from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.statement.loader import load_text
+from tests.library.derived import unsimulated
 
 PLAIN = """
 title = "Pendulum"
@@ -58,8 +58,7 @@ at = "O"
 
 @cache
 def derived(name: str):
-    problem = load_problem(problem_files()[name]) if name else load_text(PLAIN)
-    return rbpsym.derive(problem, simulation=False)
+    return unsimulated(name) if name else rbpsym.derive(load_text(PLAIN), simulation=False)
 
 
 @cache

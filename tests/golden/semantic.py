@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from rbpsym.derivation.step import Derivation, Lesson
-from rbpsym.derive import derive
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import equal
 from rbpsym.errors import RbpsymError
@@ -22,9 +22,8 @@ from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Node
 from rbpsym.solve import results
 from rbpsym.statement.library import course_files, library_folder, problem_files, worksheet_files
-from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.model import Item, Measure, Student, Worksheet
-from tests.library.derived import checked_claims, derived
+from tests.library.derived import checked_claims, derived, derived_from
 
 ROOT = Path(__file__).parents[2]
 Record = Mapping[str, Any]
@@ -44,7 +43,7 @@ def examples() -> dict[str, Path]:
 
 @cache
 def example(name: str) -> Derivation:
-    return derive(load_problem(examples()[name]), simulation=False)
+    return replace(derived_from(examples()[name]), simulation=None)
 
 
 def problem_record(name: str) -> Record:

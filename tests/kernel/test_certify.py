@@ -11,7 +11,6 @@ from click.testing import CliRunner
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
-from rbpsym.derive import derive
 from rbpsym.kernel.certify import Written, text, written
 from rbpsym.kernel.claims import Claim
 from rbpsym.kernel.cofactors import reduced
@@ -19,7 +18,7 @@ from rbpsym.kernel.compiling import Report, compiled, has_coqc, with_prelude
 from rbpsym.kernel.rocq import REFUSED, Lemma
 from rbpsym.kernel.terms import identifier
 from rbpsym.notation import tree as t
-from tests.library.derived import problem
+from tests.library.derived import unsimulated
 
 PAPER = ("rod-and-disk-fixed", "rod-and-disk-free", "sliding-ladder", "sliding-ladder-with-spring")
 AXIOMS = {  # of the real numbers, and that functions are equal that have equal values
@@ -33,7 +32,7 @@ each_problem = pytest.mark.parametrize("name", PAPER)
 
 @cache
 def found(name: str) -> Written:
-    return written(derive(problem(name), simulation=False))
+    return written(unsimulated(name))
 
 
 @cache

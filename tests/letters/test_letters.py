@@ -6,7 +6,6 @@ from __future__ import annotations
 import random
 import re
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -15,16 +14,13 @@ import pytest
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import symbol
-from rbpsym.derivation.context import Context
-from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import certify
 from rbpsym.derivation.step import Derivation
-from rbpsym.derive import AFTER, BEFORE, derive
+from rbpsym.derive import derive
 from rbpsym.document.language import problem_notation
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.errors import LimitError, RbpsymError
-from rbpsym.methods.registry import METHODS
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import ACCENTS, DOTS
 from rbpsym.notation.infix import read_infix
@@ -33,6 +29,7 @@ from rbpsym.notation.latex_reader import read_latex
 from rbpsym.solve import results
 from rbpsym.statement.names import RESERVED
 from tests.letters.renaming import Names, dictionary, original, renamed, symbols_of, things_of
+from tests.library.derived import answered
 
 PROBLEMS = (
     "rod-pendulum", "rod-and-disk-free", "rod-and-disk-fixed", "sliding-ladder", "sliding-ladder-with-spring",
@@ -75,8 +72,7 @@ def names_for(name: str, seed: int) -> Names:
 
 @cache
 def answer(name: str) -> dict:
-    derivation = derive(original(name), simulation=False)
-    return {**results(derivation.study), "verdicts": derivation.summary()}
+    return answered(name)
 
 
 @pytest.mark.thorough
@@ -119,7 +115,7 @@ def unproved(derivation: Derivation) -> Iterator[str]:
     """Steps that are not proved, and those whose print does not read back as what was proved."""
     for part in (derivation, *(phase.derivation for phase in derivation.phases)):
         notation = problem_notation(part.study.problem)
-        context = replace(context_of(part), moments={**context_of(part).moments})
+        context = part.letters
         for step in part.steps:
             if not step.certificate.verdict.is_proved:
                 yield f"{step.id}: {step.certificate.verdict}"
@@ -132,15 +128,6 @@ def unproved(derivation: Derivation) -> Iterator[str]:
                 continue
             if not certify(context, replace(step, statement=back)).verdict.is_proved:
                 yield f"{step.id}: {text} is read as something else"
-
-
-def context_of(part: Derivation) -> Context:
-    """The meanings that the steps of a derivation were made with: they are written once more."""
-    draft = Draft(part.study)
-    for write in (*BEFORE, *METHODS.values(), *AFTER):
-        with suppress(LimitError):
-            write(draft)
-    return draft.context
 
 
 def differences(

@@ -1,10 +1,15 @@
-"""The problems that ship, each loaded and derived once in a session."""
+"""Statements of the repository, each loaded and derived once in a worker (`tests.sharing` keeps what is of one together)."""
 
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-from rbpsym.derivation.step import Derivation
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Derivation, Step
 from rbpsym.derive import derive
+from rbpsym.mechanics.study import Study
+from rbpsym.solve import results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.statement.model import Problem
@@ -19,13 +24,62 @@ NAMES = tuple(sorted(problem_files()))
 @cache
 def problem(name: str) -> Problem:
     """The statement of a problem that ships."""
-    return load_problem(problem_files()[name])
+    return stated(problem_files()[name])
 
 
 @cache
 def derived(name: str) -> Derivation:
     """Its whole derivation, with both oracles."""
-    return derive(problem(name))
+    return derived_from(problem_files()[name])
+
+
+@cache
+def unsimulated(name: str) -> Derivation:
+    """The same as it is without the simulation."""
+    return replace(derived(name), simulation=None)
+
+
+@cache
+def stated(path: Path) -> Problem:
+    """The statement of a file."""
+    return load_problem(path)
+
+
+@cache
+def derived_from(path: Path) -> Derivation:
+    """The whole derivation of a file, with both oracles."""
+    return derive(stated(path))
+
+
+@cache
+def answered(name: str) -> dict[str, Any]:
+    """What `rbpsym solve` says of it, without the simulation."""
+    found = unsimulated(name)
+    return {**results(found.study), "verdicts": found.summary()}
+
+
+@dataclass(frozen=True)
+class Drafted:
+    """Steps with what they were made from: enough to certify them anew."""
+
+    derivation: Derivation
+
+    @property
+    def study(self) -> Study:
+        return self.derivation.study
+
+    @property
+    def context(self) -> Context:
+        return self.derivation.letters
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        return self.derivation.steps
+
+
+def drafted_from(path: Path) -> Drafted:
+    """The steps of the first phase of a file."""
+    return Drafted(derived_from(path))
 
 
 @cache

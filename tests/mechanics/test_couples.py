@@ -4,21 +4,21 @@ import pytest
 
 from rbpsym.algebra.normal import is_zero
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.study import Study
 from rbpsym.solve import solve
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
+from tests.library.derived import derived
 
 
 @pytest.mark.parametrize("name", sorted(problem_files()))
 def test_no_entry_is_both(name: str) -> None:
-    for force in Study(load_problem(problem_files()[name])).system.forces:
+    for force in derived(name).study.system.forces:
         assert not (force.vector and force.couple), force
 
 
 def test_the_force_of_a_weld_at_the_centre_has_no_torque_there() -> None:
     """Rod and fixed disk: N acts at the centre of the disk; what turns the disk is the couple."""
-    study = Study(load_problem(problem_files()["rod-and-disk-fixed"]))
+    study = derived("rod-and-disk-fixed").study
     disk = study.system.bodies["disk"]
     torques = {f.name: torque_about_center(f, disk) for f in study.system.on("disk")}
     assert is_zero(torques["N"])

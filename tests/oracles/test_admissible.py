@@ -23,7 +23,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.solve import _demands as told
 from rbpsym.solve import solve, text
 from rbpsym.statement.loader import load_problem, load_text
-from tests.library.derived import NAMES, problem
+from tests.library.derived import NAMES, derived, problem
 from tests.oracles.compare import holds
 from tests.oracles.sets import drawn
 
@@ -131,7 +131,7 @@ def test_the_energy_that_friction_took_is_not_called_nothing():
 @pytest.mark.parametrize("name", NAMES)
 def test_every_place_of_rest_of_the_library_is_admissible(name):
     """Exactly, and at the sample numbers of those sets at which it is told."""
-    study = Study(problem(name))
+    study = derived(name).study
     for item in study.equilibria:
         given = assuming(study.assumptions, item.valid)
         assert _demands(study.system, study.dynamics, item.at, given) == ()
@@ -151,7 +151,7 @@ LOSING += [("library", "ball-in-a-loop")]
 
 @pytest.mark.parametrize(("kind", "name"), LOSING)
 def test_each_loss_is_the_first_zero_along_the_motion(kind, name):
-    study = case(name) if kind == "cases" else Study(problem(name))
+    study = case(name) if kind == "cases" else derived(name).study
     [coordinate] = study.squares
     source, seen = drawn(study, 7), 0
     for _ in range(SETS):

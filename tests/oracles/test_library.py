@@ -11,8 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from rbpsym.mechanics.study import Study
-from tests.library.derived import NAMES, problem
+from tests.library.derived import NAMES, derived
 from tests.oracles.compare import Findings, each, findings
 from tests.oracles.conftest import DRAWS, MISSING, SETS
 
@@ -24,7 +23,7 @@ OPEN: dict[str, set[str]] = {}
 
 def put_to_the_test(name: str, sets: int, longest: float, record) -> Findings:
     """The findings on a problem, told in the report of the run."""
-    found = findings(Study(problem(name)), sets, longest)
+    found = findings(derived(name).study, sets, longest)
     record(SETS, found.sets)
     record(DRAWS, dict(found.redrawn))
     for what, reason in found.missing.items():

@@ -6,7 +6,7 @@ The thorough tier has two thousand (tests/thorough/test_systems.py).
 import random
 
 import pytest
-from hypothesis import HealthCheck, given, seed, settings
+from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
 from rbpsym.algebra.scalar import NOTHING, symbol
@@ -15,7 +15,9 @@ from rbpsym.equality.decide import compare
 from tests.oracles.judged import judged
 from tests.oracles.systems import FAMILIES, statement, used
 
-QUIET = settings(deadline=None, database=None, suppress_health_check=list(HealthCheck))
+QUIET = settings(
+    deadline=None, database=None, suppress_health_check=list(HealthCheck), phases=(Phase.explicit, Phase.generate)
+)  # a system that fails is told as it is: to make it smaller would take minutes
 
 
 @seed(11)

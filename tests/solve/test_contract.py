@@ -9,7 +9,7 @@ from rbpsym.algebra.normal import same
 from rbpsym.notation.infix import read_infix
 from rbpsym.solve import solve
 from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
+from tests.library.derived import answered, problem
 
 KEYS = {
     "problem",
@@ -36,7 +36,7 @@ _ANSWERS = {}
 
 def answer(name):
     if name not in _ANSWERS:
-        _ANSWERS[name] = json.loads(json.dumps(solve(load_problem(problem_files()[name]), simulation=False)))
+        _ANSWERS[name] = json.loads(json.dumps(answered(name)))
     return _ANSWERS[name]
 
 
@@ -48,6 +48,11 @@ def at(found, path):
     for key in path.split("/"):
         found = found[int(key)] if isinstance(found, list) else found[key]
     return found
+
+
+@pytest.mark.parametrize("name", ["sliding-ladder", "ball-slipping-to-rolling"])
+def test_the_answer_is_that_of_the_derivation(name):
+    assert solve(problem(name), simulation=False) == answered(name)
 
 
 @pytest.mark.parametrize("name", sorted(problem_files()))

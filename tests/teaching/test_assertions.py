@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rbpsym.derive import derive
-from rbpsym.statement.library import problem_files
-from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.targets import targets
 from rbpsym.teaching.wording import ASSERTIONS, teaching_phrases
+from tests.library.derived import unsimulated
 
 NARRATION = """ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
 ask.explain hint compare.doubled compare.shape compare.welded compare.free compare.first compare.second compare.same
@@ -32,11 +30,11 @@ def test_there_is_no_third_kind() -> None:
 @pytest.mark.parametrize(("name", "asked"), [("rod-pendulum", True), ("rod-with-damper", False)])
 def test_a_period_is_asked_for_where_there_is_one(name: str, asked: bool) -> None:
     """With a damper the displacement does not come back: no period, no “it swings about its stable position”."""
-    found = derive(load_problem(problem_files()[name]), simulation=False)
+    found = unsimulated(name)
     assert any(target.kind == "frequency" for target in targets(found)) is asked
 
 
 def test_a_place_of_loss_is_asked_for_where_it_comes_first() -> None:
-    found = derive(load_problem(problem_files()["ball-off-sphere"]), simulation=False)
+    found = unsimulated("ball-off-sphere")
     lost = [target.step for target in targets(found) if target.kind == "loss"]
     assert all(found.step(step).phrase.startswith("contact.lost") for step in lost)

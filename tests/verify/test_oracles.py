@@ -10,11 +10,11 @@ from rbpsym.equality.verdict import PROVED, REFUTED
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.course import load_course
-from rbpsym.statement.library import course_files, problem_files
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.library import course_files
 from rbpsym.verify.agreement import agreement
 from rbpsym.verify.lagrange import lagrange_verdict
 from rbpsym.verify.simulation import simulate
+from tests.library.derived import derived
 
 # The rest of the library is put to the oracles in tests/library.
 NAMES = [part.name for part in load_course(course_files()["paper"]).parts if part.kind == "problem"]
@@ -22,7 +22,7 @@ NAMES = [part.name for part in load_course(course_files()["paper"]).parts if par
 
 @cache
 def study(name: str) -> Study:
-    return Study(load_problem(problem_files()[name]))
+    return derived(name).study
 
 
 def scaled(values: dict[str, Scalar], name: str, factor) -> dict[str, Scalar]:
