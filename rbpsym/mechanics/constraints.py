@@ -12,7 +12,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.contacts import couples, holding_forces, meeting, meshing_force, normal_forces
+from rbpsym.mechanics.contacts import couples, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
@@ -49,7 +49,8 @@ class Joint:
     `joins`: points that coincide; `angles` that are tied; `touches`: points on fixed lines;
     `gaps`: (value, what it is) of further quantities of position that vanish; `rates`: (unknown,
     factor) of unknown forces whose power per unit of force, times the factor, vanishes: a
-    condition for the speeds. The forces of a one-sided constraint can push (or pull) only.
+    condition for the speeds; `taken`: what is positive where the sides and the ways of strings are those that the
+    sample state shows. The forces of a one-sided constraint can push (or pull) only.
     """
 
     forces: Callable[[Element, Geometry], tuple[Force, ...]]
@@ -58,6 +59,7 @@ class Joint:
     touches: Callable[[Element], tuple[Touch, ...]] = _none
     gaps: Callable[[Element, Geometry], tuple[tuple[Scalar, str], ...]] = _none
     rates: Callable[[Element, Geometry], tuple[tuple[str, Scalar], ...]] = _none
+    taken: Callable[[Element, Geometry], tuple[Scalar, ...]] = taken
     is_one_sided: bool = False
 
     def fixed_lines(self, element: Element) -> tuple[tuple[str, Line], ...]:
@@ -168,8 +170,8 @@ JOINTS: Mapping[str, Joint] = {
     "rolling": Joint(holding_forces, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
     "gear": Joint(meshing_force, gaps=_curve_gaps, rates=lambda e, geometry: ((e.name, UNITY),)),
     "sticking": Joint(holding_forces, touches=_touches, gaps=_curve_gaps, rates=_slips, is_one_sided=True),
-    "string": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, is_one_sided=True),
-    "link": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along),  # a string that may push
+    "string": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, taken=strings.spans, is_one_sided=True),
+    "link": Joint(strings.pulls, gaps=_string_gaps, rates=strings.speeds_along, taken=strings.spans),  # a string that may push
     "prescribed": Joint(_driving_force, gaps=_driven_gaps),
     "prescribed-angle": Joint(_driving_couple, angles=_driven_angles),
 }

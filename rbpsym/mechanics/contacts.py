@@ -97,6 +97,19 @@ def _side(element: Element, geometry: Geometry, body: str) -> int:
     return geometry.sign(_height(element, geometry, geometry.center(body))[0])
 
 
+def taken(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
+    """What is positive where a side that is not stated is the one that is taken."""
+    if element.values.get("side") != "auto":
+        return ()
+    if element.values.get("circle") is not None:
+        found = [_outside(element, geometry, geometry.where(element["circle"]))]
+    else:
+        bodies = [body for body in (toucher(element), curve_body(element)) if body]
+        heights = [_height(element, geometry, geometry.center(body))[0] for body in bodies]
+        found = [*heights, _height(element, geometry, geometry.center(bodies[0]))[1].y]
+    return next(((value * way,) for value in found if (way := geometry.sign(value))), ())
+
+
 # --- circles
 
 
@@ -124,10 +137,15 @@ def _side_of_circle(element: Element, geometry: Geometry, middle: Vector) -> int
     side = element.values.get("side", "outside")
     if side != "auto":
         return 1 if side == "outside" else -1
+    return geometry.sign(_outside(element, geometry, middle)) or 1
+
+
+def _outside(element: Element, geometry: Geometry, middle: Vector) -> Scalar:
+    """Positive where the centre of mass of what touches is outside of the circle."""
     body = toucher(element)
     apart = (geometry.center(body) if body else geometry.where(element["point"])) - middle
     radius = scalar(element["radius"])
-    return geometry.sign(apart.dot(apart) - radius * radius) or 1
+    return apart.dot(apart) - radius * radius
 
 
 # --- forces

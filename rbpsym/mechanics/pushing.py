@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
@@ -15,6 +15,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
@@ -47,12 +48,14 @@ def start_valid(study: Study) -> tuple[Demand, ...] | None:
     return settle((Demand(value, OPS[what]) for _, what, value in asked(study)), study.assumptions)
 
 
-OPS = {"force": ">=", "slip": ">", "gain": ">"}
+OPS = {"way": ">", "force": ">=", "slip": ">", "gain": ">"}
 
 
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
-    """What has to be positive at the start: one-sided forces, the slip in its sense, or its gain from rest."""
+    """What has to be positive at the start: lengths and heights that tell ways and sides, one-sided forces, the slip in
+    its sense, or its gain from rest."""
     start, reactions = _start(study), study.dynamics.reactions
+    yield from ((element, "way", value) for element, value in ways_taken(study))
     for element in study.problem.constraints:
         for name in pushes(element):
             value = _at_start(reactions[name], start)
@@ -68,6 +71,16 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
                 yield element, "gain", first
         elif first is not None:
             yield element, "slip", first
+
+
+def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:
+    """What is positive at the start where strings run, and things touch, on the side that the formulas are made for."""
+    start, geometry = _start(study), geometry_of(study.system)
+    for element in study.problem.constraints:
+        for value in JOINTS[element.kind].taken(element, geometry):
+            there = _at_start(substitute(value, study.system.dependent), start)
+            if there is not None and not any(depends_on(there, name) for name in study.system.coordinates):
+                yield element, there
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:
@@ -113,4 +126,12 @@ def _slips_back(element: Element, what: str, value: Scalar) -> StatementError:
     )
 
 
-WRONG = {"force": _pulls, "slip": _slips_back, "gain": _slips_back}
+def _elsewhere(element: Element, what: str, value: Scalar) -> StatementError:
+    return StatementError(
+        f"the {element.kind} “{element.name}” does not run, or touch, at the start where the ranges would have it",
+        instead="let the start and the ranges tell the same side.",
+        place=element.place,
+    )
+
+
+WRONG = {"way": _elsewhere, "force": _pulls, "slip": _slips_back, "gain": _slips_back}

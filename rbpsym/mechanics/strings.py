@@ -88,6 +88,11 @@ def segments(run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
     return [segment(a, b, geometry) for a, b in zip(run, run[1:], strict=False)]
 
 
+def spans(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
+    """The lengths of its straight pieces, positive where each runs the way that is taken."""
+    return tuple(piece.length for run in runs(element["path"]) for piece in _pieces(element, run, geometry))
+
+
 def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
     try:
         return segments(run, geometry)
