@@ -193,8 +193,22 @@ def _with_forces(system: System, where) -> System:
     geometry = Geometry(where, placed, start_numbers(system.problem), system.bodies, unsaid(system.problem))
     applied = [f for e in system.problem.interactions for f in LAWS[e.kind].forces(e, setting)]
     kept = [f for e in system.problem.constraints for f in JOINTS[e.kind].forces(e, geometry)]
+    _refuse_two_meanings(system, (*applied, *kept))
     forces = tuple(_in_coordinates(force, system.dependent, system.scope) for force in (*applied, *kept))
     return replace(system, forces=forces)
+
+
+def _refuse_two_meanings(system: System, forces: tuple[Force, ...]) -> None:
+    """A force may be called like its size, F = F i: else F² would be the square of the one and of the other."""
+    own = {q.name for q in system.problem.parameters} | {c.name for c in system.problem.coordinates}
+    for force in forces:
+        size = force.vector.dot(force.vector)
+        if force.vector and force.name in own and not is_zero(size - symbol(force.name) ** 2):
+            raise StatementError(
+                f"“{force.name}” is a quantity, and a force that has not this size: what would {force.name}**2 be?",
+                instead="give one of them another name.",
+                place=system.element(force.name).place,
+            )
 
 
 def _in_coordinates(force: Force, solved: Mapping[str, Scalar], scope: Scope) -> Force:

@@ -419,4 +419,13 @@ ROWS = [
         "collision",
     ),
     impact("impulse called like a parameter", "[phases.impulses.K]", "[phases.impulses.J]", "“J”"),
+    # --- a quantity and a force of one name
+    Wrong(
+        "force called like another quantity",
+        BALL,
+        "[constraints.N]",
+        '[interactions.h]\ntype  = "force"\non    = "ball.center"\nforce = ["M*g*h/R", "0"]\n\n[constraints.N]',
+        "a force that has not this size",
+        "another name",
+    ),
 ]
