@@ -10,18 +10,7 @@ from textwrap import wrap
 import click
 
 from rbpsym.commands.columns import columns, padded
-from rbpsym.document.model import (
-    Block,
-    Callout,
-    Display,
-    Document,
-    FigureBlock,
-    Inlines,
-    ItemList,
-    Paragraph,
-    Section,
-    Table,
-)
+from rbpsym.document import model as d
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
@@ -43,12 +32,12 @@ class Screen:
     verdicts: Mapping[str, Verdict] = field(default_factory=dict)
     width: int = WIDEST
 
-    def text(self, inlines: Inlines) -> str:
+    def text(self, inlines: d.Inlines) -> str:
         """Inlines as one line of text."""
         return " ".join(plain_text(inlines, self.notation, self.language).split())
 
 
-def terminal_lines(document: Document, verdicts: Mapping[str, Verdict]) -> Iterator[str]:
+def terminal_lines(document: d.Document, verdicts: Mapping[str, Verdict]) -> Iterator[str]:
     """The lines of a document; `verdicts` by the label of a formula put a mark before it."""
     document = numbered(document)
     width = min(shutil.get_terminal_size((WIDEST, 24)).columns, WIDEST)
@@ -58,19 +47,19 @@ def terminal_lines(document: Document, verdicts: Mapping[str, Verdict]) -> Itera
         yield from _section(section, screen)
 
 
-def _section(section: Section, screen: Screen) -> Iterator[str]:
+def _section(section: d.Section, screen: Screen) -> Iterator[str]:
     yield ""
     yield click.style(screen.text(section.title), bold=True, underline=True)
     for block in section.blocks:
         yield from BLOCKS[type(block)](block, screen)
 
 
-def _paragraph(block: Paragraph, screen: Screen) -> Iterator[str]:
+def _paragraph(block: d.Paragraph, screen: Screen) -> Iterator[str]:
     text = screen.text(block.inlines)
     yield from (f"  {row}" for row in wrap(text, screen.width - 2, break_long_words=False, break_on_hyphens=False))
 
 
-def _display(block: Display, screen: Screen) -> Iterator[str]:
+def _display(block: d.Display, screen: Screen) -> Iterator[str]:
     found = [screen.verdicts[label] for label in (block.label, *block.also) if label in screen.verdicts]
     verdict = all_of(found) if found else None
     mark, color = MARKS[verdict.kind] if verdict else (" ", "white")
@@ -85,7 +74,7 @@ def _display(block: Display, screen: Screen) -> Iterator[str]:
         yield from (f"      {row}" for row in wrap(str(verdict), screen.width - 6))
 
 
-def _rows(block: Display, screen: Screen) -> list[str]:
+def _rows(block: d.Display, screen: Screen) -> list[str]:
     """The formula in one line, or a chain that is too long in one line a link."""
     line = to_text(block.node, screen.notation)
     if isinstance(block.node, System) or (isinstance(block.node, Chain) and columns(line) > screen.width - 12):
@@ -93,7 +82,7 @@ def _rows(block: Display, screen: Screen) -> list[str]:
     return line.splitlines()
 
 
-def _table(block: Table, screen: Screen) -> Iterator[str]:
+def _table(block: d.Table, screen: Screen) -> Iterator[str]:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table as Drawn
@@ -112,7 +101,7 @@ def _table(block: Table, screen: Screen) -> Iterator[str]:
         yield from _told("table", block.number, screen.text(block.caption), screen)
 
 
-def _figure(block: FigureBlock, screen: Screen) -> Iterator[str]:
+def _figure(block: d.FigureBlock, screen: Screen) -> Iterator[str]:
     yield from _told("figure", block.number, block.alt, screen)
 
 
@@ -124,19 +113,19 @@ def _told(kind: str, number: str, text: str, screen: Screen) -> Iterator[str]:
     yield from (f"    {row}" for row in wrap(f"{head}. {text}", screen.width - 4))
 
 
-def _items(block: ItemList, screen: Screen) -> Iterator[str]:
+def _items(block: d.ItemList, screen: Screen) -> Iterator[str]:
     for place, item in enumerate(block.items, 1):
         first = f"  {place}. " if block.ordered else "  · "
         yield from wrap(screen.text(item), screen.width, initial_indent=first, subsequent_indent=" " * len(first))
 
 
-def _callout(block: Callout, screen: Screen) -> Iterator[str]:
+def _callout(block: d.Callout, screen: Screen) -> Iterator[str]:
     yield f"  {click.style(screen.text(block.title), bold=True)}"
     for inner in block.blocks:
         yield from BLOCKS[type(inner)](inner, screen)
 
 
-BLOCKS: Mapping[type, Callable[[Block, Screen], Iterator[str]]] = {
-    Paragraph: _paragraph, Display: _display, Table: _table, FigureBlock: _figure, ItemList: _items,
-    Callout: _callout,
+BLOCKS: Mapping[type, Callable[[d.Block, Screen], Iterator[str]]] = {
+    d.Paragraph: _paragraph, d.Display: _display, d.Table: _table, d.FigureBlock: _figure, d.ItemList: _items,
+    d.Callout: _callout,
 }  # fmt: skip

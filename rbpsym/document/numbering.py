@@ -6,17 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    DocumentError,
-    FigureBlock,
-    Ref,
-    Section,
-    Table,
-    Text,
-)
+from rbpsym.document import model as d
 from rbpsym.notation.tree import Node
 
 WITHIN = ("equation", "figure", "table")
@@ -45,7 +35,7 @@ class Counters:
     def label(self, label: str, mark: str) -> None:
         """Remember what a reference to `label` prints."""
         if label in self.marks:
-            raise DocumentError(f"two parts of the document are labelled “{label}”")
+            raise d.DocumentError(f"two parts of the document are labelled “{label}”")
         if label:
             self.marks[label] = mark
 
@@ -56,7 +46,7 @@ class Counters:
             self.targets[label] = target
 
 
-def number_display(block: Display, counters: Counters) -> Display:
+def number_display(block: d.Display, counters: Counters) -> d.Display:
     """The display with its equation number; a labelled one is always numbered."""
     if not (block.numbered or block.label):
         return block
@@ -66,30 +56,30 @@ def number_display(block: Display, counters: Counters) -> Display:
     return replace(block, number=number, numbered=True)
 
 
-def number_figure(block: FigureBlock, counters: Counters) -> FigureBlock:
+def number_figure(block: d.FigureBlock, counters: Counters) -> d.FigureBlock:
     """The figure with its number."""
     number = counters.next("figure")
     counters.label(block.label, number)
     return replace(block, number=number)
 
 
-def number_table(block: Table, counters: Counters) -> Table:
+def number_table(block: d.Table, counters: Counters) -> d.Table:
     """The table with its number; one without a caption has none."""
     number = counters.next("table") if block.caption else ""
     counters.label(block.label, number)
     return replace(block, number=number)
 
 
-def number_callout(block: Callout, counters: Counters) -> Callout:
+def number_callout(block: d.Callout, counters: Counters) -> d.Callout:
     """The callout with its inner blocks numbered."""
     return replace(block, blocks=number_blocks(block.blocks, counters))
 
 
 NUMBERED: Mapping[type, Callable] = {
-    Display: number_display,
-    FigureBlock: number_figure,
-    Table: number_table,
-    Callout: number_callout,
+    d.Display: number_display,
+    d.FigureBlock: number_figure,
+    d.Table: number_table,
+    d.Callout: number_callout,
 }
 
 
@@ -109,7 +99,7 @@ def section_number(level: int, counters: Counters) -> str:
     return f"{counters.counts['level 1']}.{own}"
 
 
-def number_section(section: Section, counters: Counters) -> Section:
+def number_section(section: d.Section, counters: Counters) -> d.Section:
     """The section with its number and its blocks numbered."""
     number = section_number(section.level, counters)
     counters.label(section.label, number)
@@ -118,7 +108,7 @@ def number_section(section: Section, counters: Counters) -> Section:
 
 def resolve(part: object, counters: Counters) -> object:
     """The same part of a document with each Ref's mark filled in."""
-    if isinstance(part, Ref):
+    if isinstance(part, d.Ref):
         return resolve_ref(part, counters)
     if isinstance(part, tuple):
         return once_each(tuple(resolve(item, counters) for item in part))
@@ -132,9 +122,9 @@ def once_each(parts: tuple) -> tuple:
     """A list of references without those that print the same number again: (7), (7) and (8) is (7) and (8)."""
     found: list = []
     for part in parts:
-        if isinstance(part, Ref) and len(found) > 1 and part == found[-2] and is_joint(found[-1]):
+        if isinstance(part, d.Ref) and len(found) > 1 and part == found[-2] and is_joint(found[-1]):
             joint = found.pop()
-            if len(found) > 2 and is_joint(found[-2]) and isinstance(found[-3], Ref):
+            if len(found) > 2 and is_joint(found[-2]) and isinstance(found[-3], d.Ref):
                 found[-2] = joint
             continue
         found.append(part)
@@ -143,18 +133,18 @@ def once_each(parts: tuple) -> tuple:
 
 def is_joint(part: object) -> bool:
     """Is it what stands between two parts of a list?"""
-    return isinstance(part, Text) and len(part.text) <= len(" and ")
+    return isinstance(part, d.Text) and len(part.text) <= len(" and ")
 
 
-def resolve_ref(ref: Ref, counters: Counters) -> Ref:
+def resolve_ref(ref: d.Ref, counters: Counters) -> d.Ref:
     """The reference with its mark. Raises DocumentError if nothing has that label."""
     if ref.label not in counters.marks:
-        raise DocumentError(f"nothing in the document is labelled “{ref.label}”")
+        raise d.DocumentError(f"nothing in the document is labelled “{ref.label}”")
     mark = counters.marks[ref.label]
-    return Ref(counters.targets.get(ref.label, ref.label), f"§\u202f{mark}" if ref.page else mark, ref.page)
+    return d.Ref(counters.targets.get(ref.label, ref.label), f"§\u202f{mark}" if ref.page else mark, ref.page)
 
 
-def numbered(document: Document) -> Document:
+def numbered(document: d.Document) -> d.Document:
     """The document with all numbers given and all references resolved."""
     counters = Counters(document.is_book)
     sections = tuple(number_section(section, counters) for section in document.sections)

@@ -20,22 +20,13 @@ from functools import cache
 from pathlib import Path
 from string import Formatter
 
+from rbpsym.document import model as d
 from rbpsym.document.grammar import Grammar, grammar_of
-from rbpsym.document.model import (
-    DocumentError,
-    Emph,
-    Inline,
-    Inlines,
-    Math,
-    Ref,
-    Strong,
-    Text,
-)
 from rbpsym.notation.tree import Node, Word, walk
 
 FOLDER = Path(__file__).with_suffix("")
 DECIMAL_COMMA = re.compile(r"\d,\d")
-INLINES = (Text, Math, Ref, Emph, Strong)
+INLINES = (d.Text, d.Math, d.Ref, d.Emph, d.Strong)
 
 
 def languages() -> tuple[str, ...]:
@@ -49,7 +40,7 @@ def phrases(language: str) -> Mapping[str, str]:
     path = FOLDER / f"{language}.toml"
     if not path.is_file():
         known = ", ".join(languages())
-        raise DocumentError(f"there are no phrases in “{language}”", instead=f"known: {known}.")
+        raise d.DocumentError(f"there are no phrases in “{language}”", instead=f"known: {known}.")
     return dict(flatten("", tomllib.loads(path.read_text(encoding="utf-8"))))
 
 
@@ -68,7 +59,7 @@ def grammar(language: str) -> Grammar:
     return grammar_of(phrases(language))
 
 
-def phrase(key: str, language: str = "en", **slots: object) -> Inlines:
+def phrase(key: str, language: str = "en", **slots: object) -> d.Inlines:
     """The phrase `key` with its places filled. Raises DocumentError for a missing key or slot."""
     return contracted(merged(filled(template(key, language, slots), key, language, slots)), language)
 
@@ -76,8 +67,8 @@ def phrase(key: str, language: str = "en", **slots: object) -> Inlines:
 def plain(key: str, language: str = "en", **slots: object) -> str:
     """A phrase that holds nothing but text, as a string (captions of tables, verdict words)."""
     inlines = phrase(key, language, **slots)
-    if not all(isinstance(inline, Text) for inline in inlines):
-        raise DocumentError(f"phrase “{key}” is more than text")
+    if not all(isinstance(inline, d.Text) for inline in inlines):
+        raise d.DocumentError(f"phrase “{key}” is more than text")
     return "".join(inline.text for inline in inlines)
 
 
@@ -98,7 +89,7 @@ def template(key: str, language: str, slots: Mapping[str, object]) -> str:
     if "variant" not in slots and f"{key}.masculine" in table:
         return table[f"{key}.{grammar(language).gender(first_noun(table[f'{key}.masculine'], slots))}"]
     near = get_close_matches(wanted.rstrip("."), table, n=1)
-    raise DocumentError(
+    raise d.DocumentError(
         f"no phrase “{wanted.rstrip('.')}” in “{language}”",
         instead=f"did you mean “{near[0]}”?" if near else f"add it to phrases/{language}.toml.",
     )
@@ -116,80 +107,84 @@ def first_noun(text: str, slots: Mapping[str, object]) -> str:
     name = next((name for _, name, _, _ in Formatter().parse(text) if name), "")
     value = slots.get(name, "")
     found = value if isinstance(value, tuple) else (value,)
-    return "".join(item.text if isinstance(item, Text) else str(item) for item in found)
+    return "".join(item.text if isinstance(item, d.Text) else str(item) for item in found)
 
 
-def contracted(inlines: Inlines, language: str) -> Inlines:
+def contracted(inlines: d.Inlines, language: str) -> d.Inlines:
     """The inlines with the contractions of the language made inside each text."""
     contract = grammar(language).contracted
-    return tuple(Text(contract(inline.text)) if isinstance(inline, Text) else inline for inline in inlines)
+    return tuple(d.Text(contract(inline.text)) if isinstance(inline, d.Text) else inline for inline in inlines)
 
 
-def last_and(item: Inlines, language: str) -> str:
+def last_and(item: d.Inlines, language: str) -> str:
     """The word before the last item of a list, as its first sound asks."""
-    return grammar(language).last_and(item[0].text if isinstance(item[0], Text) else "")
+    return grammar(language).last_and(item[0].text if isinstance(item[0], d.Text) else "")
 
 
-def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:
+def filled(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[d.Inline]:
     """The inlines of a template: words, emphasised words and filled places."""
     for position, part in enumerate(text.split("*")):
         inner = pieces(part, key, language, slots)
         if position % 2:
-            yield Emph(merged(inner))
+            yield d.Emph(merged(inner))
         else:
             yield from inner
 
 
-def pieces(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[Inline]:
+def pieces(text: str, key: str, language: str, slots: Mapping[str, object]) -> Iterator[d.Inline]:
     """The inlines of a template without emphasis."""
     for literal, name, _, _ in Formatter().parse(text):
-        yield Text(literal)
+        yield d.Text(literal)
         if name is None:
             continue
         if name not in slots:
-            raise DocumentError(f"phrase “{key}” needs a value for “{name}”")
+            raise d.DocumentError(f"phrase “{key}” needs a value for “{name}”")
         yield from inlines_of(slots[name], language)
 
 
-def inlines_of(value: object, language: str) -> Inlines:
+def inlines_of(value: object, language: str) -> d.Inlines:
     """What stands in a place for a value."""
     if isinstance(value, Node):
-        return (Math(value),)
+        return (d.Math(value),)
     if isinstance(value, INLINES):
         return (value,)
     if isinstance(value, tuple) and value and all(isinstance(item, INLINES) for item in value):
         return value
     if isinstance(value, (list, tuple)):
         return joined([inlines_of(item, language) for item in value], language)
-    return (Text(str(value)),)
+    return (d.Text(str(value)),)
 
 
-def joined(items: list[Inlines], language: str) -> Inlines:
+def joined(items: list[d.Inlines], language: str) -> d.Inlines:
     """ "a, b and c" by the language's rule (`list.separator`, `list.numbers` and `list.last` of its phrases)."""
-    found: list[Inline] = []
+    found: list[d.Inline] = []
     comma = phrases(language)["list.numbers" if any(map(has_decimal_comma, items)) else "list.separator"]
     for position, item in enumerate(items):
         is_last = position == len(items) - 1
         link = last_and(item, language) if is_last else comma
-        found += [Text(link)] if position else []
+        found += [d.Text(link)] if position else []
         found += item
     return tuple(found)
 
 
-def has_decimal_comma(item: Inlines) -> bool:
+def has_decimal_comma(item: d.Inlines) -> bool:
     """Is there a number in it with a decimal comma, which a comma behind would be taken for?"""
     texts = (
-        part.text for inline in item if isinstance(inline, Math) for part in walk(inline.node) if isinstance(part, Word)
+        part.text
+        for inline in item
+        if isinstance(inline, d.Math)
+        for part in walk(inline.node)
+        if isinstance(part, Word)
     )
     return any(DECIMAL_COMMA.search(text) for text in texts)
 
 
-def merged(inlines: Iterator[Inline]) -> Inlines:
+def merged(inlines: Iterator[d.Inline]) -> d.Inlines:
     """The inlines with neighbouring texts joined and empty ones dropped."""
-    found: list[Inline] = []
+    found: list[d.Inline] = []
     for inline in inlines:
-        if isinstance(inline, Text) and found and isinstance(found[-1], Text):
-            found[-1] = Text(found[-1].text + inline.text)
-        elif inline != Text(""):
+        if isinstance(inline, d.Text) and found and isinstance(found[-1], d.Text):
+            found[-1] = d.Text(found[-1].text + inline.text)
+        elif inline != d.Text(""):
             found.append(inline)
     return tuple(found)

@@ -5,15 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rbpsym.document.figures.sketch import (
-    Point,
-    SketchCircle,
-    SketchCoil,
-    SketchCord,
-    SketchLine,
-    SketchLink,
-    SketchPoint,
-)
+from rbpsym.document.figures import sketch as sk
 from rbpsym.document.pose import DrawnPose
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -37,11 +29,11 @@ def touching(pose: DrawnPose) -> list[Element]:
     return [e for e in pose.study.problem.constraints if "line" in e.values]
 
 
-def points(pose: DrawnPose) -> Iterator[SketchPoint]:
+def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
     """Pivots, pins, welds, led points, edges, and the fixed ends of springs and strings."""
     for element in elements(pose, "pivot"):
         ref = element["point"]
-        yield SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
+        yield sk.SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
     for element in elements(pose, "pin", "weld"):
         yield _joined(pose, element)
     for element in touching(pose):
@@ -52,54 +44,54 @@ def points(pose: DrawnPose) -> Iterator[SketchPoint]:
         yield from _string_ends(pose, element["path"])
 
 
-def _joined(pose: DrawnPose, element: Element) -> SketchPoint:
+def _joined(pose: DrawnPose, element: Element) -> sk.SketchPoint:
     refs = element["points"]
     bodies = tuple(ref.body for ref in refs if ref.body)
     ground = any(ref.body is None for ref in refs)
     kind = {("pin", True): "pivot", ("weld", False): "point"}.get((element.kind, ground), element.kind)
     at = pose.ref(next(ref for ref in reversed(refs) if ref.body))
-    return SketchPoint(kind, at, origin_label(at) if ground else None, bodies)
+    return sk.SketchPoint(kind, at, origin_label(at) if ground else None, bodies)
 
 
-def _led_or_edge(pose: DrawnPose, element: Element) -> Iterator[SketchPoint]:
+def _led_or_edge(pose: DrawnPose, element: Element) -> Iterator[sk.SketchPoint]:
     """A point that a slot leads; a fixed edge on which a body lies."""
     ref = element.values.get("point")
     if ref is None:
         return
     if element.kind == "guide":
-        yield SketchPoint("guide", pose.ref(ref), None, (ref.body,) if ref.body else ())
+        yield sk.SketchPoint("guide", pose.ref(ref), None, (ref.body,) if ref.body else ())
     elif ref.body is None and element.values.get("of"):
         angle = pose.value(pose.study.system.bodies[element["of"]].pose.angle)
         below = min((angle + math.pi / 2, angle - math.pi / 2), key=math.sin)
         name = t.Sym(ref.label) if ref.label.isidentifier() else None
-        yield SketchPoint("edge", pose.ref(ref), name, (), below)
+        yield sk.SketchPoint("edge", pose.ref(ref), name, (), below)
 
 
-def _anchors(pose: DrawnPose, *ends: PointRef) -> Iterator[SketchPoint]:
+def _anchors(pose: DrawnPose, *ends: PointRef) -> Iterator[sk.SketchPoint]:
     """The fixed ends of what runs between two points, their ground away from the other end."""
     for ref, other in (ends, ends[::-1]):
         if ref.body is None:
             here, there = pose.ref(ref), pose.ref(other)
-            yield SketchPoint(
+            yield sk.SketchPoint(
                 "anchor", here, origin_label(here), (), math.atan2(here[1] - there[1], here[0] - there[0])
             )
 
 
-def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[SketchPoint]:
+def _string_ends(pose: DrawnPose, path: tuple[Turn, ...]) -> Iterator[sk.SketchPoint]:
     for turn, other in ((path[0], path[1]), (path[-1], path[-2])):
         if turn.body is None and not turn.sense:
             yield next(_anchors(pose, turn.center, other.center))
     for turn in path[1:-1]:
         if turn.body is None and not turn.sense:
-            yield SketchPoint("guide", pose.ref(turn.center))
+            yield sk.SketchPoint("guide", pose.ref(turn.center))
 
 
-def origin_label(at: Point) -> t.Node | None:
+def origin_label(at: sk.Point) -> t.Node | None:
     """O, where the origin is."""
     return t.Sym("O") if math.hypot(*at) < NEAR else None
 
 
-def lines(pose: DrawnPose) -> Iterator[SketchLine]:
+def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
     """The fixed lines that anything touches, and the rails that lead points."""
     seen, geometry = set(), geometry_of(pose.study.system)
     for element in touching(pose):
@@ -109,15 +101,17 @@ def lines(pose: DrawnPose) -> Iterator[SketchLine]:
         seen.add(line.label)
         a, b, c = (pose.node(part) for part in (line.a, line.b, line.c))
         if element.kind == "guide":
-            yield SketchLine(a, b, c, kind="rail")
+            yield sk.SketchLine(a, b, c, kind="rail")
             continue
         met = meeting(element, geometry)
         x, y = pose.point(met.normal)
         at = pose.point(met.place)
-        yield SketchLine(a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at))
+        yield sk.SketchLine(
+            a, b, c, None, -1 if a * x + b * y > 0 else 1, at=at, end=_edge_of_table(pose, (a, b, c), at)
+        )
 
 
-def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: Point) -> Point | None:
+def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: sk.Point) -> sk.Point | None:
     """Where a line ends before a pulley that stands at its end."""
     a, b, c = line
     for element in elements(pose, "string"):
@@ -133,7 +127,7 @@ def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: Point)
     return None
 
 
-def circles(pose: DrawnPose) -> Iterator[SketchCircle]:
+def circles(pose: DrawnPose) -> Iterator[sk.SketchCircle]:
     """Fixed circles that are touched, or round which a string slides."""
     seen = set()
     for element in touching(pose):
@@ -145,19 +139,19 @@ def circles(pose: DrawnPose) -> Iterator[SketchCircle]:
     for element in elements(pose, "string"):
         for turn in element["path"]:
             if turn.body is None and turn.sense:
-                yield SketchCircle(pose.ref(turn.center), pose.node(turn.radius), "convex", turn.radius)
+                yield sk.SketchCircle(pose.ref(turn.center), pose.node(turn.radius), "convex", turn.radius)
 
 
-def _touched(pose: DrawnPose, element: Element) -> SketchCircle:
+def _touched(pose: DrawnPose, element: Element) -> sk.SketchCircle:
     """Solid where nothing touches: inside for what is on it, outside for what is in it."""
     at, radius = pose.ref(element["circle"]), pose.node(element["radius"])
     body = element.values.get("body") or element["point"].body
     inside = body is not None and math.dist(pose.center(body), at) < radius
     kind = "rail" if element.kind == "guide" else _hollow(pose, element, at) if inside else "convex"
-    return SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
+    return sk.SketchCircle(at, radius, kind, element["radius"] if radius else None)  # a corner has no size to tell
 
 
-def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
+def _hollow(pose: DrawnPose, element: Element, at: sk.Point) -> str:
     """A bowl, if all that touches the circle is below its centre and no angle goes all round."""
     turning = [c for c in pose.study.problem.coordinates if c.quantity.dimension == NUMBER and c.start is not None]
     if any(None in (c.lower, c.upper) for c in turning):
@@ -167,21 +161,21 @@ def _hollow(pose: DrawnPose, element: Element, at: Point) -> str:
     return "bowl" if all(y < at[1] for _, y in places) else "concave"
 
 
-def cords(pose: DrawnPose) -> Iterator[SketchCord]:
+def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
     """Each string as a line of points, with arcs round its pulleys."""
     geometry = geometry_of(pose.study.system)
     for element in elements(pose, "string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
-        found: list[Point] = []
+        found: list[sk.Point] = []
         for number, piece in enumerate(pieces):
             found += [pose.point(piece.start), pose.point(piece.end)]
             if piece.second.sense and number + 1 < len(pieces):
                 middle, turn = pose.ref(piece.second.center), piece.second.sense
                 found += _round(found[-1], pose.point(pieces[number + 1].start), middle, turn)
-        yield SketchCord(tuple(found), element.values.get("length"))
+        yield sk.SketchCord(tuple(found), element.values.get("length"))
 
 
-def _round(start: Point, end: Point, middle: Point, sense: int) -> list[Point]:
+def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list[sk.Point]:
     """Points of the arc from one point of a circle to another."""
     first, last = (math.atan2(p[1] - middle[1], p[0] - middle[0]) for p in (start, end))
     turn = ((last - first) * sense) % math.tau
@@ -191,23 +185,23 @@ def _round(start: Point, end: Point, middle: Point, sense: int) -> list[Point]:
     return [(middle[0] + radius * math.cos(a), middle[1] + radius * math.sin(a)) for a in angles]
 
 
-def links(pose: DrawnPose) -> Iterator[SketchLink]:
+def links(pose: DrawnPose) -> Iterator[sk.SketchLink]:
     """Springs and dampers."""
     for element in elements(pose, "spring", "damper"):
         key = "stiffness" if element.kind == "spring" else "coefficient"
         start, end = (pose.ref(ref) for ref in element["between"])
-        yield SketchLink(element.kind, start, end, element[key])
+        yield sk.SketchLink(element.kind, start, end, element[key])
 
 
-def coils(pose: DrawnPose) -> Iterator[SketchCoil]:
+def coils(pose: DrawnPose) -> Iterator[sk.SketchCoil]:
     """Torsion springs and rotary dampers, at a hinge."""
     for element in elements(pose, "torsion-spring", "rotary-damper"):
         key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
         name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
-        yield SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
+        yield sk.SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))
 
 
-def _hinge(pose: DrawnPose, body: str) -> Point:
+def _hinge(pose: DrawnPose, body: str) -> sk.Point:
     """Where a body is hinged, else its centre."""
     held = (point.at for point in points(pose) if body in point.bodies)
     return next(held, pose.center(body))

@@ -5,29 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from rbpsym.document.figures import sketch as sk
 from rbpsym.document.figures.outlines import turned
 from rbpsym.document.figures.scene import Point
-from rbpsym.document.figures.sketch import (
-    Caption,
-    Sketch,
-    SketchBody,
-    SketchCouple,
-    SketchForce,
-    SketchLine,
-    SketchPoint,
-)
 from rbpsym.document.phrases import has_phrase, plain
 from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
 from rbpsym.notation.text import plain_letters
 
 
-def describe(sketch: Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:
+def describe(sketch: sk.Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:
     """The alt text of the schematic."""
     return sentence("figure.picture", list(seen(sketch, language, notation)), language)
 
 
 def describe_free_body(
-    sketch: Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT, body: str = ""
+    sketch: sk.Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT, body: str = ""
 ) -> str:
     """The alt text of a free-body diagram; `body` is what the body is called in a sentence."""
     parts = [force_words(f, language, notation) for f in sketch.forces if f.body == body_name]
@@ -43,7 +35,7 @@ def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
     return plain(key, language, parts=[part.strip() for part in parts], positive=positive, **slots)
 
 
-def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
+def seen(sketch: sk.Sketch, language: str, notation: Notation) -> Iterator[str]:
     """The parts of a system, one after the other."""
     for body in sketch.bodies:
         yield body_words(body, language, notation)
@@ -67,7 +59,7 @@ def seen(sketch: Sketch, language: str, notation: Notation) -> Iterator[str]:
         yield plain(f"figure.arrow.{arrow.kind}", language, name=named(arrow.label, notation))
 
 
-def named(label: Caption, notation: Notation) -> str:
+def named(label: sk.Caption, notation: Notation) -> str:
     """The label as text, "" for none."""
     return "" if label is None else label if isinstance(label, str) else plain_letters(label, notation)
 
@@ -79,7 +71,7 @@ def place(point: Point, language: str = "en", notation: Notation = DEFAULT) -> s
     return plain("figure.place", language, x=x.replace(".", mark), y=y.replace(".", mark))
 
 
-def body_words(body: SketchBody, language: str, notation: Notation) -> str:
+def body_words(body: sk.SketchBody, language: str, notation: Notation) -> str:
     """A body by its kind, name (if that says more) and place."""
     key = f"figure.shape.{body.kind}"
     half = body.sizes.get("length", 0.0) / 2
@@ -100,12 +92,12 @@ def body_words(body: SketchBody, language: str, notation: Notation) -> str:
     )
 
 
-def point_words(point: SketchPoint, language: str, notation: Notation) -> str:
+def point_words(point: sk.SketchPoint, language: str, notation: Notation) -> str:
     """A point by what it does."""
     return plain(f"figure.point.{point.kind}", language, name=named(point.label, notation))
 
 
-def line_kind(line: SketchLine) -> str:
+def line_kind(line: sk.SketchLine) -> str:
     """A horizontal line is a floor, a vertical one a wall, one that only leads a point a rail."""
     if line.kind == "rail":
         return "rail"
@@ -115,7 +107,7 @@ def line_kind(line: SketchLine) -> str:
 SIDES = ("right", "up", "left", "down")
 
 
-def force_words(force: SketchForce, language: str, notation: Notation) -> str:
+def force_words(force: sk.SketchForce, language: str, notation: Notation) -> str:
     """A force by its name and where it points."""
     quarters = math.atan2(force.direction[1], force.direction[0]) / (math.pi / 2)
     straight = abs(quarters - round(quarters)) < 1e-6
@@ -123,7 +115,7 @@ def force_words(force: SketchForce, language: str, notation: Notation) -> str:
     return plain("figure.part.force", language, variant=side, name=named(force.label, notation))
 
 
-def couple_words(couple: SketchCouple, language: str, notation: Notation) -> str:
+def couple_words(couple: sk.SketchCouple, language: str, notation: Notation) -> str:
     """A couple by its name and sense."""
     side = "counter_clockwise" if couple.sign > 0 else "clockwise"
     return plain("figure.part.couple", language, variant=side, name=named(couple.label, notation))

@@ -9,18 +9,7 @@ from functools import lru_cache
 from itertools import pairwise
 
 from rbpsym.document.breaking import node_height, node_width
-from rbpsym.document.figures.scene import (
-    DOT,
-    EM,
-    Circle,
-    Item,
-    Label,
-    Point,
-    Scene,
-    Strokes,
-    box_of,
-    points_of,
-)
+from rbpsym.document.figures import scene as s
 from rbpsym.notation.glyphs import DEFAULT, Notation
 
 Box = tuple[float, float, float, float]
@@ -33,47 +22,47 @@ CLEAR = 0.03
 class Stroke:
     """A piece of a line that labels keep clear of."""
 
-    start: Point
-    end: Point
+    start: s.Point
+    end: s.Point
     box: Box
 
 
 @lru_cache(maxsize=256)
-def placed(scene: Scene, notation: Notation = DEFAULT) -> Scene:
+def placed(scene: s.Scene, notation: Notation = DEFAULT) -> s.Scene:
     """The scene with a place for each label; the most constrained first. One that has a place keeps it."""
     strokes = tuple(strokes_of(scene))
-    done: list[Label] = []
+    done: list[s.Label] = []
     for label in scene.labels:
         sized = replace(label, size=label_size(label, notation))
         done.append(sized if label.place else replace(sized, place=best_place(sized, strokes, done)))
     return replace(scene, labels=tuple(done))
 
 
-def label_size(label: Label, notation: Notation) -> tuple[float, float]:
+def label_size(label: s.Label, notation: Notation) -> tuple[float, float]:
     """Width and height of a label, in cm."""
     if isinstance(label.content, str):
-        return EM * (0.5 * len(label.content) + 0.25), EM
+        return s.EM * (0.5 * len(label.content) + 0.25), s.EM
     wide, high = node_width(label.content, notation), node_height(label.content, notation)
-    return EM * (wide + 0.26), EM * high
+    return s.EM * (wide + 0.26), s.EM * high
 
 
-def strokes_of(scene: Scene) -> Iterator[Stroke]:
+def strokes_of(scene: s.Scene) -> Iterator[Stroke]:
     """All lines of a scene as straight pieces."""
     for item in scene.items:
         for start, end in pieces_of(item):
-            yield Stroke(start, end, box_of((start, end)))
+            yield Stroke(start, end, s.box_of((start, end)))
 
 
-def pieces_of(item: Item) -> tuple[tuple[Point, Point], ...]:
+def pieces_of(item: s.Item) -> tuple[tuple[s.Point, s.Point], ...]:
     """The straight pieces of an item; a point counts with the size of its dot."""
-    if isinstance(item, Strokes):
+    if isinstance(item, s.Strokes):
         return item.pieces
-    if isinstance(item, Circle):
-        item = replace(item, radius=max(item.radius, DOT))
-    return tuple(pairwise(points_of(item)))
+    if isinstance(item, s.Circle):
+        item = replace(item, radius=max(item.radius, s.DOT))
+    return tuple(pairwise(s.points_of(item)))
 
 
-def best_place(label: Label, strokes: tuple[Stroke, ...], done: list[Label]) -> Point:
+def best_place(label: s.Label, strokes: tuple[Stroke, ...], done: list[s.Label]) -> s.Point:
     """The first free place in the order of liking, else the least bad one."""
     best, least = label.target, math.inf
     for liking, place in candidates(label):
@@ -85,7 +74,7 @@ def best_place(label: Label, strokes: tuple[Stroke, ...], done: list[Label]) -> 
     return best
 
 
-def candidates(label: Label) -> Iterator[tuple[float, Point]]:
+def candidates(label: s.Label) -> Iterator[tuple[float, s.Point]]:
     """Places round the target, the most liked first, each with its dislike."""
     start = math.pi / 4 if label.toward is None else label.toward
     weight = 0.02 if label.toward is None else 0.12
@@ -97,7 +86,7 @@ def candidates(label: Label) -> Iterator[tuple[float, Point]]:
     return iter(sorted(found))
 
 
-def around(label: Label, angle: float, step: float) -> Point:
+def around(label: s.Label, angle: float, step: float) -> s.Point:
     """The centre of a label whose box begins `gap + step` from the target in a direction."""
     dx, dy = math.cos(angle), math.sin(angle)
     (x, y), (w, h) = label.target, label.size
@@ -106,7 +95,7 @@ def around(label: Label, angle: float, step: float) -> Point:
     return x + distance * dx, y + distance * dy
 
 
-def collision(box: Box, strokes: tuple[Stroke, ...], done: list[Label]) -> float:
+def collision(box: Box, strokes: tuple[Stroke, ...], done: list[s.Label]) -> float:
     """How bad a place is: labels on labels are worst, lines through labels bad."""
     wide = grown(box, CLEAR)
     labels = sum(100.0 for label in done if overlap(wide, label.box))
@@ -137,10 +126,10 @@ def crosses(stroke: Stroke, box: Box) -> bool:
     return low < high
 
 
-def collisions(scene: Scene) -> list[tuple[Label, object]]:
+def collisions(scene: s.Scene) -> list[tuple[s.Label, object]]:
     """Each label that lies on another one or on a line, with what it lies on."""
     strokes = tuple(strokes_of(scene))
-    found: list[tuple[Label, object]] = []
+    found: list[tuple[s.Label, object]] = []
     for place, label in enumerate(scene.labels):
         found += [(label, other) for other in scene.labels[:place] if overlap(label.box, other.box)]
         found += [(label, stroke) for stroke in strokes if crosses(stroke, label.box)]

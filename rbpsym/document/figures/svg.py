@@ -7,21 +7,8 @@ from collections.abc import Callable, Mapping
 from markupsafe import escape
 
 from rbpsym.document.accents import accented
+from rbpsym.document.figures import scene as s
 from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import (
-    COLORS,
-    DOT,
-    STYLES,
-    Arc,
-    Circle,
-    Label,
-    Line,
-    Point,
-    Scene,
-    Strokes,
-    head_shape,
-    heads_of,
-)
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.mathml import to_mathml
 
@@ -29,7 +16,7 @@ SCALE = 40.0  # user units a centimetre
 POINT = SCALE / 28.35
 
 
-def to_svg(scene: Scene, notation: Notation = DEFAULT) -> str:
+def to_svg(scene: s.Scene, notation: Notation = DEFAULT) -> str:
     """The scene as an `<svg>` element."""
     scene = placed(scene, notation)
     left, bottom, right, top = scene.bounds
@@ -48,40 +35,40 @@ def number(length: float) -> str:
     return "0" if text == "-0" else text
 
 
-def pair(point: Point) -> str:
+def pair(point: s.Point) -> str:
     """x,y downwards."""
     return f"{number(point[0])},{number(-point[1])}"
 
 
 def look(name: str) -> str:
     """The class and the line of a style."""
-    style = STYLES[name]
+    style = s.STYLES[name]
     dash = f' stroke-dasharray="{number(style.dash)}"' if style.dash else ""
     filled = f"fill-{style.fill}" if style.fill else "fill-none"
     return f'class="ink-{style.stroke} {filled}" stroke-width="{style.width * POINT:.2f}"{dash}'
 
 
-def line_svg(item: Line) -> str:
+def line_svg(item: s.Line) -> str:
     """A polyline or polygon with its heads."""
     tag = "polygon" if item.closed else "polyline"
     points = " ".join(map(pair, item.points))
     return f'<{tag} points="{points}" {look(item.style)}/>{heads_svg(item)}'
 
 
-def strokes_svg(item: Strokes) -> str:
+def strokes_svg(item: s.Strokes) -> str:
     """All strokes in one path."""
     path = "".join(f"M{pair(start)} L{pair(end)}" for start, end in item.pieces)
     return f'<path d="{path}" {look(item.style)}/>'
 
 
-def circle_svg(item: Circle) -> str:
+def circle_svg(item: s.Circle) -> str:
     """A circle; one without size is a dot."""
     x, y = pair(item.center).split(",")
-    radius = number(max(item.radius, DOT))
+    radius = number(max(item.radius, s.DOT))
     return f'<circle cx="{x}" cy="{y}" r="{radius}" {look(item.style)}/>'
 
 
-def arc_svg(item: Arc) -> str:
+def arc_svg(item: s.Arc) -> str:
     """An arc with its heads."""
     large = int(abs(item.end - item.start) > 3.141592653589793)
     sweep = int(item.end < item.start)
@@ -90,19 +77,24 @@ def arc_svg(item: Arc) -> str:
     return f'<path d="{path}" {look(item.style)}/>{heads_svg(item)}'
 
 
-def heads_svg(item: Line | Arc) -> str:
+def heads_svg(item: s.Line | s.Arc) -> str:
     """Arrow heads as filled triangles."""
-    style = STYLES[item.style]
+    style = s.STYLES[item.style]
     return "".join(
-        f'<polygon points="{" ".join(map(pair, head_shape(tip, angle, style.width)))}" class="fill-{style.stroke}"/>'
-        for tip, angle in heads_of(item)
+        f'<polygon points="{" ".join(map(pair, s.head_shape(tip, angle, style.width)))}" class="fill-{style.stroke}"/>'
+        for tip, angle in s.heads_of(item)
     )
 
 
-PRINT: Mapping[type, Callable[..., str]] = {Line: line_svg, Strokes: strokes_svg, Circle: circle_svg, Arc: arc_svg}
+PRINT: Mapping[type, Callable[..., str]] = {
+    s.Line: line_svg,
+    s.Strokes: strokes_svg,
+    s.Circle: circle_svg,
+    s.Arc: arc_svg,
+}
 
 
-def label_svg(label: Label, notation: Notation) -> str:
+def label_svg(label: s.Label, notation: Notation) -> str:
     """A label as MathML in a box that is a little larger than the label."""
     left, _, right, top = label.box
     plain = isinstance(label.content, str)
@@ -117,8 +109,8 @@ def label_svg(label: Label, notation: Notation) -> str:
 
 def color_rules() -> str:
     """The style sheet of the scene's colours, for light and dark."""
-    light = "".join(color_rule(name, pair[0]) for name, pair in COLORS.items())
-    dark = "".join(color_rule(name, pair[1]) for name, pair in COLORS.items())
+    light = "".join(color_rule(name, pair[0]) for name, pair in s.COLORS.items())
+    dark = "".join(color_rule(name, pair[1]) for name, pair in s.COLORS.items())
     return f"{light}@media screen and (prefers-color-scheme:dark){{{dark}}}"
 
 

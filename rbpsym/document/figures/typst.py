@@ -6,22 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 
 from rbpsym.document.escaping import typst_string
+from rbpsym.document.figures import scene as s
 from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scene import (
-    COLORS,
-    DOT,
-    STYLES,
-    Arc,
-    Circle,
-    Label,
-    Line,
-    Point,
-    Scene,
-    Strokes,
-    head_shape,
-    heads_of,
-    polar,
-)
 from rbpsym.document.figures.tikz import number
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.typst import to_typst
@@ -29,7 +15,7 @@ from rbpsym.notation.typst import to_typst
 Origin = tuple[float, float]
 
 
-def to_typst_drawing(scene: Scene, notation: Notation = DEFAULT) -> str:
+def to_typst_drawing(scene: s.Scene, notation: Notation = DEFAULT) -> str:
     """The scene as a call of `drawing` (see templates/notes.typ) in code mode."""
     scene = placed(scene, notation)
     left, bottom, right, top = scene.bounds
@@ -40,14 +26,14 @@ def to_typst_drawing(scene: Scene, notation: Notation = DEFAULT) -> str:
     return "drawing({}, {{\n{}\n}})".format(size, "\n".join(f"  {item}" for item in items))
 
 
-def pair(point: Point, origin: Origin) -> str:
+def pair(point: s.Point, origin: Origin) -> str:
     """(x, y) from the upper left corner."""
     return f"({number(point[0] - origin[0])}cm, {number(origin[1] - point[1])}cm)"
 
 
 def look(name: str) -> str:
     """Fill and stroke of a style."""
-    style = STYLES[name]
+    style = s.STYLES[name]
     dash = f", dash: ({style.dash}cm, {style.dash}cm)" if style.dash else ""
     stroke = f'stroke: (paint: {color(style.stroke)}, thickness: {style.width}pt, join: "round"{dash})'
     return f"fill: {color(style.fill) if style.fill else 'none'}, {stroke}"
@@ -55,10 +41,10 @@ def look(name: str) -> str:
 
 def color(name: str) -> str:
     """The light colour of that name."""
-    return f'rgb("{COLORS[name][0]}")'
+    return f'rgb("{s.COLORS[name][0]}")'
 
 
-def line_typst(item: Line, origin: Origin) -> str:
+def line_typst(item: s.Line, origin: Origin) -> str:
     """A curve of straight pieces."""
     first, *others = (pair(point, origin) for point in item.points)
     steps = [f"curve.move({first})", *(f"curve.line({point})" for point in others)]
@@ -66,7 +52,7 @@ def line_typst(item: Line, origin: Origin) -> str:
     return f"place(curve({look(item.style)}, {', '.join(steps)}))" + heads_typst(item, origin)
 
 
-def strokes_typst(item: Strokes, origin: Origin) -> str:
+def strokes_typst(item: s.Strokes, origin: Origin) -> str:
     """All strokes in one curve."""
     steps = ", ".join(
         f"curve.move({pair(start, origin)}), curve.line({pair(end, origin)})" for start, end in item.pieces
@@ -74,16 +60,16 @@ def strokes_typst(item: Strokes, origin: Origin) -> str:
     return f"place(curve({look(item.style)}, {steps}))"
 
 
-def circle_typst(item: Circle, origin: Origin) -> str:
+def circle_typst(item: s.Circle, origin: Origin) -> str:
     """A circle, placed by its corner."""
-    radius = max(item.radius, DOT)
+    radius = max(item.radius, s.DOT)
     x, y = item.center[0] - radius, item.center[1] + radius
     dx, dy = number(x - origin[0]), number(origin[1] - y)
     shape = f"circle(radius: {number(radius)}cm, {look(item.style)})"
     return f"place(dx: {dx}cm, dy: {dy}cm, {shape})"
 
 
-def arc_typst(item: Arc, origin: Origin) -> str:
+def arc_typst(item: s.Arc, origin: Origin) -> str:
     """An arc as cubic pieces, each less than an eighth of a turn."""
     count = max(1, round(abs(item.end - item.start) / 0.7) + 1)
     steps = [f"curve.move({pair(item.at(0), origin)})"]
@@ -91,35 +77,35 @@ def arc_typst(item: Arc, origin: Origin) -> str:
     return f"place(curve({look(item.style)}, {', '.join(steps)}))" + heads_typst(item, origin)
 
 
-def cubic(item: Arc, low: float, high: float, origin: Origin) -> str:
+def cubic(item: s.Arc, low: float, high: float, origin: Origin) -> str:
     """The Bézier piece of an arc between two shares of it."""
     turn = (high - low) * (item.end - item.start)
     start, end = (item.start + share * (item.end - item.start) for share in (low, high))
     reach = item.radius * 4 / 3 * math.tan(turn / 4)
-    a = polar(item.at(low), reach, start + math.pi / 2)
-    b = polar(item.at(high), -reach, end + math.pi / 2)
+    a = s.polar(item.at(low), reach, start + math.pi / 2)
+    b = s.polar(item.at(high), -reach, end + math.pi / 2)
     points = ", ".join(pair(point, origin) for point in (a, b, item.at(high)))
     return f"curve.cubic({points})"
 
 
-def heads_typst(item: Line | Arc, origin: Origin) -> str:
+def heads_typst(item: s.Line | s.Arc, origin: Origin) -> str:
     """Arrow heads as filled polygons."""
-    style = STYLES[item.style]
-    heads = (head_shape(tip, angle, style.width) for tip, angle in heads_of(item))
+    style = s.STYLES[item.style]
+    heads = (s.head_shape(tip, angle, style.width) for tip, angle in s.heads_of(item))
     return "".join(
         f"; place(polygon(fill: {color(style.stroke)}, {', '.join(pair(p, origin) for p in head)}))" for head in heads
     )
 
 
 PRINT: Mapping[type, Callable[..., str]] = {
-    Line: line_typst,
-    Strokes: strokes_typst,
-    Circle: circle_typst,
-    Arc: arc_typst,
+    s.Line: line_typst,
+    s.Strokes: strokes_typst,
+    s.Circle: circle_typst,
+    s.Arc: arc_typst,
 }
 
 
-def label_typst(label: Label, origin: Origin, notation: Notation) -> str:
+def label_typst(label: s.Label, origin: Origin, notation: Notation) -> str:
     """A label, centred at its place."""
     x, y = label.place
     plain = isinstance(label.content, str)

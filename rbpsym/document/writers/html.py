@@ -10,23 +10,9 @@ from functools import cache
 from markupsafe import Markup, escape
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import typographic
 from rbpsym.document.figures.svg import color_rules, to_svg
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    Emph,
-    FigureBlock,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.resources import data_folder
 from rbpsym.document.writers.html_math import display_math, inline_math, widest_piece
@@ -50,7 +36,7 @@ class Around:
     after: tuple[str, str] | None = None
 
 
-def write_html(document: Document, around: Around = Around()) -> str:
+def write_html(document: d.Document, around: Around = Around()) -> str:
     """The document as one HTML file, with links to the site `around` it."""
     document = numbered(document)
     page = page_for(document, HTML, COLUMN)
@@ -86,17 +72,17 @@ def font() -> str:
     return base64.b64encode(path.read_bytes()).decode() if path.is_file() else ""
 
 
-def section_id(part: Section) -> str:
+def section_id(part: d.Section) -> str:
     """The target of links to a section."""
     return part.label or f"section-{part.number}"
 
 
-def contents_entry(part: Section, page: Page) -> tuple[str, str, Markup]:
+def contents_entry(part: d.Section, page: Page) -> tuple[str, str, Markup]:
     """Target, number and title of a line in the contents."""
     return section_id(part), part.number, Markup(page.inlines(part.title))
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """A heading and what stands under it."""
     if not part.title:
         return page.blocks(part.blocks, "\n")
@@ -112,12 +98,12 @@ def identity(label: str) -> str:
     return f' id="{escape(label)}"' if label else ""
 
 
-def reference(inline: Ref, page: Page) -> str:
+def reference(inline: d.Ref, page: Page) -> str:
     """A link that shows the number."""
     return f'<a href="#{escape(inline.label)}">{escape(inline.mark)}</a>'
 
 
-def display(block: Display, page: Page) -> str:
+def display(block: d.Display, page: Page) -> str:
     """A displayed formula with its number at the right; boxes are CSS."""
     mark = page.show(block.repeats) if block.repeats else block.mark
     number = f'<span class="number">{mark}</span>' if mark else ""
@@ -128,7 +114,7 @@ def display(block: Display, page: Page) -> str:
     return f'<div class="{kind}"{identity(block.label)}>{math}{aside}{number}</div>'
 
 
-def shrinking(block: Display, page: Page) -> str:
+def shrinking(block: d.Display, page: Page) -> str:
     """How wide the widest piece is that does not fold, if a phone has less room: it is set smaller there and scrolls."""
     widest = widest_piece(block, page)
     return f' tabindex="0" style="--wide:{widest:.1f}"' if widest > PHONE else ""
@@ -137,7 +123,7 @@ def shrinking(block: Display, page: Page) -> str:
 PHONE = 14.0  # em
 
 
-def reason(block: Display, page: Page) -> str:
+def reason(block: d.Display, page: Page) -> str:
     """The reason of a step, beside or below."""
     if block.reason is None:
         return ""
@@ -145,7 +131,7 @@ def reason(block: Display, page: Page) -> str:
     return f'<span class="reason {place}">{page.inlines(block.reason)}</span>'
 
 
-def table(block: Table, page: Page) -> str:
+def table(block: d.Table, page: Page) -> str:
     """A table that scrolls by itself where the screen is narrow."""
     caption = captioned(block, "table", page) if block.caption else ""
     head = row(block.header, block.columns, "th", page)
@@ -158,7 +144,7 @@ def table(block: Table, page: Page) -> str:
     )
 
 
-def table_name(block: Table, page: Page) -> str:
+def table_name(block: d.Table, page: Page) -> str:
     """What a screen reader calls the region."""
     return page.word("block.table", number=block.number).strip()
 
@@ -176,17 +162,17 @@ def row(cells: tuple, columns: str, tag: str, page: Page) -> str:
 def content(cell: tuple, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
     found = page.inlines(cell)
-    alone = len(cell) == 1 and isinstance(cell[0], Math)
+    alone = len(cell) == 1 and isinstance(cell[0], d.Math)
     return found.replace("<math ", '<math displaystyle="true" ', 1) if alone else found
 
 
-def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
+def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:
     """ "Figure 2. What is seen"."""
     name = escape(page.word(f"block.{kind}", number=block.number))
     return f'<span class="caption-name">{name}.</span> {page.inlines(block.caption)}'
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """Scenes side by side with their caption; one image for a screen reader."""
     scenes = "\n".join(to_svg(scene, page.notation) for scene in block.scenes)
     caption = captioned(block, "figure", page)
@@ -197,14 +183,14 @@ def figure(block: FigureBlock, page: Page) -> str:
     )
 
 
-def item_list(block: ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: Page) -> str:
     """A list."""
     tag = "ol" if block.ordered else "ul"
     items = "\n".join(f"<li>{page.inlines(item)}</li>" for item in block.items)
     return f"<{tag}>{items}</{tag}>"
 
 
-def callout(block: Callout, page: Page) -> str:
+def callout(block: d.Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or escape(page.word(f"callout.{block.kind}"))
     inner = page.blocks(block.blocks, "\n")
@@ -212,16 +198,16 @@ def callout(block: Callout, page: Page) -> str:
 
 
 HTML: Mapping[type, Print] = {
-    Text: lambda inline, page: str(escape(typographic(inline.text))),
-    Math: lambda inline, page: inline_math(inline.node, page),
-    Ref: reference,
-    Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
-    Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
-    Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
-    Display: display,
-    Table: table,
-    FigureBlock: figure,
-    ItemList: item_list,
-    Callout: callout,
-    Section: section,
+    d.Text: lambda inline, page: str(escape(typographic(inline.text))),
+    d.Math: lambda inline, page: inline_math(inline.node, page),
+    d.Ref: reference,
+    d.Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
+    d.Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
+    d.Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+    d.Display: display,
+    d.Table: table,
+    d.FigureBlock: figure,
+    d.ItemList: item_list,
+    d.Callout: callout,
+    d.Section: section,
 }

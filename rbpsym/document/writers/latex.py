@@ -5,23 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.tikz import tikz_styles, to_tikz
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    Emph,
-    FigureBlock,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.phrases import plain
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
@@ -32,7 +18,7 @@ from rbpsym.notation.latex import PREAMBLE, render, to_latex
 COLUMN = 37.0
 
 
-def write_latex(document: Document) -> str:
+def write_latex(document: d.Document) -> str:
     """The document as a LaTeX source file."""
     document = numbered(document)
     page = page_for(document, LATEX, COLUMN)
@@ -58,7 +44,7 @@ def babel(language: str) -> str:
 HEADINGS = {0: r"\part*", 1: r"\section", 2: r"\subsection", 3: r"\subsubsection*"}
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """A heading and what stands under it."""
     if not part.title:
         return blocks(part.blocks, page)
@@ -70,7 +56,7 @@ def blocks(parts: tuple, page: Page) -> str:
     """Blocks below each other; a formula and what it follows are one paragraph for TeX."""
     found = ""
     for block, before in zip(parts, (None, *parts[:-1]), strict=False):
-        goes_on = isinstance(before, (Paragraph, Display)) and isinstance(block, Display)
+        goes_on = isinstance(before, (d.Paragraph, d.Display)) and isinstance(block, d.Display)
         found += ("" if before is None else "\n" if goes_on else "\n\n") + page.show(block)
     return found
 
@@ -80,13 +66,13 @@ def anchor(label: str) -> str:
     return rf"\label{{{label}}}" if label else ""
 
 
-def reference(inline: Ref, page: Page) -> str:
+def reference(inline: d.Ref, page: Page) -> str:
     """A reference that TeX resolves itself: an equation's comes in brackets."""
     command = r"\pageref" if inline.page else r"\eqref" if inline.mark.startswith("(") else r"\ref"
     return f"{command}{{{inline.label}}}"
 
 
-def display(block: Display, page: Page) -> str:
+def display(block: d.Display, page: Page) -> str:
     """A displayed formula, numbered or not, boxed or not, with its reason."""
     star = "" if block.numbered else "*"
     content = with_reason(block, framed(block, formula(block, page)), page)
@@ -95,7 +81,7 @@ def display(block: Display, page: Page) -> str:
     return "\n".join(lines)
 
 
-def formula(block: Display, page: Page) -> str:
+def formula(block: d.Display, page: Page) -> str:
     """The formula in one row or an aligned block; shrunk only if nothing else helps."""
     lines = breaking.display_lines(block, page.notation, page.column)
     content = formula_text(lines)
@@ -121,12 +107,12 @@ def aligned_line(line: breaking.Line) -> str:
     return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 
-def framed(block: Display, content: str) -> str:
+def framed(block: d.Display, content: str) -> str:
     """The content in a box, if it is a result."""
     return rf"\boxed{{{content}}}" if block.boxed else content
 
 
-def with_reason(block: Display, content: str, page: Page) -> str:
+def with_reason(block: d.Display, content: str, page: Page) -> str:
     """The content with its reason beside it, or below where there is no room."""
     if block.reason is None:
         return content
@@ -136,7 +122,7 @@ def with_reason(block: Display, content: str, page: Page) -> str:
     return f"\\begin{{gathered}}\n{content} \\\\\n\\reasonbelow{{{reason}}}\n\\end{{gathered}}"
 
 
-def table(block: Table, page: Page) -> str:
+def table(block: d.Table, page: Page) -> str:
     """A table with three rules; columns of words wrap, and what is still too wide is shrunk."""
     lines = [" & ".join(map(page.inlines, block.header)) + r" \\ \midrule"]
     lines += [f"{' & '.join(cell(c, page) for c in row)}{strut(row, page)} \\\\" for row in block.rows]
@@ -148,19 +134,19 @@ def table(block: Table, page: Page) -> str:
 
 def cell(inlines: tuple, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
-    if len(inlines) != 1 or not isinstance(inlines[0], Math):
+    if len(inlines) != 1 or not isinstance(inlines[0], d.Math):
         return page.inlines(inlines)
     return rf"$\displaystyle {to_latex(inlines[0].node, page.notation)}$"
 
 
 def strut(row: tuple, page: Page) -> str:
     """What keeps the lines of a row with tall formulas apart."""
-    nodes = [part.node for inlines in row for part in inlines if isinstance(part, Math)]
+    nodes = [part.node for inlines in row for part in inlines if isinstance(part, d.Math)]
     tall = any(breaking.node_height(node, page.notation) > 1.6 for node in nodes)
     return r"\tallrow" if tall else ""
 
 
-def tabular(block: Table, rules: str, page: Page) -> str:
+def tabular(block: d.Table, rules: str, page: Page) -> str:
     """The rules and rows in the environment that gives the columns their widths."""
     columns = column_spec(block, page)
     if "X" in columns:
@@ -170,12 +156,12 @@ def tabular(block: Table, rules: str, page: Page) -> str:
     return rf"\resizebox{{\linewidth}}{{!}}{{{inner}}}" if too_wide else inner
 
 
-def column_spec(block: Table, page: Page) -> str:
+def column_spec(block: d.Table, page: Page) -> str:
     """Columns of words share the room that is left or wrap; formulas and short ones take theirs."""
     return "".join(column(block, place, page) for place in range(len(block.header)))
 
 
-def column(block: Table, place: int, page: Page) -> str:
+def column(block: d.Table, place: int, page: Page) -> str:
     """The letter of one column."""
     letter = block.columns[place]
     if letter == "p":
@@ -184,38 +170,38 @@ def column(block: Table, place: int, page: Page) -> str:
     return "X" if letter == "l" and breaking.is_wordy(block, place) else letter
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """Scenes side by side, with their caption."""
     scenes = "\\hfil\n".join(to_tikz(scene, page.notation) for scene in block.scenes)
     caption = rf"\caption{{{page.inlines(block.caption)}}}"
     return f"\\begin{{figure}}[!ht]\\centering\n{scenes}\n{caption}{anchor(block.label)}\n\\end{{figure}}"
 
 
-def item_list(block: ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: Page) -> str:
     """A list."""
     kind = "enumerate" if block.ordered else "itemize"
     items = "\n".join(rf"  \item {page.inlines(item)}" for item in block.items)
     return f"\\begin{{{kind}}}\n{items}\n\\end{{{kind}}}"
 
 
-def callout(block: Callout, page: Page) -> str:
+def callout(block: d.Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or latex_text(page.word(f"callout.{block.kind}"))
-    joint = "\n" if block.blocks and isinstance(block.blocks[0], Display) else "\n\n"
+    joint = "\n" if block.blocks and isinstance(block.blocks[0], d.Display) else "\n\n"
     return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}{joint}{blocks(block.blocks, page)}\n\\end{{callout}}"
 
 
 LATEX: Mapping[type, Print] = {
-    Text: lambda inline, page: latex_text(inline.text),
-    Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
-    Ref: reference,
-    Emph: lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",
-    Strong: lambda inline, page: rf"\textbf{{{page.inlines(inline.inlines)}}}",
-    Paragraph: lambda block, page: page.inlines(block.inlines),
-    Display: display,
-    Table: table,
-    FigureBlock: figure,
-    ItemList: item_list,
-    Callout: callout,
-    Section: section,
+    d.Text: lambda inline, page: latex_text(inline.text),
+    d.Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
+    d.Ref: reference,
+    d.Emph: lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",
+    d.Strong: lambda inline, page: rf"\textbf{{{page.inlines(inline.inlines)}}}",
+    d.Paragraph: lambda block, page: page.inlines(block.inlines),
+    d.Display: display,
+    d.Table: table,
+    d.FigureBlock: figure,
+    d.ItemList: item_list,
+    d.Callout: callout,
+    d.Section: section,
 }

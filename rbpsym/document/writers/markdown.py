@@ -6,23 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import markdown_text
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    Emph,
-    FigureBlock,
-    Inlines,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.markdown_math import in_cell, in_markdown, wrapped
@@ -37,14 +22,14 @@ class MarkdownPage(Page):
     pictures: Mapping[str, str] | None = None
 
 
-def write_markdown(document: Document, pictures: Mapping[str, str] | None = None) -> str:
+def write_markdown(document: d.Document, pictures: Mapping[str, str] | None = None) -> str:
     """The document as Markdown; a figure without an address in `pictures` is told by its alt text."""
     document = numbered(document)
     page = markdown_page(document, pictures)
     return "\n\n".join([*head(document, page), body(document, page)]) + "\n"
 
 
-def markdown_files(document: Document, stem: str) -> dict[str, str | bytes]:
+def markdown_files(document: d.Document, stem: str) -> dict[str, str | bytes]:
     """The Markdown file and an SVG file for each figure, by the names that they should have."""
     from rbpsym.document.pictures import pictures
 
@@ -53,26 +38,26 @@ def markdown_files(document: Document, stem: str) -> dict[str, str | bytes]:
     return {f"{stem}.md": write_markdown(document, places)} | {name: found.content for name, found in drawn.items()}
 
 
-def markdown_page(document: Document, pictures: Mapping[str, str] | None = None) -> MarkdownPage:
+def markdown_page(document: d.Document, pictures: Mapping[str, str] | None = None) -> MarkdownPage:
     """The page that a numbered document is printed on."""
     return MarkdownPage(MARKDOWN, document.notation, document.language, COLUMN, pictures)
 
 
-def head(document: Document, page: Page) -> list[str]:
+def head(document: d.Document, page: Page) -> list[str]:
     """Title, subtitle and source."""
     found = [f"# {page.inlines(document.title)}", page.inlines(document.subtitle)]
     found += [f"*{page.inlines(document.source)}*"] if document.source else []
     return [line for line in found if line]
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """A heading and what stands under it."""
     number = f"{part.number} " if part.number else ""
     heading = f"{'#' * (min(part.level, 3) + 1)} {number}{page.inlines(part.title)}"
     return f"{heading}\n\n{page.blocks(part.blocks)}"
 
 
-def display(block: Display, page: Page) -> str:
+def display(block: d.Display, page: Page) -> str:
     """A formula between double dollars, its reason below."""
     lines = breaking.display_lines(block, page.notation, page.column)
     tag = rf" \tag{{{block.mark.strip('()')}}}" if block.mark else ""
@@ -82,7 +67,7 @@ def display(block: Display, page: Page) -> str:
     return f"$$\n{in_markdown(content)}{tag}\n$$" + reason
 
 
-def table(block: Table, page: Page) -> str:
+def table(block: d.Table, page: Page) -> str:
     """A pipe table with its caption above."""
     rules = " | ".join({"l": ":--", "p": ":--", "c": ":-:", "r": "--:"}[letter] for letter in block.columns)
     rows = [" | ".join(cell(inlines, page) for inlines in row) for row in (block.header, *block.rows)]
@@ -90,20 +75,20 @@ def table(block: Table, page: Page) -> str:
     return f"{captioned(block, 'table', page)}\n\n{lines}" if block.caption else lines
 
 
-def cell(inlines: Inlines, page: Page) -> str:
+def cell(inlines: d.Inlines, page: Page) -> str:
     """A cell; a formula alone in it stands in display style."""
-    if len(inlines) != 1 or not isinstance(inlines[0], Math):
+    if len(inlines) != 1 or not isinstance(inlines[0], d.Math):
         return in_cell(page.inlines(inlines))
     style = r"\displaystyle " if breaking.node_height(inlines[0].node, page.notation) > 1.6 else ""
     return in_cell(f"${style}{in_markdown(to_latex(inlines[0].node, page.notation))}$")
 
 
-def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
+def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:
     """ "**Figure 2.** What is seen"."""
     return f"**{page.word(f'block.{kind}', number=block.number)}.** {page.inlines(block.caption)}"
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """The picture and its caption; without a picture, what would be seen."""
     address = (getattr(page, "pictures", None) or {}).get(block.number)
     if address is None:
@@ -111,14 +96,14 @@ def figure(block: FigureBlock, page: Page) -> str:
     return f"![{markdown_text(' '.join(block.alt.split()))}]({address})\n\n{captioned(block, 'figure', page)}"
 
 
-def item_list(block: ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: Page) -> str:
     """A list."""
     marks = [f"{place}." if block.ordered else "-" for place in range(1, len(block.items) + 1)]
     pairs = zip(marks, block.items, strict=True)
     return "\n".join(f"{mark} {page.inlines(item)}" for mark, item in pairs)
 
 
-def callout(block: Callout, page: Page) -> str:
+def callout(block: d.Callout, page: Page) -> str:
     """A quoted block with its title."""
     title = page.inlines(block.title) or markdown_text(page.word(f"callout.{block.kind}"))
     inner = f"**{title}**\n\n{page.blocks(block.blocks)}"
@@ -126,16 +111,16 @@ def callout(block: Callout, page: Page) -> str:
 
 
 MARKDOWN: Mapping[type, Print] = {
-    Text: lambda inline, page: markdown_text(inline.text),
-    Math: lambda inline, page: f"${in_markdown(to_latex(inline.node, page.notation))}$",
-    Ref: lambda inline, page: inline.mark,
-    Emph: lambda inline, page: wrapped("*", page.inlines(inline.inlines)),
-    Strong: lambda inline, page: wrapped("**", page.inlines(inline.inlines)),
-    Paragraph: lambda block, page: page.inlines(block.inlines),
-    Display: display,
-    Table: table,
-    FigureBlock: figure,
-    ItemList: item_list,
-    Callout: callout,
-    Section: section,
+    d.Text: lambda inline, page: markdown_text(inline.text),
+    d.Math: lambda inline, page: f"${in_markdown(to_latex(inline.node, page.notation))}$",
+    d.Ref: lambda inline, page: inline.mark,
+    d.Emph: lambda inline, page: wrapped("*", page.inlines(inline.inlines)),
+    d.Strong: lambda inline, page: wrapped("**", page.inlines(inline.inlines)),
+    d.Paragraph: lambda block, page: page.inlines(block.inlines),
+    d.Display: display,
+    d.Table: table,
+    d.FigureBlock: figure,
+    d.ItemList: item_list,
+    d.Callout: callout,
+    d.Section: section,
 }

@@ -6,15 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 
-from rbpsym.document.model import (
-    Block,
-    Display,
-    Document,
-    DocumentError,
-    Inlines,
-    Paragraph,
-    Section,
-)
+from rbpsym.document import model as d
 from rbpsym.document.phrases import plain
 from rbpsym.document.resources import data_folder
 from rbpsym.notation.glyphs import Notation
@@ -39,37 +31,37 @@ class Page:
         try:
             show = self.table[type(part)]
         except KeyError:
-            raise DocumentError(f"no writer for {type(part).__name__}") from None
+            raise d.DocumentError(f"no writer for {type(part).__name__}") from None
         return show(part, self)
 
-    def inlines(self, inlines: Inlines) -> str:
+    def inlines(self, inlines: d.Inlines) -> str:
         """Inlines side by side."""
         return "".join(map(self.show, inlines))
 
-    def blocks(self, blocks: tuple[Block, ...], between: str = "\n\n") -> str:
+    def blocks(self, blocks: tuple[d.Block, ...], between: str = "\n\n") -> str:
         """Blocks below each other."""
         return between.join(map(self.show, blocks))
 
-    def is_lead(self, block: Block, after: Block | None) -> bool:
+    def is_lead(self, block: d.Block, after: d.Block | None) -> bool:
         """Does a paragraph lead to the formula below it, so that no page may end between them?"""
-        return isinstance(block, Paragraph) and isinstance(after, Display)
+        return isinstance(block, d.Paragraph) and isinstance(after, d.Display)
 
     def word(self, key: str, **slots: object) -> str:
         """A phrase that is only text, in the document's language, unescaped."""
         return plain(key, self.language, **slots)
 
 
-def page_for(document: Document, table: Mapping[type, Print], column: float) -> Page:
+def page_for(document: d.Document, table: Mapping[type, Print], column: float) -> Page:
     """The page that a numbered document is printed on."""
     return Page(table, document.notation, document.language, column)
 
 
-def body(document: Document, page: Page) -> str:
+def body(document: d.Document, page: Page) -> str:
     """All sections."""
-    return "\n\n".join(page.table[Section](section, page_of(section, page)) for section in document.sections)
+    return "\n\n".join(page.table[d.Section](section, page_of(section, page)) for section in document.sections)
 
 
-def page_of(section: Section, page: Page) -> Page:
+def page_of(section: d.Section, page: Page) -> Page:
     """The page with the notation of a section."""
     return page if section.notation is None else replace(page, notation=section.notation)
 

@@ -7,21 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.tikz import tikz_styles, to_tikz
-from rbpsym.document.model import (
-    Block,
-    Callout,
-    Display,
-    Document,
-    FigureBlock,
-    ItemList,
-    Math,
-    Paragraph,
-    Section,
-    Table,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import LATEX, anchor, babel, blocks
 from rbpsym.document.writers.page import Page, Print, page_for, page_of, shell
@@ -37,7 +26,7 @@ CENTIMETRE = 2.85  # em
 WIDEST = TEXT / CENTIMETRE  # cm of a figure
 
 
-def write_slides(document: Document) -> str:
+def write_slides(document: d.Document) -> str:
     """The document as a LaTeX source for beamer."""
     document = numbered(document)
     page = page_for(document, SLIDES, COLUMN)
@@ -58,14 +47,14 @@ def write_slides(document: Document) -> str:
     return with_rare_letters(source)
 
 
-def slides_files(document: Document, stem: str) -> dict[str, str | bytes]:
+def slides_files(document: d.Document, stem: str) -> dict[str, str | bytes]:
     """The LaTeX source, and the PDF where pdflatex is installed."""
     source = write_slides(document)
     found: dict[str, str | bytes] = {f"{stem}-slides.tex": source}
     return found | {f"{stem}-slides.pdf": compiled(source)} if has_pdflatex() else found
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """The frames of a section; one without text of its own is a frame with its title."""
     title = page.inlines(part.title)
     command = {0: r"\part", 1: r"\section", 2: r"\subsection"}.get(part.level)
@@ -76,7 +65,7 @@ def section(part: Section, page: Page) -> str:
     return heading + "\n\n".join(frame(title, place, group, page) for place, group in enumerate(found))
 
 
-def frame(title: str, place: int, group: tuple[Block, ...], page: Page) -> str:
+def frame(title: str, place: int, group: tuple[d.Block, ...], page: Page) -> str:
     """A frame; the second of a section and those after it say so."""
     count = rf"\,{{\small({place + 1})}}" if place else ""
     return (
@@ -88,11 +77,11 @@ def frame(title: str, place: int, group: tuple[Block, ...], page: Page) -> str:
 class Piece:
     """Blocks that stay on one frame, and their height in em."""
 
-    blocks: tuple[Block, ...]
+    blocks: tuple[d.Block, ...]
     height: float
 
 
-def frames(found: tuple[Block, ...], page: Page) -> Iterator[tuple[Block, ...]]:
+def frames(found: tuple[d.Block, ...], page: Page) -> Iterator[tuple[d.Block, ...]]:
     """The blocks in as few groups as fit frames, about equally full."""
     whole = list(pieces(found, page))
     heights = [piece.height for piece in whole]
@@ -102,11 +91,11 @@ def frames(found: tuple[Block, ...], page: Page) -> Iterator[tuple[Block, ...]]:
     yield from (tuple(block for k in group for block in whole[k].blocks) for group in even)
 
 
-def pieces(found: tuple[Block, ...], page: Page) -> Iterator[Piece]:
+def pieces(found: tuple[d.Block, ...], page: Page) -> Iterator[Piece]:
     """What must not be torn apart: words and the formula they lead to; a table is cut between rows."""
-    lead: tuple[Block, ...] = ()
+    lead: tuple[d.Block, ...] = ()
     for block, after in zip(found, (*found[1:], None), strict=True):
-        if isinstance(block, Paragraph) and isinstance(after, (Display, Table, ItemList)):
+        if isinstance(block, d.Paragraph) and isinstance(after, (d.Display, d.Table, d.ItemList)):
             lead = (*lead, block)
             continue
         first, *others = cut(block, page, FULL - sum(height(b, page) for b in lead))
@@ -115,16 +104,16 @@ def pieces(found: tuple[Block, ...], page: Page) -> Iterator[Piece]:
         lead = ()
 
 
-def cut(block: Block, page: Page, room: float) -> list[Block]:
+def cut(block: d.Block, page: Page, room: float) -> list[d.Block]:
     """A block as several that each fit a frame, where that is possible."""
-    if isinstance(block, Table):
+    if isinstance(block, d.Table):
         return cut_table(block, page, room)
-    if isinstance(block, ItemList):
+    if isinstance(block, d.ItemList):
         return cut_list(block, page, room)
-    return list(cut_callout(block, page)) if isinstance(block, Callout) else [block]
+    return list(cut_callout(block, page)) if isinstance(block, d.Callout) else [block]
 
 
-def cut_table(block: Table, page: Page, room: float) -> list[Block]:
+def cut_table(block: d.Table, page: Page, room: float) -> list[d.Block]:
     """A table as several; only the first has caption and label."""
     groups = packed([row_height(row, page) for row in block.rows], room - 4.0, FULL - 2.0)
     first, *others = (tuple(block.rows[k] for k in group) for group in groups)
@@ -132,7 +121,7 @@ def cut_table(block: Table, page: Page, room: float) -> list[Block]:
     return [replace(block, rows=first), *(replace(rest, rows=rows) for rows in others)]
 
 
-def cut_list(block: ItemList, page: Page, room: float) -> list[Block]:
+def cut_list(block: d.ItemList, page: Page, room: float) -> list[d.Block]:
     """A list as several; an ordered one is kept whole, since its numbers would begin anew."""
     if block.ordered:
         return [block]
@@ -140,7 +129,7 @@ def cut_list(block: ItemList, page: Page, room: float) -> list[Block]:
     return [replace(block, items=tuple(block.items[k] for k in group)) for group in groups]
 
 
-def cut_callout(block: Callout, page: Page) -> Iterator[Block]:
+def cut_callout(block: d.Callout, page: Page) -> Iterator[d.Block]:
     """A remark as several with the same title."""
     groups = packed([height(inner, page) for inner in block.blocks], FULL - 3.0, FULL - 3.0)
     yield from (replace(block, blocks=tuple(block.blocks[k] for k in group)) for group in groups)
@@ -157,18 +146,18 @@ def packed(heights: list[float], room: float, next_room: float) -> list[list[int
     return groups
 
 
-def height(block: Block, page: Page) -> float:
+def height(block: d.Block, page: Page) -> float:
     """The height of a block in em."""
     return HEIGHTS[type(block)](block, page)
 
 
 def text_height(inlines: tuple, page: Page, wide: float = TEXT) -> float:
     """Lines of text with formulas in it, and the gap below them."""
-    tall = max((breaking.node_height(i.node, page.notation) for i in inlines if isinstance(i, Math)), default=1.0)
+    tall = max((breaking.node_height(i.node, page.notation) for i in inlines if isinstance(i, d.Math)), default=1.0)
     return math.ceil(breaking.text_width(inlines, page.notation) / wide) * max(1.25, 0.8 * tall) + 0.5
 
 
-def display_height(block: Display, page: Page) -> float:
+def display_height(block: d.Display, page: Page) -> float:
     """Its lines, the box, the reason below."""
     lines = breaking.display_lines(block, page.notation, page.column)
     own = sum(max(breaking.height(line.left), breaking.height(line.right)) * 1.06 + 0.4 for line in lines)
@@ -176,20 +165,20 @@ def display_height(block: Display, page: Page) -> float:
     return own + 1.3 + (1.4 if block.boxed else 0.0) + (1.8 if below else 0.0)
 
 
-def table_height(block: Table, page: Page) -> float:
+def table_height(block: d.Table, page: Page) -> float:
     """Header, rows and caption."""
     return 2.2 + (1.6 if block.caption else 0.0) + sum(row_height(row, page) for row in block.rows)
 
 
 def row_height(row: tuple, page: Page) -> float:
     """A row: its tallest formula, or words in two lines where they are many."""
-    nodes = [inline.node for cell in row for inline in cell if isinstance(inline, Math)]
+    nodes = [inline.node for cell in row for inline in cell if isinstance(inline, d.Math)]
     tall = max((breaking.node_height(node, page.notation) for node in nodes), default=1.0)
     wordy = max(breaking.text_width(cell, page.notation) for cell in row) > TEXT / 2
     return max(2.6 if tall > 1.6 else 1.3, tall * 1.1 + 0.4, 2.5 if wordy and len(row) > 1 else 0)
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """Scenes side by side, made smaller where they are a little too wide for a frame."""
     content = "\\quad\n".join(to_tikz(scene, page.notation) for scene in block.scenes)
     content = rf"\resizebox{{\linewidth}}{{!}}{{{content}}}" if figure_width(block, page) > WIDEST else content
@@ -197,13 +186,13 @@ def figure(block: FigureBlock, page: Page) -> str:
     return f"\\begin{{figure}}\\centering\n{content}\n{caption}\n\\end{{figure}}"
 
 
-def figure_width(block: FigureBlock, page: Page) -> float:
+def figure_width(block: d.FigureBlock, page: Page) -> float:
     """The width of its scenes side by side, in cm."""
     bounds = [placed(scene, page.notation).bounds for scene in block.scenes]
     return sum(right - left for left, _, right, _ in bounds) + 0.35 * (len(bounds) - 1)
 
 
-def figure_height(block: FigureBlock, page: Page) -> float:
+def figure_height(block: d.FigureBlock, page: Page) -> float:
     """Its scenes in a row, and the caption."""
     bounds = [placed(scene, page.notation).bounds for scene in block.scenes]
     tallest = max((top - bottom for _, bottom, _, top in bounds), default=0.0)
@@ -212,12 +201,12 @@ def figure_height(block: FigureBlock, page: Page) -> float:
 
 
 HEIGHTS: Mapping[type, Callable[..., float]] = {
-    Paragraph: lambda block, page: text_height(block.inlines, page),
-    Display: display_height,
-    Table: table_height,
-    FigureBlock: figure_height,
-    ItemList: lambda block, page: sum(text_height(item, page, TEXT - 3) for item in block.items) + 0.5,
-    Callout: lambda block, page: 2.6 + sum(height(inner, page) for inner in block.blocks),
+    d.Paragraph: lambda block, page: text_height(block.inlines, page),
+    d.Display: display_height,
+    d.Table: table_height,
+    d.FigureBlock: figure_height,
+    d.ItemList: lambda block, page: sum(text_height(item, page, TEXT - 3) for item in block.items) + 0.5,
+    d.Callout: lambda block, page: 2.6 + sum(height(inner, page) for inner in block.blocks),
 }
 
-SLIDES: Mapping[type, Print] = {**LATEX, FigureBlock: figure}
+SLIDES: Mapping[type, Print] = {**LATEX, d.FigureBlock: figure}

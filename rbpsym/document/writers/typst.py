@@ -5,23 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import typst_string, typst_text
 from rbpsym.document.figures.typst import to_typst_drawing
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    Emph,
-    FigureBlock,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body, page_for, shell
 from rbpsym.document.writers.plain_text import plain_text
@@ -32,7 +18,7 @@ from rbpsym.notation.typst import render, to_typst
 COLUMN = 38.0
 
 
-def write_typst(document: Document) -> str:
+def write_typst(document: d.Document) -> str:
     """The document as a Typst source file."""
     document = numbered(document)
     page = page_for(document, TYPST, COLUMN)
@@ -49,7 +35,7 @@ def write_typst(document: Document) -> str:
     )
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """A heading with its number and what stands under it."""
     number = typst_string(part.number)
     heading = f"#section({part.level}, {number})[{page.inlines(part.title)}]{anchor(part.label)}"
@@ -70,14 +56,14 @@ def anchor(label: str) -> str:
     return f"#label({typst_string(label)})" if label else ""
 
 
-def reference(inline: Ref, page: Page) -> str:
+def reference(inline: d.Ref, page: Page) -> str:
     """A link that shows the number, or the page."""
     command = "page-of" if inline.page else "link"
     shown = "" if inline.page else f"[{typst_text(inline.mark)}]"
     return f"#{command}(label({typst_string(inline.label)})){shown};"
 
 
-def math(inline: Math, page: Page) -> str:
+def math(inline: d.Math, page: Page) -> str:
     """A formula in a sentence, with its spoken form."""
     return f"#m({spoken(inline.node, page)}, ${to_typst(inline.node, page.notation)}$);"
 
@@ -87,7 +73,7 @@ def spoken(node: Node, page: Page) -> str:
     return typst_string(to_speech(node, page.notation))
 
 
-def display(block: Display, page: Page) -> str:
+def display(block: d.Display, page: Page) -> str:
     """A displayed formula; the shell sets number, box and reason."""
     lines = breaking.display_lines(block, page.notation, page.column)
     written = aligned_line if len(lines) > 1 else single_line
@@ -100,14 +86,14 @@ def display(block: Display, page: Page) -> str:
     return f"#display({', '.join(settings)}, $\n  {content}\n$){anchor(block.label)}"
 
 
-def number(block: Display, page: Page) -> list[str]:
+def number(block: d.Display, page: Page) -> list[str]:
     """The argument of a display that has a number, its own or that of another."""
     if block.repeats:
         return [f"number: [{page.show(block.repeats)}]"]
     return [f"number: {typst_string(block.mark)}"] if block.mark else []
 
 
-def reason(block: Display, page: Page) -> list[str]:
+def reason(block: d.Display, page: Page) -> list[str]:
     """The arguments of a display that has a reason."""
     if block.reason is None:
         return []
@@ -126,7 +112,7 @@ def aligned_line(line: breaking.Line) -> str:
     return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 
-def table(block: Table, page: Page) -> str:
+def table(block: d.Table, page: Page) -> str:
     """A table with three rules."""
     columns = ", ".join(column(block, place, page) for place in range(len(block.header)))
     align = ", ".join(ALIGN[letter] for letter in block.columns)
@@ -139,7 +125,7 @@ def table(block: Table, page: Page) -> str:
     )
 
 
-def column(block: Table, place: int, page: Page) -> str:
+def column(block: d.Table, place: int, page: Page) -> str:
     """The width of a column: words share the room that is left, or wrap in a narrow one."""
     if block.columns[place] == "p" and breaking.is_wrapped(block, place, page.notation, page.column):
         return f"{breaking.NARROW}em"
@@ -157,12 +143,12 @@ def cells(row: tuple, page: Page) -> str:
 
 def cell_content(cell: tuple, page: Page) -> str:
     """A cell; a formula alone in it stands in display style and is never broken."""
-    if len(cell) != 1 or not isinstance(cell[0], Math):
+    if len(cell) != 1 or not isinstance(cell[0], d.Math):
         return page.inlines(cell)
     return f"#cell({spoken(cell[0].node, page)}, ${to_typst(cell[0].node, page.notation)}$);"
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """Scenes side by side with their caption and alt text."""
     scenes = ",\n".join(to_typst_drawing(scene, page.notation) for scene in block.scenes)
     name = typst_string(page.word("block.figure", number=block.number))
@@ -172,29 +158,29 @@ def figure(block: FigureBlock, page: Page) -> str:
     )
 
 
-def item_list(block: ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: Page) -> str:
     """A list."""
     items = ",\n  ".join(f"[{page.inlines(item)}]" for item in block.items)
     return f"#{'enum' if block.ordered else 'list'}(\n  {items},\n)"
 
 
-def callout(block: Callout, page: Page) -> str:
+def callout(block: d.Callout, page: Page) -> str:
     """A remark with a rule at its left."""
     title = page.inlines(block.title) or typst_text(page.word(f"callout.{block.kind}"))
     return f"#callout({typst_string(block.kind)}, [{title}])[\n{blocks(block.blocks, page)}\n]"
 
 
 TYPST: Mapping[type, Print] = {
-    Text: lambda inline, page: typst_text(inline.text),
-    Math: math,
-    Ref: reference,
-    Emph: lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",
-    Strong: lambda inline, page: f"#strong[{page.inlines(inline.inlines)}];",
-    Paragraph: lambda block, page: page.inlines(block.inlines),
-    Display: display,
-    Table: table,
-    FigureBlock: figure,
-    ItemList: item_list,
-    Callout: callout,
-    Section: section,
+    d.Text: lambda inline, page: typst_text(inline.text),
+    d.Math: math,
+    d.Ref: reference,
+    d.Emph: lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",
+    d.Strong: lambda inline, page: f"#strong[{page.inlines(inline.inlines)}];",
+    d.Paragraph: lambda block, page: page.inlines(block.inlines),
+    d.Display: display,
+    d.Table: table,
+    d.FigureBlock: figure,
+    d.ItemList: item_list,
+    d.Callout: callout,
+    d.Section: section,
 }

@@ -6,24 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.document import breaking
+from rbpsym.document import model as d
 from rbpsym.document.escaping import typographic
 from rbpsym.document.extras import extra
-from rbpsym.document.model import (
-    Callout,
-    Display,
-    Document,
-    Emph,
-    FigureBlock,
-    Inlines,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Section,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, Print, body
 from rbpsym.document.writers.plain_text import plain_text
@@ -44,7 +29,7 @@ class WordPage(Page):
     look: str = ""
 
 
-def write_word(document: Document) -> bytes:
+def write_word(document: d.Document) -> bytes:
     """The document as a .docx file. Raises RbpsymError if python-docx is missing."""
     extra("docx")
     from rbpsym.document.writers import word_package as package
@@ -58,13 +43,13 @@ def write_word(document: Document) -> bytes:
     return package.saved(file)
 
 
-def head(document: Document, page: Page) -> str:
+def head(document: d.Document, page: Page) -> str:
     """Title, subtitle and source."""
     lines = (("Title", document.title), ("Subtitle", document.subtitle), ("Source", document.source))
     return "".join(paragraph(page.inlines(inlines), style) for style, inlines in lines if inlines)
 
 
-def section(part: Section, page: Page) -> str:
+def section(part: d.Section, page: Page) -> str:
     """A heading and what stands under it."""
     number = text_run(f"{part.number}\u2002") if part.number else ""
     heading = paragraph(number + page.inlines(part.title), f"Heading{min(max(part.level, 1), 3)}", part.label)
@@ -76,26 +61,26 @@ def blocks(parts: tuple, page: Page) -> str:
     pairs = zip(parts, (*parts[1:], None), strict=False)
     return "".join(
         paragraph(page.inlines(block.inlines), "BodyText", more=STAYS if page.is_lead(block, after) else "")
-        if isinstance(block, Paragraph)
+        if isinstance(block, d.Paragraph)
         else page.show(block)
         for block, after in pairs
     )
 
 
-def marked(inlines: Inlines, page: Page, look: str) -> str:
+def marked(inlines: d.Inlines, page: Page, look: str) -> str:
     """Inlines in a look that is added to the one around them."""
     changed = WordPage(page.table, page.notation, page.language, page.column, look=getattr(page, "look", "") + look)
     return changed.inlines(inlines)
 
 
-def display(block: Display, page: Page) -> str:
+def display(block: d.Display, page: Page) -> str:
     """A displayed formula with its reason below."""
     shown = display_table(block, page, block.label)
     below = block.reason and not is_aside(block, page)
     return shown + paragraph(page.inlines(block.reason), "Reason") if below else shown
 
 
-def table(block: Table, page: Page) -> str:
+def table(block: d.Table, page: Page) -> str:
     """A native table with three rules; its header is repeated on each page."""
     columns = widths(block, page)
     header = [
@@ -119,7 +104,7 @@ RULES = "<w:tblBorders>{}{}</w:tblBorders>".format(
 SIDES = {"l": "left", "p": "left", "c": "center", "r": "right"}
 
 
-def widths(block: Table, page: Page) -> list[int]:
+def widths(block: d.Table, page: Page) -> list[int]:
     """The columns in twips: as wide as they need be; where that is too much, words give way, then all."""
     places = range(len(block.header))
     wanted = [round(breaking.column_width(block, k, page.notation) * SMALL) + 320 for k in places]
@@ -136,34 +121,34 @@ SMALL = 235  # twips an em in a table
 LONG = 14  # rows of a table that may be cut at the end of a page
 
 
-def wraps(block: Table, place: int) -> bool:
+def wraps(block: d.Table, place: int) -> bool:
     """Does a column hold words of which several make a cell?"""
-    return any(isinstance(inline, Text) and " " in inline.text for row in block.rows for inline in row[place])
+    return any(isinstance(inline, d.Text) and " " in inline.text for row in block.rows for inline in row[place])
 
 
-def cell(inlines: Inlines, letter: str, page: Page, look: str = "", stays: str = "") -> str:
+def cell(inlines: d.Inlines, letter: str, page: Page, look: str = "", stays: str = "") -> str:
     """The paragraph of a cell; a formula alone in it stands in display style."""
     side = f'{stays}<w:jc w:val="{SIDES[letter]}"/>'
-    if len(inlines) == 1 and isinstance(inlines[0], Math):
+    if len(inlines) == 1 and isinstance(inlines[0], d.Math):
         return paragraph(math(render(layout(inlines[0].node, page.notation)), SIDES[letter]), "Cell", more=side)
     return paragraph(marked(inlines, page, look) if look else page.inlines(inlines), "Cell", more=side)
 
 
-def captioned(block: Table | FigureBlock, kind: str, page: Page) -> str:
+def captioned(block: d.Table | d.FigureBlock, kind: str, page: Page) -> str:
     """ "Figure 2. What is seen"; a table's stays with the table."""
     name = text_run(page.word(f"block.{kind}", number=block.number) + ". ", "<w:b/>")
     stay = STAYS if kind == "table" else ""
     return paragraph(name + page.inlines(block.caption), "Caption", block.label, more=stay)
 
 
-def figure(block: FigureBlock, page: Page) -> str:
+def figure(block: d.FigureBlock, page: Page) -> str:
     """A picture with its alt text, and its caption below."""
     drawn = (page.pictures or {}).get(block.number, "")
     drawn = drawn.replace("ALTERNATIVE", safe(block.alt)).replace("NAME", safe(f"figure {block.number}"))
     return paragraph(drawn, "Figure") + captioned(block, "figure", page)
 
 
-def item_list(block: ItemList, page: Page) -> str:
+def item_list(block: d.ItemList, page: Page) -> str:
     """A list; an ordered one has a numbering of its own."""
     number = (page.lists or {}).get(id(block)) if block.ordered else None
     own = f'<w:numPr><w:ilvl w:val="0"/><w:numId w:val="{number}"/></w:numPr>' if number else ""
@@ -171,7 +156,7 @@ def item_list(block: ItemList, page: Page) -> str:
     return "".join(paragraph(page.inlines(item), style, more=own) for item in block.items)
 
 
-def callout(block: Callout, page: Page) -> str:
+def callout(block: d.Callout, page: Page) -> str:
     """A remark in a cell with a rule at its left."""
     title = page.inlines(block.title) if block.title else text_run(page.word(f"callout.{block.kind}"))
     inner = paragraph(title, "CalloutTitle") + blocks(block.blocks, page)
@@ -184,22 +169,22 @@ def callout(block: Callout, page: Page) -> str:
 TONES = {"result": "1D5FA8", "why": "6B7280", "note": "6B7280", "check": "2A7548"}
 
 
-def reference(inline: Ref, page: Page) -> str:
+def reference(inline: d.Ref, page: Page) -> str:
     """A link to what the number belongs to."""
     return link(inline.label, inline.mark)
 
 
 WORD: Mapping[type, Print] = {
-    Text: lambda inline, page: text_run(typographic(inline.text), page.look),
-    Math: lambda inline, page: to_omml(inline.node, page.notation),
-    Ref: reference,
-    Emph: lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
-    Strong: lambda inline, page: marked(inline.inlines, page, "<w:b/>"),
-    Paragraph: lambda block, page: paragraph(page.inlines(block.inlines), "BodyText"),
-    Display: display,
-    Table: table,
-    FigureBlock: figure,
-    ItemList: item_list,
-    Callout: callout,
-    Section: section,
+    d.Text: lambda inline, page: text_run(typographic(inline.text), page.look),
+    d.Math: lambda inline, page: to_omml(inline.node, page.notation),
+    d.Ref: reference,
+    d.Emph: lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
+    d.Strong: lambda inline, page: marked(inline.inlines, page, "<w:b/>"),
+    d.Paragraph: lambda block, page: paragraph(page.inlines(block.inlines), "BodyText"),
+    d.Display: display,
+    d.Table: table,
+    d.FigureBlock: figure,
+    d.ItemList: item_list,
+    d.Callout: callout,
+    d.Section: section,
 }

@@ -12,22 +12,8 @@ from hashlib import sha256
 
 from markupsafe import escape
 
+from rbpsym.document import model as d
 from rbpsym.document.figures.scene import Scene
-from rbpsym.document.model import (
-    Block,
-    Callout,
-    Display,
-    Emph,
-    FigureBlock,
-    Inlines,
-    ItemList,
-    Math,
-    Paragraph,
-    Ref,
-    Strong,
-    Table,
-    Text,
-)
 from rbpsym.document.pictures import drawings
 from rbpsym.document.writers.page import Page, Print
 from rbpsym.notation.glyphs import Notation
@@ -79,20 +65,20 @@ class Paper:
     tag: PictureTag = image
     folder: str = ""
     pictures: dict[str, bytes] = field(default_factory=dict)
-    drawn: dict[int, tuple[FigureBlock, bytes]] = field(default_factory=dict)
+    drawn: dict[int, tuple[d.FigureBlock, bytes]] = field(default_factory=dict)
     marks: dict[str, str] = field(default_factory=dict)
 
-    def number(self, blocks: tuple[Block, ...]) -> None:
+    def number(self, blocks: tuple[d.Block, ...]) -> None:
         """Number the figures of one question, so that its text can refer to them."""
         self.marks.clear()
-        figures = [block for block in blocks if isinstance(block, FigureBlock)]
+        figures = [block for block in blocks if isinstance(block, d.FigureBlock)]
         self.marks.update({block.label: str(place) for place, block in enumerate(figures, start=1) if block.label})
 
     def page(self, notation: Notation, language: str) -> Page:
         """The page on which blocks and inlines are printed."""
         return Page(_table(self), notation, language)
 
-    def picture(self, block: FigureBlock, notation: Notation) -> str:
+    def picture(self, block: d.FigureBlock, notation: Notation) -> str:
         """A figure as a picture with its file; one that many students get is drawn once."""
         if id(block) not in self.drawn:
             self.drawn[id(block)] = (block, svg(block.scenes, notation))
@@ -109,53 +95,53 @@ def svg(scenes: tuple[Scene, ...], notation: Notation) -> bytes:
 
 def _table(paper: Paper) -> Mapping[type, Print]:
     return {
-        Text: lambda inline, page: str(escape(inline.text)),
-        Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
-        Ref: lambda inline, page: str(
+        d.Text: lambda inline, page: str(escape(inline.text)),
+        d.Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
+        d.Ref: lambda inline, page: str(
             escape(paper.marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
         ),
-        Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
-        Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
-        Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
-        Display: lambda block, page: _display(block, page, paper),
-        Table: _table_html,
-        ItemList: _list,
-        Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
-        FigureBlock: lambda block, page: _figure(block, page, paper),
+        d.Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
+        d.Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
+        d.Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+        d.Display: lambda block, page: _display(block, page, paper),
+        d.Table: _table_html,
+        d.ItemList: _list,
+        d.Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
+        d.FigureBlock: lambda block, page: _figure(block, page, paper),
     }
 
 
-def _display(block: Display, page: Page, paper: Paper) -> str:
+def _display(block: d.Display, page: Page, paper: Paper) -> str:
     reason = f" &#160; {page.inlines(block.reason)}" if block.reason else ""
     return f"<p>{paper.formula(block.node, page.notation, True)}{reason}</p>"
 
 
-def _titled(block: Callout, page: Page) -> str:
+def _titled(block: d.Callout, page: Page) -> str:
     return f"<p><strong>{page.inlines(block.title)}</strong></p>" if block.title else ""
 
 
-def _row(cells: tuple[Inlines, ...], tag: str, page: Page) -> str:
+def _row(cells: tuple[d.Inlines, ...], tag: str, page: Page) -> str:
     return "<tr>" + "".join(f"<{tag}>{page.inlines(cell)}</{tag}>" for cell in cells) + "</tr>"
 
 
-def _table_html(block: Table, page: Page) -> str:
+def _table_html(block: d.Table, page: Page) -> str:
     head = f"<thead>{_row(block.header, 'th', page)}</thead>" if any(block.header) else ""
     rows = "".join(_row(row, "td", page) for row in block.rows)
     return f"<table>{head}<tbody>{rows}</tbody></table>"
 
 
-def _list(block: ItemList, page: Page) -> str:
+def _list(block: d.ItemList, page: Page) -> str:
     tag = "ol" if block.ordered else "ul"
     return f"<{tag}>{''.join(f'<li>{page.inlines(item)}</li>' for item in block.items)}</{tag}>"
 
 
-def _figure(block: FigureBlock, page: Page, paper: Paper) -> str:
+def _figure(block: d.FigureBlock, page: Page, paper: Paper) -> str:
     shown = paper.picture(block, page.notation)
     number = paper.marks.get(block.label)
     name = f"{escape(page.word('block.figure', number=number))}. " if number else ""
     return f"<p>{shown}</p>" + (f"<p><em>{name}{page.inlines(block.caption)}</em></p>" if block.caption else "")
 
 
-def blocks_html(blocks: tuple[Block, ...], page: Page) -> str:
+def blocks_html(blocks: tuple[d.Block, ...], page: Page) -> str:
     """Blocks below each other."""
     return page.blocks(blocks, "\n")

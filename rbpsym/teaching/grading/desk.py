@@ -11,6 +11,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
+from rbpsym.teaching import model as m
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.book import book
 from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
@@ -21,20 +22,6 @@ from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.verdicts import are_equal
-from rbpsym.teaching.model import (
-    Blank,
-    BlanksKey,
-    ChoiceKey,
-    ComparisonKey,
-    ExplanationKey,
-    FormulaKey,
-    Item,
-    NumberKey,
-    OrderKey,
-    SignsKey,
-    SlipKey,
-    Worksheet,
-)
 
 Answers = Mapping[str, str]
 
@@ -78,31 +65,31 @@ class Desk:
 class Case:
     """One worksheet with its answers, and what was judged so far."""
 
-    worksheet: Worksheet
+    worksheet: m.Worksheet
     answers: Answers
     desk: Desk
     judged: dict[str, Judgement] = field(default_factory=dict)
 
-    def problem(self, item: Item) -> Problem:
+    def problem(self, item: m.Item) -> Problem:
         """The problem that an item is about."""
         return self.worksheet.problems[item.asked.problem]
 
-    def ground(self, item: Item, *nodes: t.Node | None) -> Ground:
+    def ground(self, item: m.Item, *nodes: t.Node | None) -> Ground:
         """The ground of an item; names in its key may be typed too."""
         names = frozenset().union(*(t.names(node) for node in nodes if node is not None))
         return self.desk.ground(self.problem(item), names)
 
 
-def grade_worksheet(worksheet: Worksheet, answers: Answers, desk: Desk) -> tuple[Mark, ...]:
+def grade_worksheet(worksheet: m.Worksheet, answers: Answers, desk: Desk) -> tuple[Mark, ...]:
     """The marks of one worksheet, item by item in the printed order. No answer raises an error."""
     case = Case(worksheet, answers, desk)
     return tuple(_marked(item, case) for item in worksheet.items)
 
 
-def _marked(item: Item, case: Case) -> Mark:
+def _marked(item: m.Item, case: Case) -> Mark:
     text = case.answers.get(item.id, "")
     text = "" if j.GIVES_UP.fullmatch(text) else text
-    if isinstance(item.key, BlanksKey):
+    if isinstance(item.key, m.BlanksKey):
         typed = blank_texts(text, item, case.answers)
         text = text if text.strip() else "; ".join(typed[number] for number in sorted(typed)).strip("; ")
     found = JUDGES[type(item.key)](text, item, case)
@@ -123,8 +110,8 @@ def decided(mark: Mark, told: str) -> Mark:
 # --- one judge for each kind of key
 
 
-def _formula(text: str, item: Item, case: Case) -> Judgement:
-    key: FormulaKey = item.key
+def _formula(text: str, item: m.Item, case: Case) -> Judgement:
+    key: m.FormulaKey = item.key
     ground = case.ground(item, key.value, key.left)
     carried = tuple(own for follow in key.follows if (own := own_formula(follow, case)) is not None)
     found = judge_formula(text, Sought(key.value, ground, key.left, frozenset(key.names), key.anticipated, carried))
@@ -133,17 +120,17 @@ def _formula(text: str, item: Item, case: Case) -> Judgement:
     return found
 
 
-def _number(text: str, item: Item, case: Case) -> Judgement:
-    key: NumberKey = item.key
+def _number(text: str, item: m.Item, case: Case) -> Judgement:
+    key: m.NumberKey = item.key
     carried = [own for follow in key.follows if (own := own_number(follow, key, case)) is not None]
     return judge_number(text, wanted(key, carried, case.desk.language))
 
 
-def _choice(text: str, item: Item, case: Case) -> Judgement:
+def _choice(text: str, item: m.Item, case: Case) -> Judgement:
     return judge_choice(text, item.key)
 
 
-def _comparison(text: str, item: Item, case: Case) -> Judgement:
+def _comparison(text: str, item: m.Item, case: Case) -> Judgement:
     """The choice earns the first line of the rubric; the reasons are the teacher's to mark."""
     found = judge_choice(text, item.key)
     if not item.rubric or not item.points:
@@ -153,20 +140,20 @@ def _comparison(text: str, item: Item, case: Case) -> Judgement:
     return replace(found, credit=found.credit * share, status=status)
 
 
-def _order(text: str, item: Item, case: Case) -> Judgement:
+def _order(text: str, item: m.Item, case: Case) -> Judgement:
     return judge_order(text, item.key)
 
 
-def _signs(text: str, item: Item, case: Case) -> Judgement:
+def _signs(text: str, item: m.Item, case: Case) -> Judgement:
     return judge_signs(text, item.key)
 
 
-def _explanation(text: str, item: Item, case: Case) -> Judgement:
+def _explanation(text: str, item: m.Item, case: Case) -> Judgement:
     return Judgement(Status.OPEN, remarks=(Remark("open"),)) if text.strip() else j.EMPTY
 
 
-def _blanks(text: str, item: Item, case: Case) -> Judgement:
-    key: BlanksKey = item.key
+def _blanks(text: str, item: m.Item, case: Case) -> Judgement:
+    key: m.BlanksKey = item.key
     typed = blank_texts(text, item, case.answers)
     found = [_blank(typed.get(blank.number, ""), blank, item, case) for blank in key.blanks]
     if all(one.status is Status.EMPTY for one in found):
@@ -185,12 +172,12 @@ def _blanks(text: str, item: Item, case: Case) -> Judgement:
     )
 
 
-def _blank(text: str, blank: Blank, item: Item, case: Case) -> Judgement:
+def _blank(text: str, blank: m.Blank, item: m.Item, case: Case) -> Judgement:
     ground = case.ground(item, blank.value)
     return judge_formula(text, Sought(blank.value, ground, None, frozenset(item.key.names), blank.anticipated))
 
 
-def blank_texts(text: str, item: Item, answers: Answers) -> dict[int, str]:
+def blank_texts(text: str, item: m.Item, answers: Answers) -> dict[int, str]:
     """What stands in each blank: from columns “3.1”, “3.2”, or from one cell, separated by semicolons or lines."""
     numbers = [blank.number for blank in item.key.blanks]
     own = {number: answers[f"{item.id}.{number}"] for number in numbers if f"{item.id}.{number}" in answers}
@@ -199,8 +186,8 @@ def blank_texts(text: str, item: Item, answers: Answers) -> dict[int, str]:
     return dict(zip(numbers, re.split(r"[;\n]", text), strict=False))
 
 
-def _slip(text: str, item: Item, case: Case) -> Judgement:
-    key: SlipKey = item.key
+def _slip(text: str, item: m.Item, case: Case) -> Judgement:
+    key: m.SlipKey = item.key
     if not text.strip():
         return j.EMPTY
     found = re.match(
@@ -216,7 +203,7 @@ def _slip(text: str, item: Item, case: Case) -> Judgement:
     return _correction(rest, item, case) if rest else j.RIGHT
 
 
-def _correction(text: str, item: Item, case: Case) -> Judgement:
+def _correction(text: str, item: m.Item, case: Case) -> Judgement:
     """The corrected formula beside the line: its last side is compared."""
     corrected = item.key.corrected
     sides = corrected.items if isinstance(corrected, t.Chain) else (corrected,)
@@ -240,16 +227,16 @@ def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: Ground) -> bool
     return all(any(are_equal(own, side, ground).is_proved for side in sides) for own in read.items)
 
 
-JUDGES: Mapping[type, Callable[[str, Item, Case], Judgement]] = {
-    FormulaKey: _formula,
-    NumberKey: _number,
-    ChoiceKey: _choice,
-    ComparisonKey: _comparison,
-    OrderKey: _order,
-    SignsKey: _signs,
-    BlanksKey: _blanks,
-    SlipKey: _slip,
-    ExplanationKey: _explanation,
+JUDGES: Mapping[type, Callable[[str, m.Item, Case], Judgement]] = {
+    m.FormulaKey: _formula,
+    m.NumberKey: _number,
+    m.ChoiceKey: _choice,
+    m.ComparisonKey: _comparison,
+    m.OrderKey: _order,
+    m.SignsKey: _signs,
+    m.BlanksKey: _blanks,
+    m.SlipKey: _slip,
+    m.ExplanationKey: _explanation,
 }
 
 

@@ -18,16 +18,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
-from rbpsym.teaching.misconceptions.change import (
-    arm_of,
-    is_nonzero,
-    sign_of,
-    weights,
-    with_elements,
-    with_forces,
-    with_parts,
-    with_values,
-)
+from rbpsym.teaching.misconceptions import change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site
 
 
@@ -37,7 +28,7 @@ def _force_sign(study: Study) -> Iterator[Site]:
         name = element.name
         yield Site(
             {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"},
-            lambda name=name: with_forces(
+            lambda name=name: change.with_forces(
                 study, lambda f: replace(f, vector=-f.vector, couple=-f.couple) if f.name == name else f
             ),
         )
@@ -70,17 +61,17 @@ def _center(study: Study, force: Force) -> Vector:
 
 
 def _with_couple(study: Study, force: Force, more: Scalar) -> Study:
-    return with_forces(study, lambda f: replace(f, couple=f.couple + more) if f is force else f)
+    return change.with_forces(study, lambda f: replace(f, couple=f.couple + more) if f is force else f)
 
 
 def _whole_lever(study: Study) -> Iterator[Site]:
     """The weight of a body that turns about its end is put at its other end: the whole length for the half."""
     for name in study.system.bodies:
-        arm = arm_of(study, name)
-        if arm is not None and weights(study, name):
+        arm = change.arm_of(study, name)
+        if arm is not None and change.weights(study, name):
             yield Site(
                 {"body": BodyRef(name)},
-                lambda name=name, arm=arm: with_forces(
+                lambda name=name, arm=arm: change.with_forces(
                     study, lambda f: replace(f, point=f.point + arm) if (f.law, f.on) == ("gravity", name) else f
                 ),
             )
@@ -89,10 +80,10 @@ def _whole_lever(study: Study) -> Iterator[Site]:
 def _weight_at_middle(study: Study) -> Iterator[Site]:
     """The weight acts at the middle of the shape where the centre of mass is elsewhere."""
     for name, state in study.system.bodies.items():
-        if (state.inertia.x or state.inertia.y) and state.pose.origin and weights(study, name):
+        if (state.inertia.x or state.inertia.y) and state.pose.origin and change.weights(study, name):
             yield Site(
                 {"body": BodyRef(name)},
-                lambda name=name, at=state.pose.origin: with_forces(
+                lambda name=name, at=state.pose.origin: change.with_forces(
                     study, lambda f: replace(f, point=at) if (f.law, f.on) == ("gravity", name) else f
                 ),
             )
@@ -101,8 +92,8 @@ def _weight_at_middle(study: Study) -> Iterator[Site]:
 def _swapped_weight(study: Study) -> Iterator[Site]:
     """Sine for cosine in the component of the weight: across the lever arm, or along a slope."""
     for name in study.system.bodies:
-        along = arm_of(study, name) or _slope(study, name)
-        if along is None or not weights(study, name):
+        along = change.arm_of(study, name) or _slope(study, name)
+        if along is None or not change.weights(study, name):
             continue
 
         def swap(force: Force, name: str = name, along: Vector = along) -> Force:
@@ -110,7 +101,7 @@ def _swapped_weight(study: Study) -> Iterator[Site]:
 
         yield Site(
             {"body": BodyRef(name)},
-            lambda swap=swap: with_forces(study, lambda f: swap(f) if f.law == "gravity" else f),
+            lambda swap=swap: change.with_forces(study, lambda f: swap(f) if f.law == "gravity" else f),
         )
 
 
@@ -131,7 +122,7 @@ def _mirrored(study: Study, vector: Vector, along: Vector) -> Vector:
     square = short(along.dot(along))
     across = along.turned()
     first, second = along.dot(vector), across.dot(vector)
-    way = (sign_of(study, first) or 1) * (sign_of(study, second) or 1)
+    way = (change.sign_of(study, first) or 1) * (change.sign_of(study, second) or 1)
     return (along * second + across * first) * (Scalar(square.den, square.num) * way)
 
 
@@ -143,7 +134,9 @@ def _swapped_lever(study: Study) -> Iterator[Site]:
         if is_zero(wrong) or is_zero(right):
             continue
         unit = {name: Scalar((wrong * 0 + 1).num) for name in force.unknowns}
-        way = (sign_of(study, substitute(right, unit)) or 1) * (sign_of(study, substitute(wrong, unit)) or 1)
+        way = (change.sign_of(study, substitute(right, unit)) or 1) * (
+            change.sign_of(study, substitute(wrong, unit)) or 1
+        )
         yield Site(
             {"force": t.Sym(force.name), "body": BodyRef(force.on)},
             lambda force=force, more=wrong * way - right: _with_couple(study, force, more),
@@ -161,7 +154,7 @@ def _resting(study: Study) -> Study:
     rows = [value for _, axis, value in newton_euler_rows(_still(study.system)) if axis != "rotation"]
     found = solve_linear(rows, study.system.unknowns, keep_free=True)
     known = {n: v for n, v in found.values.items() if not set(_unknowns(v)) & set(study.system.unknowns)}
-    return with_parts(
+    return change.with_parts(
         study,
         system=study.system,
         dynamics=replace(study.dynamics, reactions=known),
@@ -197,7 +190,7 @@ def _at_the_contact(study: Study) -> Iterator[Site]:
             solved = solve_linear([r for r in rows if r], study.system.unknowns).values
             found = {name: short(substitute(value, images)) for name, value in solved.items()}
             dynamics = replace(study.dynamics, reactions=found)
-            return with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
+            return change.with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
 
         yield Site({"force": t.Sym(force.name), "body": BodyRef(force.on)}, wrong)
 
@@ -212,7 +205,7 @@ def _no_centripetal(study: Study) -> Iterator[Site]:
         still = dict.fromkeys(speeds, NOTHING)
         found = {name: substitute(value, still) for name, value in study.dynamics.reactions.items()}
         dynamics = replace(study.dynamics, reactions=found)
-        return with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
+        return change.with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
 
     yield Site({}, wrong)
 
@@ -220,15 +213,15 @@ def _no_centripetal(study: Study) -> Iterator[Site]:
 def _whole_length(study: Study) -> Iterator[Site]:
     """The force of a spring from its length instead of its elongation."""
     for element in study.problem.interactions:
-        if element.kind == "spring" and is_nonzero(element["natural_length"]):
+        if element.kind == "spring" and change.is_nonzero(element["natural_length"]):
             yield Site(
                 {"force": t.Vec(element.name)},
-                lambda element=element: with_elements(study, lambda e: _slack_at_zero(e) if e is element else e),
+                lambda element=element: change.with_elements(study, lambda e: _slack_at_zero(e) if e is element else e),
             )
 
 
 def _slack_at_zero(element: Element) -> Element:
-    return with_values(element, natural_length=t.ZERO)
+    return change.with_values(element, natural_length=t.ZERO)
 
 
 def _wrong_sense(study: Study) -> Iterator[Site]:
@@ -238,7 +231,7 @@ def _wrong_sense(study: Study) -> Iterator[Site]:
             continue
         bodies = {**study.system.bodies, name: replace(state, omega=-state.omega, alpha=-state.alpha)}
         system = replace(study.system, bodies=bodies)
-        yield Site({"body": BodyRef(name)}, lambda system=system: with_parts(study, system=system))
+        yield Site({"body": BodyRef(name)}, lambda system=system: change.with_parts(study, system=system))
 
 
 MISCONCEPTIONS = (

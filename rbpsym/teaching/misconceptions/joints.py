@@ -13,20 +13,13 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
-from rbpsym.teaching.misconceptions.change import (
-    of_kind,
-    sign_of,
-    with_elements,
-    with_forces,
-    with_inertia,
-    with_kinematics,
-)
+from rbpsym.teaching.misconceptions import change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site
 
 
 def _free_as_welded(study: Study) -> Iterator[Site]:
     """A body on a bearing turns with the one that carries it."""
-    for element in of_kind(study, "pin"):
+    for element in change.of_kind(study, "pin"):
         first, second = (ref.body for ref in element["points"])
         body = None if second is None else study.problem.body(second)
         if first is None or body is None or body.angle is None or not study.system.bodies[second].moment:
@@ -61,15 +54,15 @@ def _names(body) -> set[str]:
 
 def _welded_as_free(study: Study) -> Iterator[Site]:
     """A body that is fixed to another is taken not to turn with it: its I_cm is missing."""
-    for element in of_kind(study, "weld"):
+    for element in change.of_kind(study, "weld"):
         name = element["points"][1].body
         if name is not None and study.system.bodies[name].moment:
-            yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
 
 
 def _spin_of_carrier(study: Study) -> Iterator[Site]:
     """The angular velocity of the carrier is used for the body on it (in momentum and energy)."""
-    for element in of_kind(study, "pin"):
+    for element in change.of_kind(study, "pin"):
         first, second = (ref.body for ref in element["points"])
         if first is None or second is None or not study.system.bodies[second].moment:
             continue
@@ -77,7 +70,7 @@ def _spin_of_carrier(study: Study) -> Iterator[Site]:
         def wrong(first: str = first, second: str = second) -> Study:
             carrier = study.system.bodies[first]
             state = replace(study.system.bodies[second], omega=carrier.omega, alpha=carrier.alpha)
-            return with_kinematics(study, replace(study.system, bodies={**study.system.bodies, second: state}))
+            return change.with_kinematics(study, replace(study.system, bodies={**study.system.bodies, second: state}))
 
         yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, wrong)
 
@@ -95,16 +88,18 @@ def _third_law_forgotten(study: Study) -> Iterator[Site]:
 
 
 def _without(study: Study, name: str, body: str) -> Study:
-    return with_forces(study, lambda force: None if (force.name, force.on) == (name, body) else force)
+    return change.with_forces(study, lambda force: None if (force.name, force.on) == (name, body) else force)
 
 
 def _rolling_as_sliding(study: Study) -> Iterator[Site]:
     """No friction where a body rolls: it slides down like a block."""
-    for element in of_kind(study, "rolling"):
+    for element in change.of_kind(study, "rolling"):
         friction = element["friction"]
         yield Site(
             {"body": BodyRef(element["body"]), "friction": t.Sym(friction)},
-            lambda element=element: with_elements(study, lambda e: _touching(e, None, "auto") if e is element else e),
+            lambda element=element: change.with_elements(
+                study, lambda e: _touching(e, None, "auto") if e is element else e
+            ),
         )
 
 
@@ -115,7 +110,7 @@ def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Elemen
 
 def _friction_is_mu_n(study: Study) -> Iterator[Site]:
     """f = μN though nothing slips: the balance of forces with the greatest friction there can be."""
-    for element in of_kind(study, "rolling"):
+    for element in change.of_kind(study, "rolling"):
         if element["limit"] is not None:
             slots = {"friction": t.Sym(element["friction"]), "normal": t.Sym(element.name), "mu": element["limit"]}
             yield Site(slots, partial(_with_greatest_friction, study, element))
@@ -126,14 +121,14 @@ def _with_greatest_friction(study: Study, element: Element) -> Study:
     name = element["friction"]
     force = next(f for f in study.system.forces if f.name == name)
     push = force.vector.substitute({name: UNITY}).dot(meeting(element, geometry_of(study.system)).forward)
-    way = sign_of(study, push) * sign_of(study, study.dynamics.reactions[name])
+    way = change.sign_of(study, push) * change.sign_of(study, study.dynamics.reactions[name])
     slip = "backward" if way > 0 else "forward"
-    return with_elements(study, lambda e: _touching(e, e["limit"], slip) if e is element else e)
+    return change.with_elements(study, lambda e: _touching(e, e["limit"], slip) if e is element else e)
 
 
 def _friction_wrong_way(study: Study) -> Iterator[Site]:
     """Static friction drawn to the other side in the balance of forces, its torque left right."""
-    for element in of_kind(study, "rolling"):
+    for element in change.of_kind(study, "rolling"):
         friction = element["friction"]
 
         def turned(force, name: str = friction):
@@ -142,16 +137,16 @@ def _friction_wrong_way(study: Study) -> Iterator[Site]:
             arm = force.point - study.system.bodies[force.on].center
             return replace(force, vector=-force.vector, couple=force.couple + 2 * arm.cross(force.vector))
 
-        yield Site({"friction": t.Sym(friction)}, lambda turned=turned: with_forces(study, turned))
+        yield Site({"friction": t.Sym(friction)}, lambda turned=turned: change.with_forces(study, turned))
 
 
 def _held_is_weight(study: Study) -> Iterator[Site]:
     """The tension (or the force of the joint) equals the weight of what hangs on it: that body's M a is forgotten."""
-    for element in of_kind(study, "string", "pin"):
+    for element in change.of_kind(study, "string", "pin"):
         for name in _hanging(study, element):
             yield Site(
                 {"force": t.Sym(element.name), "body": BodyRef(name)},
-                partial(with_inertia, study, name, mass=NOTHING),
+                partial(change.with_inertia, study, name, mass=NOTHING),
             )
 
 
@@ -164,11 +159,11 @@ def _hanging(study: Study, element: Element) -> list[str]:
 
 def _pulley_at_rest(study: Study) -> Iterator[Site]:
     """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
-    for element in of_kind(study, "string"):
+    for element in change.of_kind(study, "string"):
         for turn in element["path"]:
             name = turn.body
             if turn.sense and name is not None and study.system.bodies[name].moment:
-                yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+                yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
 
 
 MISCONCEPTIONS = (

@@ -6,20 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.derivation.step import Derivation
+from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
-from rbpsym.document.model import (
-    Block,
-    Display,
-    Document,
-    Inlines,
-    ItemList,
-    Math,
-    Paragraph,
-    Section,
-    Strong,
-    Text,
-    words,
-)
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
@@ -45,67 +33,67 @@ def points_text(points: Fraction, language: str) -> str:
 # --- the paper
 
 
-def paper_document(worksheet: m.Worksheet) -> Document:
+def paper_document(worksheet: m.Worksheet) -> d.Document:
     """The paper: statements, numbers, tasks with room for answers."""
-    sections: list[Section] = []
+    sections: list[d.Section] = []
     if worksheet.introduction:
-        sections.append(Section((), worksheet.introduction, level=3))
+        sections.append(d.Section((), worksheet.introduction, level=3))
     for part in worksheet.parts:
         heading = part.title if len(worksheet.parts) > 1 else ()
-        sections.append(Section(heading, part.statement, level=1 if heading else 3))
-        sections += [Section((), tuple(task_blocks(item, worksheet)), level=3) for item in part.items]
-    return Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
+        sections.append(d.Section(heading, part.statement, level=1 if heading else 3))
+        sections += [d.Section((), tuple(task_blocks(item, worksheet)), level=3) for item in part.items]
+    return d.Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
 
 
-def task_blocks(item: m.Item, worksheet: m.Worksheet, *, with_key: bool = False) -> Iterator[Block]:
+def task_blocks(item: m.Item, worksheet: m.Worksheet, *, with_key: bool = False) -> Iterator[d.Block]:
     """A task with its answer area; with its key instead of that area, if asked for."""
     first, *rest = item.prompt
-    inlines = first.inlines if isinstance(first, Paragraph) else ()
+    inlines = first.inlines if isinstance(first, d.Paragraph) else ()
     yield Lead(item.id, inlines, points_text(item.points, worksheet.language))
-    yield from rest if isinstance(first, Paragraph) else item.prompt
+    yield from rest if isinstance(first, d.Paragraph) else item.prompt
     yield from (KEYS if with_key else AREAS)[type(item.key)](item, worksheet)
 
 
-def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Options(tuple(option.content for option in item.key.options))
     if item.kind == "compare":
         yield Space(float(item.space))
 
 
-def _number_line(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _number_line(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Space(float(item.space))
-    yield Rules(((Math(t.relation(item.key.left, "=", t.Word(""))),),))
+    yield Rules(((d.Math(t.relation(item.key.left, "=", t.Word(""))),),))
 
 
-def _pieces(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _pieces(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Marked(tuple(zip(LETTERS, (piece.statement for piece in item.key.pieces), strict=False)))
-    yield Rules((words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
+    yield Rules((d.words(plain_text("paper.order", worksheet.language) + ": "),), 8.0)
 
 
-def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(item.key.lines, 1)))
     language = worksheet.language
-    yield Rules(tuple(words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected")), 8.0)
+    yield Rules(tuple(d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected")), 8.0)
 
 
-def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     rows = tuple((row.label, (), (), ()) for row in item.key.rows)
     yield Form(_sign_header(worksheet.language), rows)
 
 
-def _sign_header(language: str) -> tuple[Inlines, ...]:
+def _sign_header(language: str) -> tuple[d.Inlines, ...]:
     return tuple(say(f"signs.{key}", language) for key in ("force", "translational", "rotational", "cancels"))
 
 
-def _blank_rules(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
-    yield Rules(tuple((Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in item.key.blanks))
+def _blank_rules(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield Rules(tuple((d.Math(t.relation(m.blank(b.number), "=", t.Word(""))),) for b in item.key.blanks))
 
 
-def _space(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _space(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Space(float(item.space))
 
 
-Area = Callable[[m.Item, m.Worksheet], Iterator[Block]]
+Area = Callable[[m.Item, m.Worksheet], Iterator[d.Block]]
 
 AREAS: Mapping[type, Area] = {
     m.ChoiceKey: _choices,
@@ -123,21 +111,21 @@ AREAS: Mapping[type, Area] = {
 # --- the key
 
 
-def key_document(worksheet: m.Worksheet) -> Document:
+def key_document(worksheet: m.Worksheet) -> d.Document:
     """The key: every answer, the rubric, and the slips that wrong answers show."""
-    sections = [Section((), tuple(_key_head(worksheet)), level=3)]
+    sections = [d.Section((), tuple(_key_head(worksheet)), level=3)]
     for part in worksheet.parts:
         if len(worksheet.parts) > 1:
-            sections.append(Section(part.title, (), level=1))
-        sections += [Section((), tuple(key_blocks(item, worksheet)), level=3) for item in part.items]
+            sections.append(d.Section(part.title, (), level=1))
+        sections += [d.Section((), tuple(key_blocks(item, worksheet)), level=3) for item in part.items]
     title = say("paper.key_of", worksheet.language, title=worksheet.title)
-    return Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
+    return d.Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
 
 
-def _key_head(worksheet: m.Worksheet) -> Iterator[Block]:
+def _key_head(worksheet: m.Worksheet) -> Iterator[d.Block]:
     given = [numbers(part, worksheet) for part in worksheet.parts if part.given]
     for listed in given:
-        yield Paragraph(say("solution.numbers", worksheet.language, given=listed))
+        yield d.Paragraph(say("solution.numbers", worksheet.language, given=listed))
 
 
 def numbers(part: m.Part, worksheet: m.Worksheet) -> list[t.Node]:
@@ -146,18 +134,18 @@ def numbers(part: m.Part, worksheet: m.Worksheet) -> list[t.Node]:
     return [t.equation(t.Sym(n), t.Word(measure_text(x, mark))) for n, x in part.given.items()]
 
 
-def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     """The answer to a task, its rubric and the known slips."""
     yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
     yield from KEYS[type(item.key)](item, worksheet)
     if item.rubric:
-        yield ItemList(tuple(_criterion(c, worksheet) for c in item.rubric))
+        yield d.ItemList(tuple(_criterion(c, worksheet) for c in item.rubric))
     slips = tuple(_slips(item, worksheet))
     if slips:
-        yield ItemList(slips)
+        yield d.ItemList(slips)
 
 
-def solution_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def solution_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     """The answer to a task, and how it is found."""
     yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
     if isinstance(item.key, (m.SignsKey, m.BlanksKey)):
@@ -170,47 +158,47 @@ def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
     """The answer in a line, where it fits one."""
     key, mark = item.key, worksheet.notation.decimal
     if isinstance(key, (m.ChoiceKey, m.ComparisonKey)):
-        yield Strong(words(f"{LETTERS[key.right]})"))
-        yield Text(" ")
+        yield d.Strong(d.words(f"{LETTERS[key.right]})"))
+        yield d.Text(" ")
         yield from key.options[key.right].content
     elif isinstance(key, m.NumberKey):
-        yield Math(t.equation(key.left, key.formula, t.Word(measure_text(key.measure, mark))))
+        yield d.Math(t.equation(key.left, key.formula, t.Word(measure_text(key.measure, mark))))
     elif isinstance(key, m.FormulaKey):
-        yield Math(t.equation(key.left, key.value))
+        yield d.Math(t.equation(key.left, key.value))
     elif isinstance(key, m.OrderKey):
         order = " ".join(LETTERS[k] for k in key.sample)
         yield from say("paper.accepted_order", worksheet.language, order=order)
     elif isinstance(key, m.SlipKey):
-        yield Text(f"{plain_text('paper.line', worksheet.language)}: {key.wrong + 1}. ")
-        yield Text(f"{plain_text('paper.corrected', worksheet.language)}: ")
+        yield d.Text(f"{plain_text('paper.line', worksheet.language)}: {key.wrong + 1}. ")
+        yield d.Text(f"{plain_text('paper.corrected', worksheet.language)}: ")
 
 
-def _nothing(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _nothing(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield from ()
 
 
-def _slip_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
-    yield Display(item.key.corrected, numbered=False)
-    yield Paragraph(feedback(item.key.slip, item, worksheet))
+def _slip_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    yield d.Display(item.key.corrected, numbered=False)
+    yield d.Paragraph(feedback(item.key.slip, item, worksheet))
 
 
-def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _signs_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     language = worksheet.language
     groups = list(dict.fromkeys(row.cancels for row in item.key.rows if row.cancels))
     rows = []
     for row in item.key.rows:
         signs = (say(f"signs.{SIGN_WORDS[s]}", language) for s in (row.translational, row.rotational))
-        group = words(LETTERS[groups.index(row.cancels)]) if row.cancels else say("signs.nothing", language)
+        group = d.words(LETTERS[groups.index(row.cancels)]) if row.cancels else say("signs.nothing", language)
         rows.append((row.label, *signs, group))
     yield Form(_sign_header(language), tuple(rows))
 
 
-def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     for answer in item.key.blanks:
-        yield Display(t.equation(m.blank(answer.number), answer.value), numbered=False)
+        yield d.Display(t.equation(m.blank(answer.number), answer.value), numbered=False)
 
 
-def _explanation_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[Block]:
+def _explanation_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield from item.key.sample
 
 
@@ -227,24 +215,24 @@ KEYS: Mapping[type, Area] = {
 }
 
 
-def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> Inlines:
+def _criterion(criterion: m.Criterion, worksheet: m.Worksheet) -> d.Inlines:
     points = say(
         "paper.points_each", worksheet.language, points=number_text(criterion.points, worksheet.notation.decimal)
     )
-    return (Strong(points), Text(" "), *criterion.text)
+    return (d.Strong(points), d.Text(" "), *criterion.text)
 
 
-def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[Inlines]:
+def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Inlines]:
     """What each known wrong answer says about its maker."""
     key, mark = item.key, worksheet.notation.decimal
     if isinstance(key, m.ChoiceKey):
-        found = [(words(f"{LETTERS[k]})"), o.slip) for k, o in enumerate(key.options) if o.slip]
+        found = [(d.words(f"{LETTERS[k]})"), o.slip) for k, o in enumerate(key.options) if o.slip]
     elif isinstance(key, m.NumberKey):
-        found = [(words(measure_text(a.number, mark)), a.slip) for a in key.anticipated]
+        found = [(d.words(measure_text(a.number, mark)), a.slip) for a in key.anticipated]
     elif isinstance(key, m.FormulaKey):
-        found = [((Math(a.formula),), a.slip) for a in key.anticipated]
+        found = [((d.Math(a.formula),), a.slip) for a in key.anticipated]
     elif isinstance(key, m.BlanksKey):
-        found = [((Math(a.formula),), a.slip) for b in key.blanks for a in b.anticipated]
+        found = [((d.Math(a.formula),), a.slip) for b in key.blanks for a in b.anticipated]
     else:
         found = []
     for answer, slip in found:
@@ -252,7 +240,7 @@ def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[Inlines]:
         yield say("paper.slip", worksheet.language, answer=answer, comment=comment)
 
 
-def feedback(slip: m.Slip, item: m.Item, worksheet: m.Worksheet) -> Inlines:
+def feedback(slip: m.Slip, item: m.Item, worksheet: m.Worksheet) -> d.Inlines:
     """What is said of a slip, the bodies called as in the problem of the item."""
     said = Words(worksheet.language, worksheet.problems[item.asked.problem])
     return spoken(said, slip.phrase, **slip.slots)
@@ -261,12 +249,12 @@ def feedback(slip: m.Slip, item: m.Item, worksheet: m.Worksheet) -> Inlines:
 # --- the solution
 
 
-def solution_document(worksheet: m.Worksheet, derivations: Mapping[str, Derivation]) -> Document:
+def solution_document(worksheet: m.Worksheet, derivations: Mapping[str, Derivation]) -> d.Document:
     """The full derivation of each problem, then every answer worked out at the student's numbers."""
     from rbpsym.teaching.papers.solution import part_sections
 
-    sections: list[Section] = []
+    sections: list[d.Section] = []
     for part in worksheet.parts:
         sections += part_sections(part, worksheet, derivations[part.problem])
     title = say("paper.solution_of", worksheet.language, title=worksheet.title)
-    return Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
+    return d.Document(title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
