@@ -98,11 +98,6 @@ def without_accents(text: str) -> str:
     return "".join(char for char in normalize("NFD", text.casefold()) if not combining(char))
 
 
-def by_letters(entry: tuple[Inlines, list[str]]) -> str:
-    """How an entry of the index is sorted: by small letters without accents."""
-    return "".join(char for char in normalize("NFD", entry[0][0].text.lower()) if not combining(char))
-
-
 def references(labels: Iterable[str]) -> Inlines:
     """Pages with commas before them."""
     return tuple(part for label in labels for part in (Text(", "), Ref(label, page=True)))

@@ -231,12 +231,6 @@ def without_noise(values: Sequence[float]) -> list[float]:
     return [0.0 if abs(value) < least else value for value in values]
 
 
-def distinct(measures: Iterable[Measure]) -> bool:
-    """Whether numbers differ in print, pair by pair, by more than one unit of the last digit."""
-    found = list(measures)
-    return all(apart(a, b) for place, a in enumerate(found) for b in found[place + 1 :])
-
-
 def apart(a: Measure, b: Measure) -> bool:
     """Whether two printed numbers differ by more than one per cent (so that rounding can't make them equal)."""
     difference = abs(a.value - b.value)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem, load_table, table_of
+from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
@@ -59,11 +59,6 @@ class Sheet:
 def is_sheet(table: Table) -> bool:
     """Whether a file is a worksheet (and not a problem): it lists problems."""
     return "problem" in table
-
-
-def load_sheet(path: Path) -> Sheet:
-    """The worksheet in a file. Raises StatementError or ReadError with the place of what is wrong."""
-    return sheet_of(load_table(path), path.stem, path.parent)
 
 
 def sheet_of_text(text: str, name: str = "worksheet") -> Sheet:

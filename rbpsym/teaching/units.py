@@ -8,7 +8,7 @@ from decimal import ROUND_HALF_UP, Decimal
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
-from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
+from rbpsym.quantities import DIMENSIONS, Dimension
 from rbpsym.statement.units import unit_named
 from rbpsym.teaching.model import Measure
 
@@ -140,8 +140,3 @@ def measure_text(measure: Measure, mark: str = ".") -> str:
     """Number and unit: “2.50 m”, “64.0°”."""
     unit = unit_text(measure.unit)
     return digits_text(measure, mark) + (unit if unit in ("", "°") else f"\u00a0{unit}")
-
-
-def is_pure(dimension: Dimension) -> bool:
-    """Whether it is a number or an angle."""
-    return dimension == NUMBER

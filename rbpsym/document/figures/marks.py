@@ -122,15 +122,6 @@ def dot(at: s.Point) -> Items:
     return (s.Circle(at, 0.05, "dot"),)
 
 
-def center_mark(at: s.Point) -> Items:
-    """A centre of mass: a small cross in a circle."""
-    return (
-        s.Circle(at, 0.09, "joint"),
-        s.Line(((at[0] - 0.09, at[1]), (at[0] + 0.09, at[1])), "line"),
-        s.Line(((at[0], at[1] - 0.09), (at[0], at[1] + 0.09)), "line"),
-    )
-
-
 def dimension(start: s.Point, end: s.Point, aside: float) -> Items:
     """A line with two heads beside the length it measures, and thin lines that lead to it."""
     a, b = between(start, end, 0, aside), between(start, end, 1, aside)

@@ -14,7 +14,7 @@ from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
-from rbpsym.statement.model import Body, Element, Problem
+from rbpsym.statement.model import Element
 
 
 def with_parts(study: Study, **parts: object) -> Study:
@@ -63,11 +63,6 @@ def with_elements(study: Study, change: Callable[[Element], Element | None]) -> 
             constraints=tuple(e for e in map(change, problem.constraints) if e is not None),
         )
     )
-
-
-def with_bodies(problem: Problem, change: Callable[[Body], Body]) -> Problem:
-    """The statement with changed bodies."""
-    return replace(problem, bodies=tuple(map(change, problem.bodies)))
 
 
 def with_values(element: Element, **values: object) -> Element:
