@@ -86,8 +86,11 @@ def _within(context: Context, step: Step) -> Iterator[Verdict]:
             context.use(f"range.{name}")
         lower, upper = context.assumptions.range_of(name)
         turn = None not in (lower, upper) and is_zero(upper - lower - PI * 2)
-        yield from () if lower is None else [_beyond(context, lower, place)]
-        yield from () if upper is None or (turn and is_zero(upper - place)) else [_beyond(context, place, upper)]
+        for low, high in ((lower, place), (place, upper)):
+            if None not in (low, high) and not (turn and is_zero(upper - place) and high is upper):
+                found = _beyond(context, low, high)
+                is_end = not found.is_proved and is_zero(low - high)  # an end belongs to the range if the start is there
+                yield Verdict(PROVED) if is_end and is_zero(context.start(symbol(name)) - place) else found
 
 
 def _beyond(context: Context, low: Scalar, high: Scalar) -> Verdict:

@@ -133,7 +133,7 @@ def _demands(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> 
     try:
         if is_zero(determinant(_there(dynamics.mass_matrix, at))):
             return None  # the coordinates do not describe its neighbourhood, as r = 0 of polar ones does not
-        asked = [*_of_place(at, given), *_of_forces(system, dynamics, at, given)]
+        asked = [*_of_place(at, given, system.scope.start), *_of_forces(system, dynamics, at, given)]
         return settle(asked, given)
     except ZeroDivisionError:
         return None
@@ -143,9 +143,12 @@ def _there(matrix: Matrix, at: At) -> Matrix:
     return tuple(tuple(substitute(entry, at) for entry in row) for row in matrix)
 
 
-def _of_place(at: Mapping[str, Scalar], given: Assumptions) -> Iterator[Demand]:
+def _of_place(at: Mapping[str, Scalar], given: Assumptions, start: Mapping[str, Scalar]) -> Iterator[Demand]:
+    """It exists and lies within the ranges; a range has the stated start, be it one of its ends."""
     for name, value in at.items():
         yield from existence(value)
+        if name in start and is_zero(value - start[name]):
+            continue
         lower, upper = given.range_of(name)
         yield from () if lower is None else [Demand(value - lower)]
         yield from () if upper is None else [Demand(upper - value, _last(lower, upper))]

@@ -1,9 +1,13 @@
 """Where the forces balance: every factor counts, and a coordinate may stay arbitrary."""
 
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.normal import is_zero, same
-from rbpsym.algebra.scalar import symbol
+from rbpsym.algebra.scalar import NOTHING, symbol
 from rbpsym.algebra.trig import sine
+from rbpsym.mechanics.rest import is_autonomous, resting_forces
 from rbpsym.mechanics.roots import common_zeros
+from rbpsym.mechanics.study import Study
+from tests.library.derived import NAMES, problem
 
 K, L, R, W, X, Y, Z = (symbol(name) for name in ("k", "l", "r", "w", "x", "y", "z"))
 
@@ -18,3 +22,28 @@ def test_what_floats_freely_may_rest_anywhere():
     [at] = common_zeros([K * (Y - X - L), K * (X - 2 * Y + Z), K * (Z - Y - L)], ("x", "y", "z")).found
     [free] = {"x", "y", "z"} - at.keys()
     assert free == "z" and same(at["x"], Z - 2 * L) and same(at["y"], Z - L)
+
+
+def start_at_rest(study):
+    """The stated start, if it is one without speed at which nothing accelerates; None if not."""
+    system, start, gains = study.system, study.system.scope.start, study.dynamics.accelerations
+    forces = resting_forces(system, study.dynamics)
+    names = [name for name in system.independent if any(depends_on(force, name) for force in forces)]
+    moving = any(not is_zero(start.get(speed, NOTHING)) for speed in system.speeds)
+    if gains is None or moving or not names or not set(names) <= start.keys() or not is_autonomous(system, study.dynamics):
+        return None
+    there = {**dict.fromkeys(system.speeds, NOTHING), **start}
+    driven = any(not is_zero(substitute(value, there)) for value in gains.values())
+    return None if driven else {name: start[name] for name in names}
+
+
+def test_a_stated_start_that_rests_is_a_place_of_rest_be_it_an_end_of_its_range():
+    seen = set()
+    for name in NAMES:
+        study = Study(problem(name))
+        at = start_at_rest(study)
+        if at is not None:
+            seen.add(name)
+            places = [place for place, _ in study.rest.places]
+            assert any(all(is_zero(place[n] - at[n]) for n in at.keys() & place.keys()) for place in places), name
+    assert {"ball-off-sphere", "cylinder-off-cylinder", "falling-stick", "rod-falling-on-rough-floor"} <= seen
