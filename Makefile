@@ -47,7 +47,7 @@ check: $(VENV)/run.stamp
 	$(BIN)/rbpsym check --no-cache --simulation --failures
 
 mutants: $(VENV)/run.stamp
-	@$(BIN)/python -m rbpsym.verify.mutants_run
+	@$(BIN)/python -m tests.mutants.run
 
 distractors: $(VENV)/run.stamp
 	@$(BIN)/python benchmarks/slow/distractors.py

@@ -47,7 +47,6 @@ ALLOWED = {
     "verify/claims_loader.py": READS,
     "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",
     "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",
-    "verify/mutants.py": "a look in floating-point numbers, which chooses and never decides",
     "verify/paper_source.py": READS,
     "verify/agreement.py": "pow(x, -1, p) at a pole",
 }

@@ -25,8 +25,8 @@ from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
 from rbpsym.verify.claims_model import Outcome, Setting
 from rbpsym.verify.claims_path import first_push, sense
 from rbpsym.verify.claims_run import Worlds
-from rbpsym.verify.mutants import is_different, mutants
-from rbpsym.verify.mutants_run import trials
+from tests.mutants.changed import is_different, mutants
+from tests.mutants.run import trials
 
 WORLDS = Worlds()
 CLOSE = 1e-9

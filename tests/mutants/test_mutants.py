@@ -5,7 +5,7 @@ from collections import Counter
 import pytest
 
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.mutants_run import run, trials
+from tests.mutants.run import run, trials
 
 FILES = sorted((library_folder() / "claims").glob("*.toml"))
 

@@ -19,8 +19,8 @@ from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Claim, Outcome
 from rbpsym.verify.claims_run import Worlds
-from rbpsym.verify.mutants import is_different, mutants
-from rbpsym.verify.mutants_rewrites import rewrites
+from tests.mutants.changed import is_different, mutants
+from tests.mutants.rewritten import rewrites
 
 WANTED = 20
 
