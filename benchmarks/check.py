@@ -82,7 +82,7 @@ def slowest() -> dict[str, float]:
     from rbpsym.verify.claims_cache import Certificates
     from rbpsym.verify.claims_loader import load_claims
     from rbpsym.verify.claims_run import check_claims
-    from rbpsym.verify.mutants_run import trials
+    from tests.mutants.run import trials
 
     file, claims, others = load_claims(CLAIMS), {}, {}
     for _ in range(3):

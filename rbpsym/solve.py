@@ -14,13 +14,13 @@ from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.balance import Balance
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.linear import conditions, decaying, eigenvalues
+from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.rest import Balance
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.work import Work
 from rbpsym.notation.machine import machine_name, to_machine
 from rbpsym.statement.model import Problem
 

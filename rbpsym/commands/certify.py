@@ -11,7 +11,7 @@ import click
 from rbpsym.commands.arguments import name_argument, output_option
 
 if TYPE_CHECKING:
-    from rbpsym.kernel.compiling import Report
+    from rbpsym.kernel.certify import Report
 
 
 @click.command("certify")
@@ -32,8 +32,7 @@ def command(name: str, output: Path) -> int:
     from rbpsym.commands.shelf import found
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
-    from rbpsym.kernel.certify import text, written
-    from rbpsym.kernel.compiling import PRELUDE, compiled
+    from rbpsym.kernel.certify import PRELUDE, compiled, text, written
     from rbpsym.kernel.terms import identifier
     from rbpsym.statement.loader import load_problem
 

@@ -10,10 +10,9 @@ from rbpsym.derivation.checks import same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
-from rbpsym.mechanics.conditions import all_conditions
+from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.rates import rate_conditions
 from rbpsym.mechanics.system import System, at_point
 from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher

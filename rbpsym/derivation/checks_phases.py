@@ -20,7 +20,7 @@ from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System
 
 Values = Mapping[str, Scalar]

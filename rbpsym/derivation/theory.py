@@ -28,8 +28,7 @@ from rbpsym.derivation.theory_ground import (
     particle_context,
     turning,
 )
-from rbpsym.derivation.theory_potential import potential_energy
-from rbpsym.derivation.theory_works import ideal_forces, works
+from rbpsym.derivation.theory_works import ideal_forces, potential_energy, works
 from rbpsym.equality.verdict import Verdict
 from rbpsym.notation import tree as t
 

@@ -1,9 +1,17 @@
-"""Certificates: how a claim follows from others, neutral of any prover; whether it is so, a prover says."""
+"""Certificates: how a claim follows from others, neutral of any prover; and by which multiples of known equations.
+
+Elimination keeps account of the multiples. Nothing here has to be believed: the kernel multiplies out. Sines and cosines
+are letters ("sin theta"), so that nothing is replaced by sin² + cos² = 1 without an account of it.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from rbpsym.algebra import atoms
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.kernel.claims import Claim
 from rbpsym.notation import tree as t
 
@@ -56,3 +64,104 @@ class Proof:
     like: tuple[t.Node, Multiples] | None = None
     factor: t.Node | None = None
     square: tuple[t.Node, t.Node, t.Node] | None = None
+
+
+Sums = dict[int, Scalar]  # how often each of the known equations is in one
+
+
+@dataclass(frozen=True)
+class Row:
+    """A value, and what it is: the goal (or nothing) and Σ multiples × known values."""
+
+    value: Scalar
+    multiples: Sums
+
+    def less(self, factor: Scalar, other: Row) -> Row:
+        """The row less a multiple of another; sin² is replaced by 1 - cos² on the way."""
+        sums = dict(self.multiples)
+        for key, part in other.multiples.items():
+            sums[key] = sums.get(key, NOTHING) - factor * part
+        return Row(wound(self.value - factor * other.value), sums)
+
+
+@dataclass(frozen=True)
+class Pivot:
+    """An atom to a power, which a row gives, and its coefficient there."""
+
+    atom: int
+    power: int
+    slope: Scalar
+    row: Row
+
+    def cleared(self, row: Row) -> Row:
+        """The row without the pivot."""
+        while (top := max(_powers(row.value, self.atom), default=0)) >= self.power:
+            head = Scalar(row.value.num.by_power(self.atom)[top], row.value.den)
+            row = row.less(head * _atom(self.atom) ** (top - self.power) / self.slope, self.row)
+        return row
+
+
+def _atom(index: int) -> Scalar:
+    return Scalar(Poly({((index, 1),): 1}))
+
+
+def _powers(value: Scalar, index: int) -> list[int]:
+    return [] if index in value.den.atoms() else [power for power in value.num.by_power(index) if power]
+
+
+def reduced(
+    goal: Scalar, known: Sequence[Scalar], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]
+) -> tuple[Scalar, Sums, list[Row]]:
+    """What is left of the goal, the multiples that were put to it, and the equations, as they were
+    when each was used or left.
+
+    order: the higher, the sooner an atom is replaced; 0 for one that is not.
+    """
+    rows = [Row(wound(value), {place: UNITY}) for place, value in enumerate(known)]
+    end, used = Row(wound(goal), {}), []
+    while pivots := sorted(_pivots(rows, order, is_nonzero), key=lambda p: (-order(p.atom), len(p.slope.num), p.power)):
+        pivot = pivots[0]
+        rows, end = [pivot.cleared(row) for row in rows if row is not pivot.row], pivot.cleared(end)
+        used.append(pivot)
+    return end.value, end.multiples, [row for row in (*rows, *(pivot.row for pivot in used)) if row.value]
+
+
+def _pivots(rows: list[Row], order: Callable[[int], int], is_nonzero: Callable[[Scalar], bool]) -> Iterator[Pivot]:
+    for row in rows:
+        for index in row.value.num.atoms():
+            powers = _powers(row.value, index)
+            if order(index) and len(powers) == 1 and powers[0] > 0:
+                slope = Scalar(row.value.num.by_power(index)[powers[0]], row.value.den)
+                if is_nonzero(slope):
+                    yield Pivot(index, powers[0], slope, row)
+
+
+def partner(index: int, kind: str = "sin") -> int | None:
+    """The cosine's letter of a sine's (or the other way round); None for what is no sine."""
+    name, other = atoms.symbol_name(index) or "", {"sin": "cos", "cos": "sin"}[kind]
+    return atoms.intern("symbol", other + name[3:]) if name.startswith(f"{kind} ") else None
+
+
+def circles(rest: Scalar, kind: str = "sin") -> tuple[dict[int, Scalar], Scalar]:
+    """By how much of sin² + cos² - 1 of each angle (by the index of its sine) a value differs from 0, and what stays."""
+    found: dict[int, Scalar] = {}
+    num = rest.num
+    for index in sorted(i for i in num.atoms() if partner(i, kind)):
+        square, total = Poly({((partner(index, kind), 2),): 1}), NOTHING
+        while (top := max(num.by_power(index), default=0)) > 1:
+            head = num.by_power(index)[top] * Poly({((index, top - 2),) if top > 2 else (): 1})
+            total = total + Scalar(head)
+            num = num - head * (Poly({((index, 2),): 1}) + square - Poly({(): 1}))
+        if total:
+            found[index] = total / Scalar(rest.den)
+    return found, Scalar(num, rest.den)
+
+
+def wound(value: Scalar, kind: str = "sin") -> Scalar:
+    """The value with sin² replaced by 1 - cos²."""
+    return circles(value, kind)[1]
+
+
+def vanishes(value: Scalar) -> bool:
+    """Whether it is 0 by sin² + cos² = 1."""
+    return not wound(value)

@@ -17,7 +17,7 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.mass import power
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError
-from rbpsym.kernel.components import Components, renamed, started
+from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
@@ -316,7 +316,7 @@ def _open_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     """Where the body is at rest, the equation holds of its place."""
     item = step.data["balance"]
     there = {item.place: t.Sym(item.name)}
-    return [Claim(renamed(c.left, there), renamed(c.right, there), given=c.given) for c in _at_rest(source, step, claims)]
+    return [Claim(t.renamed(c.left, there), t.renamed(c.right, there), given=c.given) for c in _at_rest(source, step, claims)]
 
 
 def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -324,7 +324,7 @@ def _equilibrium(source: Source, step: Step, claims: list[Claim]) -> list[Claim]
     place = {name: tree_of(value) for name, value in step.data["at"].items()}
     rest = (id for id, other in source.steps.items() if other.rule == "rest" and id in source.said)
     found = (claim for id in rest for claim in source.said[id].assertions)
-    return [Claim(renamed(c.left, place), renamed(c.right, place)) for c in found]
+    return [Claim(t.renamed(c.left, place), t.renamed(c.right, place)) for c in found]
 
 
 def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
@@ -334,7 +334,7 @@ def _tangent(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     apart = t.Add((whole, t.Neg(right)))
     if any(map(source.moving, t.names(apart) - {name})):
         raise RbpsymError("a motion in several variables is not written yet")
-    return [Claim(renamed(apart, {name: place}), t.ZERO), Claim(apart, t.ZERO, "slope", var=name, place=place)]
+    return [Claim(t.renamed(apart, {name: place}), t.ZERO), Claim(apart, t.ZERO, "slope", var=name, place=place)]
 
 
 def _there(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:

@@ -2,36 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import fields, replace
+from collections.abc import Callable, Iterator
 
 from rbpsym.notation import tree as t
 
 START = "@0"  # ends the name of a quantity's value at the start
 
 
-def rebuilt(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
-    """The node with each of its direct parts changed."""
-    found = {}
-    for item in fields(node):
-        value = getattr(node, item.name)
-        if isinstance(value, t.Node):
-            found[item.name] = change(value)
-        elif isinstance(value, tuple) and value and isinstance(value[0], t.Node):
-            found[item.name] = tuple(map(change, value))
-    return replace(node, **found) if found else node
-
-
-def renamed(node: t.Node, names: Mapping[str, t.Node]) -> t.Node:
-    """The tree with symbols replaced."""
-    if isinstance(node, t.Sym):
-        return names.get(node.name, node)
-    return rebuilt(node, lambda part: renamed(part, names))
-
-
 def started(node: t.Node, moving: Callable[[str], bool]) -> t.Node:
     """The tree as it is at the start."""
-    return renamed(node, {name: t.Sym(name + START) for name in t.names(node) if moving(name)})
+    return t.renamed(node, {name: t.Sym(name + START) for name in t.names(node) if moving(name)})
 
 
 class Components:
@@ -73,7 +53,7 @@ class Components:
             return t.mul(*(self.part(f, axis) if self.axes(f) else self.plain(f) for f in node.factors))
         if isinstance(node, t.Add):
             return t.add(*(self.part(term, axis) for term in node.terms))
-        return rebuilt(node, lambda part: self.part(part, axis) if self.axes(part) else self.plain(part))
+        return t.mapped(node, lambda part: self.part(part, axis) if self.axes(part) else self.plain(part))
 
     def _determinant(self, node: t.Cross) -> t.Node:
         (a, b), (c, d) = ((self.part(side, "x"), self.part(side, "y")) for side in (node.left, node.right))
@@ -93,4 +73,4 @@ class Components:
         if isinstance(node, t.Delta):
             now = self.plain(node.arg)
             return t.Add((now, t.Neg(started(now, self.moving))))
-        return rebuilt(node, self.plain)
+        return t.mapped(node, self.plain)

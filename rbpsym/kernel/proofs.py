@@ -13,10 +13,9 @@ from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.errors import Undecided
-from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
+from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import Claim, Source, tree_of
-from rbpsym.kernel.cofactors import circles, partner, reduced, vanishes, wound
-from rbpsym.kernel.components import START, rebuilt, renamed, started
+from rbpsym.kernel.components import START, started
 from rbpsym.kernel.terms import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -59,13 +58,13 @@ class Search:
 
     def tree(self, value: Scalar) -> t.Node:
         """A value as a tree, sines and cosines as functions again."""
-        return renamed(tree_of(value), self.source.circular)
+        return t.renamed(tree_of(value), self.source.circular)
 
     def _lettered(self, node: t.Node) -> t.Node:
         if isinstance(node, t.Fn):
             return self._turned(tree_of(scalar(node)))
         if not isinstance(node, t.Integral):
-            return rebuilt(node, self._lettered)
+            return t.mapped(node, self._lettered)
         name = next((n for n, known in self.integrals.items() if known == node), f"J_{len(self.integrals) + 1}")
         self.integrals[name] = node
         self.met.append(node)
@@ -79,7 +78,7 @@ class Search:
     def _turned(self, node: t.Node) -> t.Node:
         """Sines and cosines of plain angles as letters."""
         if not isinstance(node, t.Fn):
-            return rebuilt(node, self._turned)
+            return t.mapped(node, self._turned)
         angle = to_machine(node.arg)
         for kind in ("sin", "cos"):
             self.source.circular[f"{kind} {angle}"] = t.Fn(kind, node.arg)
@@ -102,7 +101,7 @@ class Search:
 
     def _begun(self, node: t.Node) -> t.Node:
         integrals = {n: t.ZERO for n in t.names(node) & self.integrals.keys() if self.starts.get(n + START) == t.ZERO}
-        return renamed(started(renamed(node, integrals), self.moving), self.starts)
+        return t.renamed(started(t.renamed(node, integrals), self.moving), self.starts)
 
     # --- elimination
 

@@ -11,7 +11,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.conditions import contradiction
+from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
@@ -19,7 +19,6 @@ from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.interactions import LAWS, Setting
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.placing import locator, open_names, poses, still_open
-from rbpsym.mechanics.rates import CLOCK
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.notation.tree import Node

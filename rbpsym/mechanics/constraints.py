@@ -13,8 +13,7 @@ from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, holding_forces, meeting, meshing_force, normal_forces, taken
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.geometry import Geometry, pair
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.curves import toucher
 from rbpsym.statement.model import Element, Line, PointRef

@@ -16,8 +16,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.lines import components, normal
+from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, rotated
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element, PointRef

@@ -1,7 +1,7 @@
-"""Where everything is, as the constraints see it, and signs at a sample state.
+"""Positions of the points and lines that a statement refers to, as the constraints see them, and signs at a sample state.
 
-A sample state only chooses between equally valid conventions (which side of a line a body is
-on, which way a straight string runs); it never decides whether something holds.
+Straight lines are a x + b y = c with a² + b² = 1. A sample state only chooses between equally valid conventions (which
+side of a line a body is on, which way a straight string runs); it never decides whether something holds.
 """
 
 from __future__ import annotations
@@ -9,15 +9,69 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra.vector import ORIGIN, Vector, cartesian
 from rbpsym.errors import NoNumber
+from rbpsym.mechanics.inertia import Inertia, tidy
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.system import BodyState, Pose
-from rbpsym.statement.model import PointRef, Problem
+from rbpsym.mechanics.system import BodyState, Pose, at_point
+from rbpsym.statement.model import Body, Line, PointRef, Problem
+
+
+def local_point(body: Body, name: str, inertia: Inertia) -> tuple[Scalar, Scalar]:
+    """Body-frame coordinates of a named point; "cm" is the centre of mass."""
+    if name == "cm":
+        return inertia.x, inertia.y
+    x, y = body.points[name]
+    return scalar(x), scalar(y)
+
+
+def pair(nodes) -> Vector:
+    """A pair of trees as a vector of space."""
+    return cartesian(scalar(nodes[0]), scalar(nodes[1]))
+
+
+def position(
+    ref: PointRef, bodies: Mapping[str, Body], inertias: Mapping[str, Inertia], poses: Mapping[str, Pose]
+) -> Vector:
+    """Position in space of any point."""
+    if ref.body is None:
+        return pair(ref.at)
+    return at_point(poses[ref.body], local_point(bodies[ref.body], ref.point, inertias[ref.body]))
+
+
+def components(line: Line) -> tuple[Scalar, Scalar, Scalar]:
+    """(a, b, c) with a² + b² = 1: the distance of (x, y) from the line is a x + b y - c.
+
+    Denominators are cleared first, so that y = x tan β gives (-sin β, cos β); a slope angle is
+    therefore taken between -90° and 90°.
+    """
+    parts = [scalar(part) for part in (line.a, line.b, line.c)]
+    factor = _below(parts[:2])
+    a, b, c = (part * factor for part in parts)
+    length = root(tidy(a * a + b * b))
+    return a / length, b / length, c / length
+
+
+def normal(line: Line) -> Vector:
+    """The unit vector across the line, towards growing a x + b y."""
+    a, b, _ = components(line)
+    return cartesian(a, b)
+
+
+def _below(parts: list[Scalar]) -> Scalar:
+    """The product of all that stands below in the parts."""
+    below: dict[int, int] = {}
+    for part in parts:
+        for m in part.num.terms:
+            for index, exponent in m:
+                below[index] = max(below.get(index, 0), -exponent)
+    return Scalar(Poly({tuple(sorted((i, e) for i, e in below.items() if e)): 1}))
+
 
 TINY = 1e-9
 

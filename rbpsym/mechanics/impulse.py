@@ -14,7 +14,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import Force, System
 from rbpsym.statement.model import Element, PointRef
 

@@ -14,8 +14,8 @@ from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.inertia import tidy
-from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import BodyState, Force, rotated
 from rbpsym.statement.model import Element, PointRef
 

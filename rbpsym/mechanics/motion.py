@@ -1,8 +1,15 @@
-"""Motion from the start state: squares of speeds and forces as functions of position."""
+"""Motion from the start state: squares of speeds and forces as functions of position, and the work of every force.
+
+Of each body: Translational work ∫F·dR_cm and rotational work ∫τ_cm dφ of every force on every body.
+
+The integrand for a coordinate q is F·∂R_cm/∂q and τ_cm ∂φ/∂q (for the time, where something is
+driven, F·∂R_cm/∂t and τ_cm ∂φ/∂t); unknown forces stay as symbols
+in it. The value is the integral from the start along the motion."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
@@ -11,9 +18,10 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.algebra.vector import Vector
+from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.system import System
+from rbpsym.mechanics.system import BodyState, Force, System
 
 
 def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
@@ -101,4 +109,110 @@ def _replaced(poly: Poly, index: int, square: Scalar) -> Scalar | None:
         if power % 2 or power < 0:
             return None
         total = total + Scalar(part) * square ** (power // 2)
+    return total
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """One half of a force's work on a body.
+
+    `parts`: integrand by coordinate (only those that are not identically zero); `value`: the
+    work done since the start, None if it can't be given in closed form.
+    """
+
+    parts: Mapping[str, Scalar]
+    value: Scalar | None
+
+    @property
+    def coordinate(self) -> str | None:
+        """The one coordinate over which it is integrated; None if there are several or none."""
+        return next(iter(self.parts)) if len(self.parts) == 1 else None
+
+
+@dataclass(frozen=True, slots=True)
+class ForceWork:
+    """Both halves of the work of one force on one body."""
+
+    force: str
+    on: str
+    translational: Work
+    rotational: Work
+
+
+def works(system: System, reactions: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> tuple[ForceWork, ...]:
+    """The ledger of works, force by force and body by body."""
+    merged: dict[tuple[str, str], list[Force]] = {}
+    for force in system.forces:
+        merged.setdefault((force.name, force.on), []).append(force)
+    return tuple(_work(system, forces, reactions, squares) for forces in merged.values())
+
+
+def _work(system: System, forces: list[Force], reactions, squares) -> ForceWork:
+    state = system.bodies[forces[0].on]
+    push = sum((force.vector for force in forces), Vector({}))
+    turn = sum((torque_about_center(force, state) for force in forces), NOTHING)
+    return ForceWork(
+        forces[0].name,
+        forces[0].on,
+        _half(system, lambda q: push.dot(_center_partial(state, q, system)), reactions, squares),
+        _half(system, lambda q: turn * _angle_partial(state, q, system), reactions, squares),
+    )
+
+
+def _center_partial(state: BodyState, name: str, system: System) -> Vector:
+    """∂R_cm/∂q, through ∂V/∂q̇ (the same, and right when speeds depend on each other)."""
+    if name == "t":
+        return state.velocity.substitute(dict.fromkeys(system.speeds, NOTHING))
+    return state.velocity.derivative(f"{name}_dot")
+
+
+def _angle_partial(state: BodyState, name: str, system: System) -> Scalar:
+    if name == "t":
+        return substitute(state.omega, dict.fromkeys(system.speeds, NOTHING))
+    return derivative(state.omega, f"{name}_dot")
+
+
+def _half(system: System, integrand, reactions: Mapping[str, Scalar], squares: Mapping[str, Scalar]) -> Work:
+    names = (*system.independent, "t") if system.has_clock else system.independent
+    parts = {name: short(integrand(name)) for name in names}
+    parts = {name: part for name, part in parts.items() if not is_zero(part)}
+    return Work(parts, _value(system, parts, reactions, squares))
+
+
+def _value(system: System, parts: Mapping[str, Scalar], reactions, squares) -> Scalar | None:
+    if not parts:
+        return NOTHING
+    total = NOTHING
+    for name, part in parts.items():
+        known = along_motion(substitute(part, reactions), squares)
+        if known is None or name not in system.scope.start or not _of_one(known, name, system):
+            return None
+        done = definite(known, name, system.scope.start[name], symbol(name))
+        if done is None:
+            return None
+        total = total + done
+    return short(total)
+
+
+def _of_one(value: Scalar, name: str, system: System) -> bool:
+    from rbpsym.algebra.calculus import depends_on
+
+    return not any(depends_on(value, other) for other in (*system.coordinates, "t") if other != name)
+
+
+def power(system: System, item: ForceWork) -> Scalar:
+    """The rate at which both halves together do work."""
+    total = NOTHING
+    for half in (item.translational, item.rotational):
+        for name, part in half.parts.items():
+            total = total + part * system.scope.rates[name]
+    return total
+
+
+def net_power(system: System, forces: Iterable[Force]) -> Scalar:
+    """Σ F·V + τ_cm ω: the rate at which forces work, the translational and the rotational part of it."""
+    total = NOTHING
+    for force in forces:
+        state = system.bodies[force.on]
+        total = total + force.vector.dot(state.velocity) + torque_about_center(force, state) * state.omega
     return total

@@ -12,8 +12,8 @@ from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.friction import geometry_of, slip_senses
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.numbers import number, samples
-from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element, Phase, PointRef

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
@@ -19,14 +20,64 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import Style
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.clock import shifted
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.impulse import Struck, strike
 from rbpsym.mechanics.phase_checks import check_collision, check_in_place, check_still_slipping
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
-from rbpsym.statement.model import Phase, Problem
+from rbpsym.notation.tree import Node, Sym, add
+from rbpsym.statement.model import Body, Element, Phase, Problem
+from rbpsym.statement.scope import CLOCK
+from rbpsym.statement.substitution import put_in
+
+
+def shifted(phase: Phase, begins: Scalar | None) -> Problem:
+    """The problem of a phase with t counted from its beginning. Raises NotApplicable where that moment has no
+    closed form (None) and something is given as a function of the time."""
+    problem = phase.problem
+    if begins == NOTHING or not any(map(_runs, _given(problem))):
+        return problem
+    if begins is None:
+        raise NotApplicable(
+            f"the moment at which the phase “{phase.name}” begins has no closed form, and in it something is given as "
+            f"a function of the time",
+            instead="state this phase as a problem of its own.",
+        )
+    later = {CLOCK: add(present(begins), Sym(CLOCK))}
+    return replace(
+        problem,
+        bodies=tuple(_body(body, later) for body in problem.bodies),
+        interactions=tuple(_element(element, later) for element in problem.interactions),
+        constraints=tuple(_element(element, later) for element in problem.constraints),
+    )
+
+
+def _given(problem: Problem) -> list[Node]:
+    elements = (*problem.interactions, *problem.constraints)
+    found = [value for element in elements for value in element.values.values()]
+    found += [part for body in problem.bodies for part in (body.angle, body.placed and body.placed[1])]
+    parts = [part for value in found for part in (value if isinstance(value, tuple) else (value,))]
+    return [part for part in parts if isinstance(part, Node)]
+
+
+def _runs(node: Node) -> bool:
+    return depends_on(scalar(node), CLOCK)
+
+
+def _element(element: Element, later: Mapping[str, Node]) -> Element:
+    return replace(element, values={key: _later(value, later) for key, value in element.values.items()})
+
+
+def _body(body: Body, later: Mapping[str, Node]) -> Body:
+    placed = body.placed and (body.placed[0], _later(body.placed[1], later))
+    return replace(body, angle=_later(body.angle, later), placed=placed)
+
+
+def _later(value: object, later: Mapping[str, Node]) -> object:
+    if isinstance(value, tuple):
+        return tuple(_later(part, later) for part in value)
+    return put_in(value, later) if isinstance(value, Node) else value
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import balance, energy, events, friction, motion, oscillation, rest, work
+from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -179,9 +179,9 @@ class Study:
         return found
 
     @cached_property
-    def works(self) -> tuple[work.ForceWork, ...]:
+    def works(self) -> tuple[motion.ForceWork, ...]:
         """Works of every force on every body."""
-        return work.works(self.system, self.dynamics.reactions, self.squares)
+        return motion.works(self.system, self.dynamics.reactions, self.squares)
 
     @cached_property
     def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
@@ -194,9 +194,9 @@ class Study:
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @cached_property
-    def open_balance(self) -> balance.Balance | None:
+    def open_balance(self) -> rest.Balance | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
-        return balance.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
+        return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 
     @property
     def losses(self) -> tuple[events.Loss, ...]:
@@ -218,7 +218,7 @@ class Study:
     @cached_property
     def origins(self) -> dict[str, Vector]:
         """Fixed points about which momenta are taken: O, pivots, and those that the author names."""
-        from rbpsym.mechanics.origins import origins
+        from rbpsym.mechanics.placing import origins
 
         return origins(self.system)
 

@@ -11,11 +11,17 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.conditions import all_conditions, solve_explicitly
+from rbpsym.mechanics.conditions import (
+    all_conditions,
+    from_start,
+    full_rates,
+    integrated,
+    rate_conditions,
+    solve_explicitly,
+)
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.mechanics.placing import locator
-from rbpsym.mechanics.rates import from_start, full_rates, integrated, rate_conditions
 from rbpsym.mechanics.system import BodyState, Condition, Pose, at_point
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Problem

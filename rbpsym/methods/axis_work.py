@@ -15,8 +15,7 @@ from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics.elimination import short
 from rbpsym.methods.balances import outer_forces
-from rbpsym.methods.known_works import started
-from rbpsym.methods.paths import integral
+from rbpsym.methods.known_works import integral, started
 from rbpsym.notation import tree as t
 
 LONGEST = 60  # nodes of an integral that is simpler than two works

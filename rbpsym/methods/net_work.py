@@ -14,11 +14,11 @@ from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.signs import sign
-from rbpsym.mechanics import work
+from rbpsym.mechanics import motion
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.system import Force
-from rbpsym.mechanics.work import ForceWork
-from rbpsym.methods.paths import over_coordinates
+from rbpsym.methods.known_works import over_coordinates
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 
@@ -72,7 +72,7 @@ def is_kinetic(element: Element, name: str) -> bool:
 
 def net_power(draft: Draft, name: str) -> Scalar:
     """The rate of all works of a force together."""
-    return short(work.net_power(draft.study.system, forces_of(draft, name)))
+    return short(motion.net_power(draft.study.system, forces_of(draft, name)))
 
 
 # --- ideal forces

@@ -17,10 +17,10 @@ from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.interactions import stretch
+from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.placing import locator
-from rbpsym.mechanics.work import ForceWork, Work
+from rbpsym.methods.known_works import start_of
 from rbpsym.methods.net_work import HALVES, forces_of
-from rbpsym.methods.paths import start_of
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 

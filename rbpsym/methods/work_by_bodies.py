@@ -14,7 +14,7 @@ from rbpsym.derivation.chapters.axes import turning_together
 from rbpsym.derivation.chapters.forces import is_reaction
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
-from rbpsym.mechanics import energy, work
+from rbpsym.mechanics import energy, motion
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started
@@ -63,7 +63,7 @@ def _inner(draft: Draft) -> dict[str, Force]:
 
 def _power(draft: Draft, name: str, on: str) -> Scalar:
     """The rate of both works of a force on a body."""
-    return short(work.net_power(draft.study.system, [f for f in draft.study.system.on(on) if f.name == name]))
+    return short(motion.net_power(draft.study.system, [f for f in draft.study.system.on(on) if f.name == name]))
 
 
 def _known(draft: Draft, body: str, inner: Mapping[str, Force]) -> list[Scalar] | None:

@@ -17,10 +17,9 @@ from rbpsym.derivation.step import BodyRef, StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.system import BodyState, Force
-from rbpsym.mechanics.work import ForceWork, Work
-from rbpsym.methods.known_works import gained, is_of_position, show_gained, since_start, started
-from rbpsym.methods.paths import start_of
+from rbpsym.methods.known_works import gained, is_of_position, show_gained, since_start, start_of, started
 from rbpsym.notation import tree as t
 
 FEWEST = 2  # ideal forces: for a single one the two works are told already

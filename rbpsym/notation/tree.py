@@ -8,8 +8,8 @@ characters of the source it was read from) takes no part in comparison.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
 
@@ -284,6 +284,23 @@ def walk(node: Node) -> Iterator[Node]:
         found = left.pop()
         yield found
         left += reversed([*children(found)])
+
+
+def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
+    """The node with each of its direct parts changed."""
+    changed: dict[str, object] = {}
+    for name in _parts(type(node)):
+        value = getattr(node, name)
+        if isinstance(value, Node):
+            changed[name] = change(value)
+        elif isinstance(value, tuple):
+            changed[name] = tuple(change(part) if isinstance(part, Node) else part for part in value)
+    return replace(node, **changed) if changed else node
+
+
+def renamed(node: Node, values: Mapping[str, Node]) -> Node:
+    """The tree with symbols replaced."""
+    return values.get(node.name, node) if isinstance(node, Sym) else mapped(node, lambda part: renamed(part, values))
 
 
 def relations(statement: Node) -> Iterator[tuple[Node, str, Node]]:

@@ -22,8 +22,7 @@ from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of
-from rbpsym.statement.translations import check_translated_names
-from rbpsym.statement.worded import check_languages, strings, worded
+from rbpsym.statement.translations import check_languages, check_translated_names, strings, worded
 
 # What each section of a file is for.
 SECTIONS: dict[str, str] = {

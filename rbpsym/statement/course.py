@@ -15,7 +15,7 @@ from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
 from rbpsym.statement.source import Table, kind_of
-from rbpsym.statement.worded import strings, worded
+from rbpsym.statement.translations import strings, worded
 
 DETAILS = ("brief", "standard", "full")
 COMPARED = ("oscillation", "acceleration", "speed")

@@ -11,7 +11,7 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import ZERO, Fn, Node, Sym, add, mul, neg
 from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
-from rbpsym.statement.substitution import quotient, substitute
+from rbpsym.statement.substitution import put_in, quotient
 
 # What a variable of integration is called, and if the problem uses that name itself.
 _VARIABLE_NAMES = {
@@ -55,32 +55,32 @@ def shape_of(kind: ShapeKind, sizes: Mapping[str, Node], material: Material) -> 
     variables = variables_of(kind, material.taken)
     values = {**sizes, **variables}
     elements = (_element(kind, values, material),) if kind.element else ()
-    points = {name: (substitute(_text(x), sizes), substitute(_text(y), sizes)) for name, x, y in kind.points}
+    points = {name: (put_in(_text(x), sizes), put_in(_text(y), sizes)) for name, x, y in kind.points}
     return Shape(kind.name, dict(sizes), elements, points, sizes.get("moment") if not kind.element else None)
 
 
 def size_of(kind: ShapeKind, sizes: Mapping[str, Node]) -> Node:
     """The length, area or volume of a shape."""
-    return substitute(_text(kind.size), sizes)
+    return put_in(_text(kind.size), sizes)
 
 
 def _element(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> MassElement:
     element = kind.element
-    x, y, measure = (substitute(_text(text), values) for text in (element.x, element.y, element.measure))
+    x, y, measure = (put_in(_text(text), values) for text in (element.x, element.y, element.measure))
     ranges = tuple(_range(row, values) for row in element.ranges)
     return MassElement(ranges, x, y, measure, _density(kind, values, material), element.kind)
 
 
 def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
     name, lower, upper = row
-    return Range(values[name].name, substitute(_text(lower), values), substitute(_text(upper), values))
+    return Range(values[name].name, put_in(_text(lower), values), put_in(_text(upper), values))
 
 
 def _density(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> Node:
     if material.density is None:
         return quotient(material.mass, size_of(kind, values))
-    meanings = {name: substitute(_text(text), values) for name, text in kind.density}
-    return substitute(material.density, meanings)
+    meanings = {name: put_in(_text(text), values) for name, text in kind.density}
+    return put_in(material.density, meanings)
 
 
 # --- composites

@@ -3,33 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from rbpsym.notation import tree
 from rbpsym.notation.tree import Node, Num, add, div, mul, neg
 
 
-def substitute(node: Node, values: Mapping[str, Node]) -> Node:
+def put_in(node: Node, values: Mapping[str, Node]) -> Node:
     """The tree with each symbol of `values` replaced; sums, products and fractions tidied."""
     if isinstance(node, tree.Sym):
         return values.get(node.name, node)
-    parts = {name: _within(part, values) for name, part in _fields(node)}
-    rebuilt = replace(node, **parts, span=None)
+    found = replace(tree.mapped(node, lambda part: put_in(part, values)), span=None)
     rule = _TIDY.get(type(node))
-    return rule(rebuilt) if rule else rebuilt
-
-
-def _fields(node: Node) -> list[tuple[str, object]]:
-    return [(f.name, getattr(node, f.name)) for f in fields(node) if f.name != "span"]
-
-
-def _within(part: object, values: Mapping[str, Node]) -> object:
-    if isinstance(part, Node):
-        return substitute(part, values)
-    if isinstance(part, tuple):
-        return tuple(_within(item, values) for item in part)
-    return part
+    return rule(found) if rule else found
 
 
 def quotient(num: Node, den: Node) -> Node:

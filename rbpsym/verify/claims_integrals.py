@@ -8,7 +8,7 @@ is the sum over the points at which the external forces act.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from math import comb, prod
 
 from rbpsym.algebra.calculus import depends_on, substitute
@@ -24,24 +24,12 @@ from rbpsym.notation.limits import number_of
 from rbpsym.verify.claims_ground import Ground
 
 
-def rebuilt(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node:
-    """The node with its direct parts changed."""
-    new = {}
-    for item in fields(node):
-        old = getattr(node, item.name)
-        if isinstance(old, t.Node):
-            new[item.name] = change(old)
-        elif isinstance(old, tuple) and item.name != "span" and any(isinstance(part, t.Node) for part in old):
-            new[item.name] = tuple(change(part) for part in old)
-    return replace(node, **new) if new else node
-
-
 def prepared(node: t.Node, ground: Ground) -> t.Node:
     """The formula with its integrals and sums replaced by quantities that the scope knows."""
     early = EARLY.get(type(node))
     if early is not None:
         return early(node, ground)
-    node = rebuilt(node, lambda part: prepared(part, ground))
+    node = t.mapped(node, lambda part: prepared(part, ground))
     late = LATE.get(type(node))
     return late(node, ground) if late else node
 
@@ -142,7 +130,7 @@ def _points(name: str, ground: Ground) -> int:
 def _with_index(node: t.Node, names: set[str], k: int) -> t.Node:
     if isinstance(node, t.Vec) and node.name in names:
         return t.Vec(f"{node.name}#{k}")
-    return rebuilt(node, lambda part: _with_index(part, names, k))
+    return t.mapped(node, lambda part: _with_index(part, names, k))
 
 
 def _body(node: t.BodyIntegral, ground: Ground) -> t.Node:
@@ -151,13 +139,13 @@ def _body(node: t.BodyIntegral, ground: Ground) -> t.Node:
     if found is not None and isinstance(found.of, t.Vec) and _points(found.of.name, ground):
         plain = _without_mass(node.integrand)
         return t.Add(tuple(_at_points(plain, ground)))
-    return rebuilt(node, lambda part: prepared(part, ground))
+    return t.mapped(node, lambda part: prepared(part, ground))
 
 
 def _without_mass(node: t.Node) -> t.Node:
     if isinstance(node, t.Deriv) and node.wrt == "m":
         return node.of
-    return rebuilt(node, _without_mass)
+    return t.mapped(node, _without_mass)
 
 
 def _derivative(node: t.Deriv, ground: Ground) -> t.Node:

@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
-from rbpsym.mechanics.points import pair, position
+from rbpsym.mechanics.geometry import pair, position
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.notation.glyphs import notation_for

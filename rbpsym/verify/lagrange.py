@@ -25,8 +25,8 @@ from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.placing import locator
-from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import System, rotated
 from rbpsym.statement.model import Element, PointRef
 

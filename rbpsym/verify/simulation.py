@@ -19,10 +19,10 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import slip_senses
+from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.numbers import Values, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
-from rbpsym.mechanics.work import ForceWork
 from rbpsym.verify.simulation_bodies import Mechanism, laws
 from rbpsym.verify.simulation_contacts import conditions
 from rbpsym.verify.simulation_motion import Equations, duration, trajectory

@@ -3,7 +3,7 @@
 import pytest
 
 from rbpsym.derivation.theory import THEORIES, Writer
-from rbpsym.derivation.theory_potential import potential_energy
+from rbpsym.derivation.theory_works import potential_energy
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex

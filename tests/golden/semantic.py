@@ -80,7 +80,7 @@ def worksheet_record(name: str) -> Record:
 
 def plan_record(name: str) -> Record:
     """The balances that the torque method takes, in their order."""
-    from rbpsym.methods.planner import plan
+    from rbpsym.methods.balances import plan
 
     found = plan(derived(name).study)
     taken = found.balances if found else ()

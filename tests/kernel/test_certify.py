@@ -11,10 +11,9 @@ from click.testing import CliRunner
 
 from rbpsym.algebra.scalar import symbol
 from rbpsym.cli import main
-from rbpsym.kernel.certify import Written, text, written
+from rbpsym.kernel.certificates import reduced
+from rbpsym.kernel.certify import Report, Written, compiled, has_coqc, text, with_prelude, written
 from rbpsym.kernel.claims import Claim
-from rbpsym.kernel.cofactors import reduced
-from rbpsym.kernel.compiling import Report, compiled, has_coqc, with_prelude
 from rbpsym.kernel.rocq import REFUSED, Lemma
 from rbpsym.kernel.terms import identifier
 from rbpsym.notation import tree as t
@@ -140,7 +139,7 @@ def test_a_wrong_proof_is_reported_by_its_step() -> None:
 
 
 def test_the_command_writes_both_files(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("rbpsym.kernel.compiling.has_coqc", lambda: False)
+    monkeypatch.setattr("rbpsym.kernel.certify.has_coqc", lambda: False)
     done = CliRunner().invoke(main, ["certify", "sliding-ladder", "-o", str(tmp_path)], standalone_mode=False)
     assert {path.name for path in tmp_path.iterdir()} == {"Prelude.v", "sliding_ladder.v"}
     assert "there is no coqc" in done.output

@@ -6,7 +6,7 @@ import pytest
 
 from rbpsym.algebra.scalar import PI, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.mechanics.lines import components
+from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.roots import _principal
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.model import Line

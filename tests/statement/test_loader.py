@@ -109,7 +109,7 @@ def test_weld() -> None:
 def test_lines(text: str, a: float, b: float, c: float) -> None:
     from math import atan
 
-    import rbpsym.statement.lines as lines
+    import rbpsym.statement.references as lines
     from rbpsym.notation.infix import read_infix
 
     known = {"x": 0, "y": 0, "beta": 0, "ell": 0}

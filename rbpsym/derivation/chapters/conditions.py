@@ -14,9 +14,8 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.chapters.places import coordinates_of, distance_rows, line_rows, meeting_rows
-from rbpsym.derivation.chapters.tied import found_spins, tied
+from rbpsym.derivation.chapters.tied import Given, as_given, found_spins, speed_along, tied
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.given import Given, as_given, speed_along
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS

@@ -16,10 +16,10 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics.demands import essential
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.linear import Powers, conditions, decaying
 from rbpsym.mechanics.oscillation import Equilibrium
-from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 
 LONGEST = 120

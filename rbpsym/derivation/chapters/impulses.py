@@ -19,9 +19,9 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.impulse import impulsive, point_velocity
 from rbpsym.mechanics.phases import HandOver
-from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rbpsym.algebra.calculus import root, substitute
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
-from rbpsym.mechanics.balance import Balance
+from rbpsym.mechanics.rest import Balance
 from rbpsym.notation import tree as t
 
 

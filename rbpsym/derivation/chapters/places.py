@@ -9,7 +9,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of, touching_point
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.lines import components
+from rbpsym.mechanics.geometry import components
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, Element, PointRef
 

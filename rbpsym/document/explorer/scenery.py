@@ -14,11 +14,10 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.document.pose import touched_radii
-from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.geometry import Geometry
-from rbpsym.mechanics.points import pair
+from rbpsym.mechanics.geometry import Geometry, pair
+from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element, Shape
@@ -163,7 +162,7 @@ def cords(seen: Scenery) -> Iterator[Part]:
     """The straight pieces of each string, and the circles round which it runs between them."""
     for element in seen.elements("string"):
         for run in runs(element["path"]):
-            for piece in strings.segments(run, seen.geometry):
+            for piece in segments(run, seen.geometry):
                 yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
 
 

@@ -15,9 +15,9 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.document.explorer.labels import label
+from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.impulse import impulsive
 from rbpsym.mechanics.phases import HandOver, Stage
-from rbpsym.mechanics.points import pair
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation

@@ -9,8 +9,8 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.work import ForceWork, Work
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
