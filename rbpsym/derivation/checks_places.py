@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
@@ -20,6 +20,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.ways import taken
 
 
 def under(context: Context, step: Step) -> Context:
@@ -111,6 +112,9 @@ def _holds(context: Context, step: Step) -> Iterator[Verdict]:
         value = substitute(context.on_motion(symbol(name)), still)
         return without_even_roots(substitute(value, step.data["at"]))
 
+    for _, value in taken(system):
+        there = without_even_roots(substitute(value, step.data["at"]))
+        yield from () if any(depends_on(there, n) for n in system.coordinates) else [compare(NOTHING, there, context.assumptions)]
     for element in system.problem.constraints:
         for name in pushes(element):
             yield compare(NOTHING, here(name), context.assumptions, strict=False)

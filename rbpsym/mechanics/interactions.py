@@ -35,10 +35,12 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """forces(element, setting); potential(element, setting) is None where there is none."""
+    """forces(element, setting); potential(element, setting) is None where there is none; `taken`: what is positive
+    where the formula of the force holds."""
 
     forces: Callable[[Element, Setting], tuple[Force, ...]]
     potential: Callable[[Element, Setting], Scalar | None]
+    taken: Callable[[Element, Setting], tuple[Scalar, ...]] = lambda element, setting: ()
 
 
 def _weights(element: Element, setting: Setting) -> tuple[Force, ...]:
@@ -101,6 +103,13 @@ def _spring(element: Element, setting: Setting) -> tuple[Force, ...]:
         return _ends(element, setting, (setting.where(second) - setting.where(first)) * k)
     unit, distance = stretch(element, setting)
     return _ends(element, setting, unit * (k * (distance - natural)))
+
+
+def _apart(element: Element, setting: Setting) -> tuple[Scalar, ...]:
+    """The distance of the ends, if it is no root and the force hangs on its sign."""
+    first, second = element["between"]
+    is_line = len((setting.where(second) - setting.where(first)).settled().parts) == 1
+    return (stretch(element, setting)[1],) if is_line and scalar(element["natural_length"]) else ()
 
 
 def _spring_energy(element: Element, setting: Setting) -> Scalar:
@@ -200,7 +209,7 @@ def _no_potential(element: Element, setting: Setting) -> None:
 
 LAWS: Mapping[str, Law] = {
     "gravity": Law(_weights, _height_energy),
-    "spring": Law(_spring, _spring_energy),
+    "spring": Law(_spring, _spring_energy, _apart),
     "torsion-spring": Law(_torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF),
     "damper": Law(_damper, _no_potential),
     "rotary-damper": Law(_rotary_damper, _no_potential),

@@ -15,13 +15,13 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.ways import taken
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Element
 
@@ -75,12 +75,11 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
 
 def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:
     """What is positive at the start where strings run, and things touch, on the side that the formulas are made for."""
-    start, geometry = _start(study), geometry_of(study.system)
-    for element in study.problem.constraints:
-        for value in JOINTS[element.kind].taken(element, geometry):
-            there = _at_start(substitute(value, study.system.dependent), start)
-            if there is not None and not any(depends_on(there, name) for name in study.system.coordinates):
-                yield element, there
+    start = _start(study)
+    for element, value in taken(study.system):
+        there = _at_start(value, start)
+        if there is not None and not any(depends_on(there, name) for name in study.system.coordinates):
+            yield element, there
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:

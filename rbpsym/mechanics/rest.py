@@ -19,6 +19,7 @@ from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.system import System
+from rbpsym.mechanics.ways import taken
 
 At = dict[str, Scalar]
 MOST_TURNS = 8
@@ -160,12 +161,15 @@ def _last(lower: Scalar | None, upper: Scalar) -> str:
 
 
 def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> Iterator[Demand]:
-    """Contacts push, strings pull, friction stays within its limit."""
+    """Distances are positive, contacts push, strings pull, friction stays within its limit."""
     still = dict.fromkeys((*system.speeds, *system.accelerations), NOTHING)
 
     def here(name: str) -> Scalar:
         return rooted(substitute(substitute(dynamics.reactions[name], still), at), given)
 
+    for _, value in taken(system):
+        there = rooted(substitute(value, at), given)
+        yield from () if any(depends_on(there, name) for name in system.coordinates) else [Demand(there)]
     for element in system.problem.constraints:
         for name in pushes(element):
             yield Demand(here(name), ">=")

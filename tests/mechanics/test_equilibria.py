@@ -7,6 +7,7 @@ from rbpsym.algebra.trig import sine
 from rbpsym.mechanics.rest import is_autonomous, resting_forces
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.study import Study
+from rbpsym.statement import load_text
 from tests.library.derived import NAMES, problem
 
 K, L, R, W, X, Y, Z = (symbol(name) for name in ("k", "l", "r", "w", "x", "y", "z"))
@@ -47,3 +48,35 @@ def test_a_stated_start_that_rests_is_a_place_of_rest_be_it_an_end_of_its_range(
             places = [place for place, _ in study.rest.places]
             assert any(all(is_zero(place[n] - at[n]) for n in at.keys() & place.keys()) for place in places), name
     assert {"ball-off-sphere", "cylinder-off-cylinder", "falling-stick", "rod-falling-on-rough-floor"} <= seen
+
+
+HUNG = """
+[parameters]
+m = "mass"
+k = "stiffness"
+L = "length"
+g = "acceleration"
+[coordinates.r]
+dimension = "length"
+[coordinates.theta]
+meaning = "angle"
+[bodies.b]
+shape = "particle"
+mass = "m"
+center = ["r*sin(theta)", "-r*cos(theta)"]
+[interactions.W]
+type = "gravity"
+[interactions.S]
+type = "spring"
+between = ["O", "b.center"]
+stiffness = "k"
+natural_length = "L"
+"""
+
+
+def test_a_spring_has_no_negative_length_where_something_rests():
+    """Upright on the spring there is a place of rest only where k L > m g: else r would be negative."""
+    hanging, upright = Study(load_text(HUNG)).equilibria
+    assert hanging.valid == () and hanging.stable
+    [demand] = upright.valid
+    assert demand.op == ">" and is_zero(demand.value - (K * symbol("L") - symbol("m") * symbol("g"))) and upright.stable is False
