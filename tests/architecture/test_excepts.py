@@ -31,7 +31,6 @@ ALLOWED = {
     "mechanics/numbers.py": "what becomes NoNumber; and text of an example's number",
     "statement/example.py": FLOATS,
     "statement/loader.py": READS,
-    "teaching/compiled.py": FLOATS,
     "teaching/executor.py": "a cluster's client that is closed twice",
     "teaching/grading/decimals.py": "one look-up in a table of units",
     "teaching/grading/intervals.py": "an enclosure that has no value, a name that the point does not have",

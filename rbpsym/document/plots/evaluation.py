@@ -1,12 +1,12 @@
 """Many quantities at many moments: each sine, root and power that they share is computed once a moment.
 
-What has no number (a root of less than nothing, a division by zero) is not a number.
+What has no number (a root of less than nothing, a division by zero, a name without one) is not a number.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import atoms
@@ -22,8 +22,8 @@ Ratio = tuple[Terms, Terms | None]
 class Evaluator:
     """Named quantities in their order; a later one may use the names of those before it."""
 
-    values: Mapping[str, Scalar]
-    ratios: dict[str, Ratio] = field(default_factory=dict, repr=False)
+    values: Mapping[Hashable, Scalar]
+    ratios: dict[Hashable, Ratio] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         self.ratios.update((name, prepared(value)) for name, value in self.values.items())
@@ -33,17 +33,19 @@ class Evaluator:
         """How many products have to be added up."""
         return sum(len(top) + len(below or ()) for top, below in self.ratios.values())
 
-    def __call__(self, numbers: Mapping[str, float]) -> dict[str, float]:
-        """All of them at these numbers (KeyError for a missing name)."""
-        known, seen = dict(numbers), {}
+    def __call__(self, numbers: Mapping[str, float]) -> dict[Hashable, float]:
+        """All of them at these numbers."""
+        known, seen = dict(numbers), {atoms.PI: math.pi}
         found = {}
         for name, pair in self.ratios.items():
             found[name] = known[name] = ratio(pair, known, seen)
         return found
 
 
-def prepared(value: Scalar) -> Ratio:
+def prepared(value: Scalar | Poly) -> Ratio:
     """A quotient of sums of products."""
+    if isinstance(value, Poly):
+        return terms(value), None
     return terms(value.num), None if value.den is ONE else terms(value.den)
 
 
@@ -76,17 +78,15 @@ def total(sums: Terms, numbers: Mapping[str, float], seen: dict[int, float]) -> 
 
 def atom(index: int, numbers: Mapping[str, float], seen: dict[int, float]) -> float:
     """The value of a name, or of a function of others."""
-    if index == atoms.PI:
-        return math.pi
     found = atoms.atom(index)
     if found.kind == "symbol":
-        return numbers[found.arg]
-    inner = found.arg
-    if isinstance(inner, Scalar):
-        pair = PREPARED.get(inner) or PREPARED.setdefault(inner, prepared(inner))
-        top = total(pair[0], numbers, seen)
-        return FUNCTIONS[found.kind](top if pair[1] is None else top / total(pair[1], numbers, seen))
-    return FUNCTIONS[found.kind](total(terms(inner), numbers, seen))
+        return numbers.get(found.arg, math.nan)
+    function = FUNCTIONS.get(found.kind)
+    if function is None:
+        return math.nan
+    pair = PREPARED.get(found.arg) or PREPARED.setdefault(found.arg, prepared(found.arg))
+    top = total(pair[0], numbers, seen)
+    return function(top if pair[1] is None else top / total(pair[1], numbers, seen))
 
 
-PREPARED: dict[Scalar, Ratio] = {}  # the arguments of functions that have been met
+PREPARED: dict[Scalar | Poly, Ratio] = {}  # the arguments of functions that have been met
