@@ -115,38 +115,18 @@ def as_table(found: Found, failures: bool = False) -> str:
     return capture.get()
 
 
+# what JSON tells of a result, and of each link of its chain
+RESULT = (
+    "id kind number label file claims line latex says outcome expected how detail diagnosis erratum right right_latex note"
+)
+LINK = "relation outcome how detail diagnosis"
+
+
 def record(result: Result) -> dict[str, Any]:
     """One result as JSON has it."""
-    return {
-        "id": result.id,
-        "kind": result.kind,
-        "number": result.number,
-        "label": result.label,
-        "file": result.file,
-        "claims": result.declared[0],
-        "line": result.line,
-        "latex": result.latex.strip(),
-        "says": result.says,
-        "outcome": str(result.outcome),
-        "expected": result.expected,
-        "how": result.how,
-        "detail": result.detail,
-        "diagnosis": result.diagnosis,
-        "erratum": result.erratum,
-        "right": result.right,
-        "right_latex": result.right_latex,
-        "note": result.note,
-        "links": [
-            {
-                "relation": str(link.relation),
-                "outcome": str(link.outcome),
-                "how": link.how,
-                "detail": link.detail,
-                "diagnosis": link.diagnosis,
-            }
-            for link in result.links
-        ],
-    }
+    own = {"claims": result.declared[0], "latex": result.latex.strip(), "outcome": str(result.outcome)}
+    links = [{name: str(getattr(link, name)) for name in LINK.split()} for link in result.links]
+    return {name: own.get(name, getattr(result, name, None)) for name in RESULT.split()} | {"links": links}
 
 
 def as_json(found: Found, failures: bool = False) -> str:
@@ -222,13 +202,10 @@ def escaped(text: str, whole: bool = False) -> str:
 
 def as_html(found: Found) -> str:
     """A page: one row a formula, its LaTeX beside what was found."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
     from markupsafe import Markup
 
-    from rbpsym.document.resources import data_folder
+    from rbpsym.document.writers.page import shell
 
-    loader = FileSystemLoader(data_folder("templates"))
-    shell = Environment(loader=loader, undefined=StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True)
     rows = [
         {
             **record(result),
@@ -240,4 +217,4 @@ def as_html(found: Found) -> str:
         }
         for result in found.results
     ]
-    return shell.get_template("check.html").render(rows=rows, summary=summary(found), remarks=found.remarks)
+    return shell("check.html", autoescape=True, rows=rows, summary=summary(found), remarks=found.remarks)

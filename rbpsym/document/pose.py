@@ -13,7 +13,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.document.plots.integrator import solved
 from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
@@ -172,7 +172,8 @@ def drawn_numbers(problem: Problem) -> dict[str, float]:
     """
     numbers = sample(problem, problem.example)
     if problem.phases and problem.phases[0].event == "at once":
-        return numbers | {c.name: _bound(c.start, numbers, numbers[c.name]) for c in problem.coordinates}
+        starts = {c.name: bound(c.start, numbers) for c in problem.coordinates}
+        return numbers | {name: value for name, value in starts.items() if value is not None}
     _open_displacements(problem, numbers)
     for coordinate in problem.coordinates:
         if coordinate.quantity.dimension == NUMBER and abs(numbers[coordinate.name]) < LEAST_ANGLE:
@@ -232,21 +233,17 @@ def _is_plain(coordinate: Coordinate, problem: Problem) -> bool:
 
 
 def _shown(coordinate: Coordinate, numbers: Mapping[str, float], wanted: float) -> float:
-    low, high = (_bound(n, numbers, f) for n, f in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf)))
+    low, high = _range(coordinate, numbers)
     return max(wanted if wanted < high else 0.5 * (max(low, 0.0) + high), low)
 
 
 def _opened(coordinate: Coordinate, numbers: Mapping[str, float]) -> float:
     """An angle that is seen and lies in the coordinate's range."""
-    low, high = (
-        _bound(end, numbers, fallback)
-        for end, fallback in ((coordinate.lower, -math.inf), (coordinate.upper, math.inf))
-    )
+    low, high = _range(coordinate, numbers)
     return min(max(SHOWN_ANGLE, low), high) if low <= high else SHOWN_ANGLE
 
 
-def _bound(node: t.Node | None, numbers: Mapping[str, float], fallback: float) -> float:
-    try:
-        return fallback if node is None else number(scalar(node), numbers)
-    except (RbpsymError, ZeroDivisionError):
-        return fallback
+def _range(coordinate: Coordinate, numbers: Mapping[str, float]) -> tuple[float, float]:
+    """The ends of a coordinate's range; infinite where there are none."""
+    low, high = (bound(end, numbers) for end in (coordinate.lower, coordinate.upper))
+    return -math.inf if low is None else low, math.inf if high is None else high

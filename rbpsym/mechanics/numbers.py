@@ -14,6 +14,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.notation.tree import Node
 from rbpsym.quantities import ACCELERATION, NUMBER
 from rbpsym.statement.model import Coordinate, Problem
 from rbpsym.statement.units import unit_named
@@ -119,7 +120,7 @@ def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
     """What rolls inside a circle is smaller than it."""
     for element in problem.constraints:
         if element.values.get("side") == "inside" and element.values.get("rim") is not None:
-            radius, rim = (_bound(element[key], numbers) for key in ("radius", "rim"))
+            radius, rim = (bound(element[key], numbers) for key in ("radius", "rim"))
             name = getattr(element["radius"], "name", None)
             if name in numbers and None not in (radius, rim) and radius < 2 * rim:
                 numbers[name] = 2.3 * rim
@@ -128,7 +129,7 @@ def _make_room(problem: Problem, numbers: dict[str, float]) -> None:
 def _keep_bounds(problem: Problem, numbers: dict[str, float]) -> None:
     """A parameter with declared bounds lies between them; twice, as a bound may hold a later one."""
     for quantity in (*problem.parameters, *problem.parameters):
-        low, high = (_bound(node, numbers) for node in (quantity.lower, quantity.upper))
+        low, high = (bound(node, numbers) for node in (quantity.lower, quantity.upper))
         value = numbers[quantity.name]
         if (low is None or value > low) and (high is None or value < high):
             continue
@@ -174,7 +175,7 @@ def _side(coordinate: Coordinate, example: str) -> int:
 
 
 def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:
-    low, high = (_bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
+    low, high = (bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
     if low is None and high is None:
         return 0.6 * share / 0.8
     low = high - 2.0 if low is None else low
@@ -182,7 +183,8 @@ def _within(coordinate: Coordinate, numbers: Numbers, share: float) -> float:
     return low + share * (high - low)
 
 
-def _bound(node, numbers: Numbers) -> float | None:
+def bound(node: Node | None, numbers: Numbers) -> float | None:
+    """The number of a formula of the statement, such as an end of a range; None where there is none."""
     try:
         return None if node is None else number(scalar(node), numbers)
     except (RbpsymError, ZeroDivisionError):
@@ -191,11 +193,11 @@ def _bound(node, numbers: Numbers) -> float | None:
 
 def _middle(coordinate: Coordinate, numbers: Numbers) -> float:
     if coordinate.lower is None and coordinate.upper is None and coordinate.start is not None:
-        start = _bound(coordinate.start, numbers)
+        start = bound(coordinate.start, numbers)
         return start if start is not None else 0.45
     return _within(coordinate, numbers, 0.55)
 
 
 def _speed(coordinate: Coordinate, numbers: Numbers) -> float:
-    found = _bound(coordinate.speed, numbers)
+    found = bound(coordinate.speed, numbers)
     return found if found else 0.0

@@ -39,9 +39,9 @@ Exporter = Callable[[tuple[Worksheet, ...], Options], Exported]
 
 # format -> (module, function); imported when asked for
 EXPORTERS: Mapping[str, tuple[str, str]] = {
-    "pdf": ("rbpsym.teaching.paper_pdf", "export_pdf"),
-    "tex": ("rbpsym.teaching.paper_latex", "export_latex"),
-    "html": ("rbpsym.teaching.paper_html", "export_html"),
+    "pdf": ("rbpsym.teaching.paper_files", "export_pdf"),
+    "tex": ("rbpsym.teaching.paper_files", "export_latex"),
+    "html": ("rbpsym.teaching.paper_files", "export_html"),
     "moodle": ("rbpsym.teaching.exports.moodle", "export_moodle"),
     "qti": ("rbpsym.teaching.exports.qti", "export_qti"),
     "canvas": ("rbpsym.teaching.exports.canvas", "export_canvas"),

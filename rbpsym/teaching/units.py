@@ -122,6 +122,11 @@ def _signed(text: str, mark: str) -> str:
     return text.replace("-", "−").replace(".", mark)
 
 
+def number_text(value: Fraction, mark: str = ".") -> str:
+    """A number of points with at most two decimals: 3, 2.5, 23.5."""
+    return f"{float(value):.2f}".rstrip("0").rstrip(".").replace(".", mark)
+
+
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -6,10 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.explorer.stage import start_name
-from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import bound, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension, Quantity
@@ -89,18 +87,11 @@ def _start(name: str, coordinate: Coordinate, numbers: Mapping[str, float]) -> S
 def _room(coordinate: Coordinate, value: float, numbers: Mapping[str, float]) -> tuple[float, float]:
     """The range of a coordinate without its ends; a guess where it has none."""
     wide = math.pi if coordinate.quantity.dimension == NUMBER else 3 * abs(value) or 1.0
-    low, high = (_bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
+    low, high = (bound(node, numbers) for node in (coordinate.lower, coordinate.upper))
     low = min(value, -wide) if low is None else low
     high = max(value, wide, low + 2 * wide if coordinate.lower else wide) if high is None else high
     edge = 0.01 * (high - low)
     return min(value, low + edge), max(value, high - edge)
-
-
-def _bound(node: t.Node | None, numbers: Mapping[str, float]) -> float | None:
-    try:
-        return None if node is None else number(scalar(node), numbers)
-    except (RbpsymError, ZeroDivisionError):
-        return None
 
 
 def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]:

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rbpsym.algebra.calculus import derivative
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.document.plots.evaluation import Evaluator
 from rbpsym.document.plots.integrator import State, advance, solved
 from rbpsym.document.plots.trajectory import Numbers, Trajectory, at
-from rbpsym.errors import NotApplicable, RbpsymError
-from rbpsym.mechanics.numbers import sample
+from rbpsym.errors import NotApplicable
+from rbpsym.mechanics.numbers import bound, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 
@@ -253,10 +253,9 @@ class Run:
         numbers, earlier, share = self.numbers_at(time, after), self.numbers_at(time, before), 1.0
         for coordinate in self.study.problem.coordinates:
             name = coordinate.name
-            for bound, sign in ((coordinate.lower, -1), (coordinate.upper, 1)):
-                limit = math.nan if bound is None else _bound(bound, numbers)
-                moved_by = numbers[name] - earlier[name]
-                if sign * (numbers[name] - limit) > 0 and sign * moved_by > 0:
+            for end, sign in ((coordinate.lower, -1), (coordinate.upper, 1)):
+                limit, moved_by = bound(end, numbers), numbers[name] - earlier[name]
+                if limit is not None and sign * (numbers[name] - limit) > 0 and sign * moved_by > 0:
                     share = min(share, max((limit - earlier[name]) / moved_by, 1e-6))
         return share
 
@@ -272,10 +271,3 @@ class Run:
         """The moments with all their numbers."""
         states = tuple(self.numbers_at(t, s) for t, s in zip(times, raw, strict=True))
         return Trajectory(self.shown, tuple(times), states, turns, tuple(raw), self)
-
-
-def _bound(node, numbers: Numbers) -> float:
-    try:
-        return at(scalar(node), numbers)
-    except RbpsymError:
-        return math.nan

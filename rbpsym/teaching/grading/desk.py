@@ -22,6 +22,7 @@ from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.grading.verdicts import are_equal
+from rbpsym.teaching.units import number_text
 
 Answers = Mapping[str, str]
 
@@ -101,7 +102,7 @@ def decided(mark: Mark, told: str) -> Mark:
     """The mark with the points that the teacher gave. Raises RbpsymError for what are no points of this item."""
     points = Fraction(told.replace(",", ".")) if re.fullmatch(r"\d{1,6}(?:[.,]\d{1,6})?", told) else None
     if points is None or points > mark.most:
-        raise RbpsymError(f"item {mark.item} earns 0 to {points_text(mark.most)} points, not “{told[:20]}”")
+        raise RbpsymError(f"item {mark.item} earns 0 to {number_text(mark.most)} points, not “{told[:20]}”")
     status = Status.RIGHT if points == mark.most else Status.PARTLY if points else Status.WRONG
     found = Judgement(status, points / mark.most if mark.most else j.NONE, (Remark("decided"),))
     return replace(mark, judgement=found, points=points)
@@ -238,8 +239,3 @@ JUDGES: Mapping[type, Callable[[str, m.Item, Case], Judgement]] = {
     m.SlipKey: _slip,
     m.ExplanationKey: _explanation,
 }
-
-
-def points_text(value: Fraction) -> str:
-    """Points as a decimal number with at most two places: 1, 0.5, 0.67."""
-    return f"{float(value):.2f}".rstrip("0").rstrip(".")

@@ -15,10 +15,11 @@ from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.teaching.exports.packing import slug
 from rbpsym.teaching.exports.telling import say_slip
-from rbpsym.teaching.grading.desk import Mark, points_text
+from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.remarks import comment
 from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import teaching_phrases
 
 LONGEST_ANSWER = 400
@@ -67,7 +68,7 @@ def feedback_page(worksheet: Worksheet, marks: tuple[Mark, ...], student: str) -
 
 def _points(value: Fraction, worksheet: Worksheet) -> str:
     """Points with the decimal mark of the worksheet."""
-    return points_text(value).replace(".", worksheet.notation.decimal)
+    return number_text(value, worksheet.notation.decimal)
 
 
 def _row(mark: Mark, worksheet: Worksheet) -> dict[str, object]:

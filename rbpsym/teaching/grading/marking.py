@@ -15,7 +15,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.teaching.executor import crew, run
 from rbpsym.teaching.grading.answers_csv import AnswerTable, Row, read_answers
 from rbpsym.teaching.grading.class_list import ClassList, class_list
-from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet, points_text
+from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.grading.marks_csv import marks_csv
 from rbpsym.teaching.journal import Journal
@@ -23,6 +23,7 @@ from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import Plan, plan_of
 from rbpsym.teaching.record import SUFFIX, check, record_of
 from rbpsym.teaching.roster import load_roster
+from rbpsym.teaching.units import number_text
 
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
@@ -168,9 +169,9 @@ def _told(order: Order, row: Row, sheet: Worksheet, marks: tuple[Mark, ...]) -> 
     return {
         "student": row.student,
         "code": sheet.code,
-        "total": points_text(sum(mark.points for mark in marks)),
-        "most": points_text(sheet.points),
-        "items": [[mark.item, points_text(mark.points), remarks_text(mark, sheet)] for mark in marks],
+        "total": number_text(sum(mark.points for mark in marks)),
+        "most": number_text(sheet.points),
+        "items": [[mark.item, number_text(mark.points), remarks_text(mark, sheet)] for mark in marks],
         "teacher": [mark.item for mark in marks if mark.judgement.is_for_teacher],
         "answered": sum(bool(mark.answer.strip()) for mark in marks),
         "file": file_name(name),

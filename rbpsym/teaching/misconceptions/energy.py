@@ -14,16 +14,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
-from rbpsym.teaching.misconceptions.change import (
-    arm_of,
-    is_nonzero,
-    spinning,
-    with_body,
-    with_elements,
-    with_kinematics,
-    with_parts,
-    with_values,
-)
+from rbpsym.teaching.misconceptions import change
 from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site
 from rbpsym.teaching.targets import axes
 
@@ -35,7 +26,7 @@ def _no_rotational_energy(study: Study) -> Iterator[Site]:
     energy = study.kinetic[0] + study.potential
 
     def wrong() -> Study:
-        return with_parts(
+        return change.with_parts(
             study,
             system=study.system,
             dynamics=study.dynamics,
@@ -54,18 +45,18 @@ def _energy_kept(study: Study) -> Iterator[Site]:
     """Energy kept though a bearing, a damper or friction takes some."""
     problem = study.problem
     if any(map(_losses, (*problem.interactions, *problem.constraints))):
-        yield Site({}, lambda: with_elements(study, _lossless))
+        yield Site({}, lambda: change.with_elements(study, _lossless))
 
 
 def _lossless(element: Element) -> Element | None:
     if element.kind in ("damper", "rotary-damper"):
         return None
-    return with_values(element, coefficient=None) if element.values.get("coefficient") is not None else element
+    return change.with_values(element, coefficient=None) if element.values.get("coefficient") is not None else element
 
 
 def _start_forgotten(study: Study) -> Iterator[Site]:
     """The kinetic energy that it has at the start is left out."""
-    moving = [c for c in study.problem.coordinates if is_nonzero(c.speed)]
+    moving = [c for c in study.problem.coordinates if change.is_nonzero(c.speed)]
     if not moving:
         return
 
@@ -79,7 +70,7 @@ def _start_forgotten(study: Study) -> Iterator[Site]:
 def _speed_of_end(study: Study) -> Iterator[Site]:
     """The speed of the far end taken for that of the centre of mass."""
     for name in axes(study):
-        state, arm = study.system.bodies[name], arm_of(study, name)
+        state, arm = study.system.bodies[name], change.arm_of(study, name)
         velocity = state.velocity + arm.turned() * state.omega
         yield Site(
             {"body": BodyRef(name)},
@@ -89,7 +80,7 @@ def _speed_of_end(study: Study) -> Iterator[Site]:
 
 def _with_velocity(study: Study, name: str, velocity) -> Study:
     """Another velocity in momenta and energies, and in the speed that follows from the energy."""
-    wrong = with_kinematics(study, with_body(study, name, velocity=velocity))
+    wrong = change.with_kinematics(study, change.with_body(study, name, velocity=velocity))
     del wrong.__dict__["squares"]
     if study.potential is not None and study.first_integral is not None:
         wrong.__dict__["first_integral"] = sum(wrong.kinetic, NOTHING) + study.potential
@@ -98,11 +89,11 @@ def _with_velocity(study: Study, name: str, velocity) -> Study:
 
 def _orbital_dropped(study: Study) -> Iterator[Site]:
     """Only I_cm ω: the motion of the centre of mass is left out of the momentum (or the energy)."""
-    for name, state in spinning(study):
+    for name, state in change.spinning(study):
         if state.velocity:
             yield Site(
                 {"body": BodyRef(name)},
-                lambda name=name: with_kinematics(study, with_body(study, name, velocity=ORIGIN)),
+                lambda name=name: change.with_kinematics(study, change.with_body(study, name, velocity=ORIGIN)),
             )
 
 
@@ -123,7 +114,7 @@ def _small_angle(study: Study) -> Iterator[Site]:
 
         def wrong(pull=pull) -> Study:
             dynamics = replace(study.dynamics, accelerations={f"{name}_ddot": pull})
-            return with_parts(study, system=system, dynamics=dynamics, first_integral=None)
+            return change.with_parts(study, system=system, dynamics=dynamics, first_integral=None)
 
         yield Site({"coordinate": t.Sym(name)}, wrong)
         return
@@ -132,9 +123,9 @@ def _small_angle(study: Study) -> Iterator[Site]:
 # --- the two works of a force
 
 
-def _with_works(study: Study, change) -> Study:
-    works = tuple(map(change, study.works))
-    return with_parts(study, system=study.system, dynamics=study.dynamics, squares=study.squares, works=works)
+def _with_works(study: Study, turn) -> Study:
+    works = tuple(map(turn, study.works))
+    return change.with_parts(study, system=study.system, dynamics=study.dynamics, squares=study.squares, works=works)
 
 
 NO_WORK = Work({}, NOTHING)
@@ -180,14 +171,14 @@ def _whole_in_rotation(study: Study) -> Iterator[Site]:
 def _torque_about_axis(study: Study) -> Iterator[Site]:
     """The torque about the fixed axis, instead of the centre of mass, in the rotational work."""
     for name in axes(study):
-        arm = arm_of(study, name)
+        arm = change.arm_of(study, name)
 
         def wrong(name: str = name, arm=arm) -> Study:
             forces = tuple(
                 replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
             )
             system = replace(study.system, forces=forces)
-            return with_parts(study, system=system, dynamics=study.dynamics, squares=study.squares)
+            return change.with_parts(study, system=system, dynamics=study.dynamics, squares=study.squares)
 
         yield Site({"body": BodyRef(name)}, wrong)
 

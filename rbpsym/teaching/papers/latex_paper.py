@@ -19,7 +19,7 @@ from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page, height
-from rbpsym.teaching.papers.layout import number_text
+from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 36.0

@@ -12,15 +12,10 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import LETTERS, Form, Lead, Marked, Options, Rules, Space
-from rbpsym.teaching.units import measure_text
+from rbpsym.teaching.units import measure_text, number_text
 from rbpsym.teaching.wording import plain_text, say, spoken
 
 SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
-
-
-def number_text(value: Fraction, mark: str = ".") -> str:
-    """A number of points with at most two decimals: 3, 2.5, 23.5."""
-    return f"{float(value):.2f}".rstrip("0").rstrip(".").replace(".", mark)
 
 
 def points_text(points: Fraction, language: str) -> str:
@@ -45,13 +40,13 @@ def paper_document(worksheet: m.Worksheet) -> d.Document:
     return d.Document(worksheet.title, tuple(sections), language=worksheet.language, notation=worksheet.notation)
 
 
-def task_blocks(item: m.Item, worksheet: m.Worksheet, *, with_key: bool = False) -> Iterator[d.Block]:
-    """A task with its answer area; with its key instead of that area, if asked for."""
+def task_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
+    """A task with its answer area."""
     first, *rest = item.prompt
     inlines = first.inlines if isinstance(first, d.Paragraph) else ()
     yield Lead(item.id, inlines, points_text(item.points, worksheet.language))
     yield from rest if isinstance(first, d.Paragraph) else item.prompt
-    yield from (KEYS if with_key else AREAS)[type(item.key)](item, worksheet)
+    yield from AREAS[type(item.key)](item, worksheet)
 
 
 def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
@@ -137,7 +132,8 @@ def numbers(part: m.Part, worksheet: m.Worksheet) -> list[t.Node]:
 def key_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     """The answer to a task, its rubric and the known slips."""
     yield Lead(item.id, tuple(_answer(item, worksheet)), points_text(item.points, worksheet.language))
-    yield from KEYS[type(item.key)](item, worksheet)
+    if type(item.key) in KEYS:
+        yield from KEYS[type(item.key)](item, worksheet)
     if item.rubric:
         yield d.ItemList(tuple(_criterion(c, worksheet) for c in item.rubric))
     slips = tuple(_slips(item, worksheet))
@@ -173,10 +169,6 @@ def _answer(item: m.Item, worksheet: m.Worksheet) -> Iterator:
         yield d.Text(f"{plain_text('paper.corrected', worksheet.language)}: ")
 
 
-def _nothing(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield from ()
-
-
 def _slip_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield d.Display(item.key.corrected, numbered=False)
     yield d.Paragraph(feedback(item.key.slip, item, worksheet))
@@ -198,20 +190,12 @@ def _blanks_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
         yield d.Display(t.equation(m.blank(answer.number), answer.value), numbered=False)
 
 
-def _explanation_key(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield from item.key.sample
-
-
+# what a key shows below the answer; of other kinds the answer is all
 KEYS: Mapping[type, Area] = {
-    m.ChoiceKey: _nothing,
-    m.ComparisonKey: _nothing,
-    m.NumberKey: _nothing,
-    m.FormulaKey: _nothing,
-    m.OrderKey: _nothing,
     m.SlipKey: _slip_key,
     m.SignsKey: _signs_key,
     m.BlanksKey: _blanks_key,
-    m.ExplanationKey: _explanation_key,
+    m.ExplanationKey: lambda item, worksheet: iter(item.key.sample),
 }
 
 

@@ -17,7 +17,7 @@ from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page
-from rbpsym.teaching.papers.layout import number_text
+from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import plain_text
 
 COLUMN = 38.0
