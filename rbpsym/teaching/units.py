@@ -8,39 +8,20 @@ from decimal import ROUND_HALF_UP, Decimal
 from fractions import Fraction
 
 from rbpsym.errors import RbpsymError
-from rbpsym.quantities import DIMENSIONS, Dimension
+from rbpsym.quantities import Dimension
 from rbpsym.statement.units import unit_named
 from rbpsym.teaching.model import Measure
 
-# unit -> (dimension, how many SI units it is)
+# the units that papers print and fields offer, the usual one of a dimension first: (dimension, how many SI units it is)
 UNITS: Mapping[str, tuple[Dimension, float]] = {
-    unit: (DIMENSIONS[name], scale)
-    for name, units in {
-        "number": {"": 1.0, "rad": 1.0, "deg": math.pi / 180, "°": math.pi / 180},
-        "mass": {"kg": 1.0, "g": 1e-3, "t": 1e3},
-        "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3},
-        "time": {"s": 1.0, "ms": 1e-3, "min": 60.0},
-        "speed": {"m/s": 1.0, "cm/s": 1e-2, "km/h": 1 / 3.6},
-        "acceleration": {"m/s^2": 1.0, "cm/s^2": 1e-2},
-        "angular speed": {"rad/s": 1.0, "1/s": 1.0, "Hz": 1.0},
-        "angular acceleration": {"rad/s^2": 1.0, "1/s^2": 1.0},
-        "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3},
-        "energy": {"J": 1.0, "N*m": 1.0, "kJ": 1e3, "mJ": 1e-3},
-        "stiffness": {"N/m": 1.0, "N/cm": 100.0, "kN/m": 1e3},
-        "torsion stiffness": {"N*m/rad": 1.0},
-        "damping": {"N*s/m": 1.0, "kg/s": 1.0},
-        "rotary damping": {"N*m*s": 1.0, "N*m*s/rad": 1.0},
-        "moment of inertia": {"kg*m^2": 1.0, "g*cm^2": 1e-7},
-        "momentum": {"kg*m/s": 1.0, "N*s": 1.0},
-        "angular momentum": {"kg*m^2/s": 1.0, "J*s": 1.0, "N*m*s": 1.0},
-        "area": {"m^2": 1.0, "cm^2": 1e-4},
-        "linear density": {"kg/m": 1.0},
-        "surface density": {"kg/m^2": 1.0},
-        "density": {"kg/m^3": 1.0},
-        "power": {"W": 1.0, "kW": 1e3},
-    }.items()
-    for unit, scale in units.items()
-}
+    unit: unit_named(unit)
+    for unit in (
+        "", "rad", "deg", "°", "kg", "g", "t", "m", "cm", "mm", "km", "s", "ms", "min", "m/s", "cm/s", "km/h",
+        "m/s^2", "cm/s^2", "rad/s", "1/s", "Hz", "rad/s^2", "1/s^2", "N", "kN", "mN", "J", "N*m", "kJ", "mJ",
+        "N/m", "N/cm", "kN/m", "N*m/rad", "N*s/m", "kg/s", "N*m*s", "N*m*s/rad", "kg*m^2", "g*cm^2", "kg*m/s", "N*s",
+        "kg*m^2/s", "J*s", "m^2", "cm^2", "kg/m", "kg/m^2", "kg/m^3", "W", "kW",
+    )
+}  # fmt: skip
 # names of dimensions whose unit is not the first of that dimension above
 BY_NAME: Mapping[str, str] = {"torque": "N*m", "angle": "deg"}
 
