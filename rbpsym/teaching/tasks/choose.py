@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
@@ -98,17 +97,8 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, right: t.N
     left = target.reading.left if numbers and target.reading else target.left
     place = where_text(setting) if numbers and setting.scenery.coordinate in number_names(bench, target) else ()
     prompt = spoken(setting.said, f"ask.choose.{target.kind}", **{**target.slots, "left": left, "place": place})
-    return Item(
-        setting.id,
-        "choose",
-        (Paragraph(prompt),),
-        key,
-        bench.asked(target),
-        wish.points if wish.points is not None else Fraction(2),
-        solution=worked(bench, setting, target, setting.values[0] if numbers else None),
-        level=wish.level,
-        space=Fraction(0),
-    )
+    solution = worked(bench, setting, target, setting.values[0] if numbers else None)
+    return wish.item(setting, bench.asked(target), (Paragraph(prompt),), key, 2, solution=solution)
 
 
 def _option(

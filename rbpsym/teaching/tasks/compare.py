@@ -30,6 +30,7 @@ from rbpsym.teaching.wording import spoken
 
 ASKED = ("frequency", "speed", "acceleration")
 FIRST, SECOND, SAME = 0, 1, 2
+USUAL = 3  # points
 MOST_STEPS = 20  # of the way to a quantity that are looked through for what was changed
 
 
@@ -135,24 +136,13 @@ def _item(bench: Bench, setting: Setting, wish: Wish, target: Target, variant: V
     change = spoken(said, variant.phrase, **slots)
     prompt = spoken(said, f"ask.compare.{target.kind}", **{**target.slots, "left": target.left, "change": change})
     options = tuple(Option(spoken(said, f"compare.{name}")) for name in ("first", "second", "same"))
-    points = wish.points if wish.points is not None else Fraction(3)
     other = bench.once(("compared", target.id, variant.phrase, str(variant.slots)), lambda: shown(value, bench.study))
     pair = (formula_of(bench, target), other)
-    return Item(
-        setting.id,
-        "compare",
-        (Paragraph(prompt),),
-        ComparisonKey(options, right),
-        bench.asked(target),
-        points,
-        rubric=tuple(_rubric(setting, target, points, pair)),
-        solution=(
-            Paragraph(spoken(said, f"compare.why.{('first', 'second', 'same')[right]}", left=target.left)),
-            *_pair(said, target, pair),
-        ),
-        level=wish.level,
-        space=Fraction(3),
-    )
+    why = Paragraph(spoken(said, f"compare.why.{('first', 'second', 'same')[right]}", left=target.left))
+    return wish.item(
+        setting, bench.asked(target), (Paragraph(prompt),), ComparisonKey(options, right), USUAL,
+        rubric=_rubric(setting, target, wish.worth(USUAL), pair), solution=(why, *_pair(said, target, pair)), space=3,
+    )  # fmt: skip
 
 
 def _shape(said, kind: str):

@@ -52,20 +52,11 @@ def _premises(bench: Bench, step: Step) -> list[Step]:
 
 def _item(bench: Bench, setting: Setting, wish: Wish, step: Step) -> Item:
     premises = _premises(bench, step)
-    points = wish.points if wish.points is not None else Fraction(1 + len(premises))
-    sample = tuple(_sample(bench, setting, step, premises))
-    return Item(
-        setting.id,
-        "explain",
-        (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False)),
-        ExplanationKey(sample),
-        Asked(bench.name, step.id, t.Sym("W"), step=step.id),
-        points,
-        rubric=tuple(_rubric(setting, step, premises, points)),
-        solution=sample,
-        level=wish.level,
-        space=Fraction(5),
-    )
+    usual, sample = 1 + len(premises), tuple(_sample(bench, setting, step, premises))
+    prompt = (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False))
+    asked = Asked(bench.name, step.id, t.Sym("W"), step=step.id)
+    rubric = _rubric(setting, step, premises, wish.worth(usual))
+    return wish.item(setting, asked, prompt, ExplanationKey(sample), usual, rubric=rubric, solution=sample, space=5)
 
 
 def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
@@ -57,31 +56,16 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
 
     def make(setting: Setting) -> Item:
         prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
-        points = wish.points if wish.points is not None else Fraction(len(answers))
-        each = tuple(Blank(a.number, a.value, points / len(answers), a.step, a.anticipated) for a in answers)
-        return Item(
-            setting.id,
-            "fill-in",
-            (
-                prompt,
-                *bench.once(key_of(setting), lambda: tuple(_lines(bench, setting, steps, statements, how.reasons))),
-            ),
-            BlanksKey(each, names),
-            bench.asked(target),
-            points,
-            solution=tuple(Display(step.statement, numbered=False) for step, _ in chosen_steps(chosen, steps)),
-            level=wish.level,
-            space=Fraction(0),
-        )
+        each = wish.worth(len(answers)) / len(answers)
+        blanks = tuple(Blank(a.number, a.value, each, a.step, a.anticipated) for a in answers)
+        lines = bench.once(key_of(setting), lambda: tuple(_lines(bench, setting, steps, statements, how.reasons)))
+        solution = (Display(step.statement, numbered=False) for step in steps if step.id in chosen)
+        key = BlanksKey(blanks, names)
+        return wish.item(setting, bench.asked(target), (prompt, *lines), key, len(answers), solution=solution)
 
     asked = [step for step in steps if step.id in chosen]
     content = Content(claims(s.statement for s in steps if s not in asked), claims(s.statement for s in asked))
     return Prepared("fill-in", target, (), make, content=content)
-
-
-def chosen_steps(chosen: Mapping[str, list[Gap]], steps: tuple[Step, ...]) -> list[tuple[Step, list[Gap]]]:
-    """The steps with blanks, in order."""
-    return [(step, chosen[step.id]) for step in steps if step.id in chosen]
 
 
 def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from rbpsym.document.model import Paragraph
 from rbpsym.notation import tree as t
@@ -31,22 +30,12 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
 
     def make(setting: Setting) -> Item:
         follows = tuple(follow_ons(bench, target, setting.before, "formula"))
-        prompt = spoken(
-            setting.said,
-            f"ask.formula.{target.kind}",
-            **{**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]},
-        )
-        return Item(
-            setting.id,
-            "formula",
-            (Paragraph((*prompt, *hint(bench, setting, target, wish.level))),),
-            FormulaKey(right, target.left, names, anticipated, follows),
-            bench.asked(target),
-            wish.points if wish.points is not None else Fraction(3),
-            solution=worked(bench, setting, target, None),
-            level=wish.level,
-            space=Fraction(4),
-        )
+        slots = {**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]}
+        asks = spoken(setting.said, f"ask.formula.{target.kind}", **slots)
+        prompt = (Paragraph((*asks, *hint(bench, setting, target, wish.level))),)
+        key = FormulaKey(right, target.left, names, anticipated, follows)
+        solution = worked(bench, setting, target, None)
+        return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=4)
 
     return Prepared("formula", target, (), make, content=asks_for(bench, target))
 

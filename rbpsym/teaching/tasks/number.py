@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from rbpsym.document.model import Paragraph
 from rbpsym.notation import tree as t
@@ -34,17 +33,9 @@ def _prepared(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Pre
     def make(setting: Setting) -> Item | None:
         return _item(bench, setting, target, wish, found)
 
-    values = (right, *(d.along for d in found))
-    is_placed = scenery.coordinate in names_in(right)
-    return Prepared(
-        "number",
-        target,
-        values,
-        make,
-        target.kind == "frequency",
-        is_placed,
-        Content(numbers=asks_for(bench, target).asks),
-    )
+    values, is_placed = (right, *(d.along for d in found)), scenery.coordinate in names_in(right)
+    content = Content(numbers=asks_for(bench, target).asks)
+    return Prepared("number", target, values, make, target.kind == "frequency", is_placed, content)
 
 
 def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:
@@ -70,18 +61,10 @@ def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tup
         follows=follows,
     )
     place = where_text(setting) if setting.scenery.coordinate in names else ()
-    prompt = spoken(setting.said, f"ask.number.{target.kind}", **{**target.slots, "left": left, "place": place})
-    return Item(
-        setting.id,
-        "number",
-        (Paragraph((*prompt, *hint(bench, setting, target, wish.level))),),
-        key,
-        bench.asked(target),
-        wish.points if wish.points is not None else Fraction(3),
-        solution=worked(bench, setting, target, value),
-        level=wish.level,
-        space=Fraction(3),
-    )
+    asks = spoken(setting.said, f"ask.number.{target.kind}", **{**target.slots, "left": left, "place": place})
+    prompt = (Paragraph((*asks, *hint(bench, setting, target, wish.level))),)
+    solution = worked(bench, setting, target, value)
+    return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=3)
 
 
 def _anticipated(bench: Bench, setting: Setting, target: Target, right: Measure, found: tuple[Distractor, ...]):

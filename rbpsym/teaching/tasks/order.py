@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Paragraph
@@ -39,18 +38,12 @@ def _prepared(bench: Bench, wish: Wish, target: Target) -> Prepared:
 
     def make(setting: Setting) -> Item | None:
         key = _shuffled(bench, steps, setting.draws)
-        first = spoken(setting.said, "hint.order", letter=LETTERS[key.sample[0]]) if key and not wish.level else ()
-        return key and Item(
-            setting.id,
-            "order",
-            (Paragraph((*spoken(setting.said, "ask.order", left=target.left), *first)),),
-            key,
-            bench.asked(target),
-            wish.points if wish.points is not None else Fraction(2),
-            solution=tuple(Display(s.statement, numbered=False) for s in steps),
-            level=wish.level,
-            space=Fraction(0),
-        )
+        if key is None:
+            return None
+        first = () if wish.level else spoken(setting.said, "hint.order", letter=LETTERS[key.sample[0]])
+        prompt = (Paragraph((*spoken(setting.said, "ask.order", left=target.left), *first)),)
+        solution = (Display(s.statement, numbered=False) for s in steps)
+        return wish.item(setting, bench.asked(target), prompt, key, 2, solution=solution)
 
     return Prepared("order", target, (), make, content=Content(claims(s.statement for s in steps)))
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.document.figures.free_body import free_body
@@ -104,18 +103,10 @@ def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], sig
     start = t.equation(t.Sym(coordinate.name), coordinate.start)
     end = given_as(*setting.situation.place, setting.said.notation)
     prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
-    points = wish.points if wish.points is not None else Fraction(len(rows))
-    return Item(
-        setting.id,
-        "signs",
-        (Paragraph(prompt), diagrams(bench, setting.said, with_forces=False)),
-        key,
-        Asked(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole"),
-        points,
-        solution=bench.once(("signs", setting.language), lambda: _solution(bench, setting.said)),
-        level=wish.level,
-        space=Fraction(0),
-    )
+    asked = Asked(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
+    solution = bench.once(("signs", setting.language), lambda: _solution(bench, setting.said))
+    figure = diagrams(bench, setting.said, with_forces=False)
+    return wish.item(setting, asked, (Paragraph(prompt), figure), key, len(rows), solution=solution)
 
 
 def _solution(bench: Bench, said: Words) -> tuple[Block, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
@@ -129,18 +128,11 @@ def _prepared(bench: Bench, wish: Wish, target: Target, found: tuple[Told, ...])
     def make(setting: Setting) -> Item:
         told = setting.draws.one_of(found)
         slip = told.slip
-        comment = feedback(setting, slip)
-        return Item(
-            setting.id,
-            "find-the-slip",
-            (Paragraph((*spoken(setting.said, "ask.find-the-slip", left=target.left), *_hint(setting, wish, slip))),),
-            SlipKey(tuple(map(piece, told.lines)), told.first, told.corrected, slip),
-            bench.asked(target),
-            wish.points if wish.points is not None else Fraction(3),
-            solution=(Paragraph(comment), Display(told.corrected, numbered=False)),
-            level=wish.level,
-            space=Fraction(2),
-        )
+        asks = spoken(setting.said, "ask.find-the-slip", left=target.left)
+        prompt = (Paragraph((*asks, *_hint(setting, wish, slip))),)
+        key = SlipKey(tuple(map(piece, told.lines)), told.first, told.corrected, slip)
+        solution = (Paragraph(feedback(setting, slip)), Display(told.corrected, numbered=False))
+        return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=2)
 
     return Prepared("find-the-slip", target, (), make, content=_content(found))
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from fractions import Fraction
 
+from rbpsym.document.model import Block
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.source import Item as Entry
 from rbpsym.statement.source import did_you_mean
-from rbpsym.teaching.bench import Bench, Prepared
+from rbpsym.teaching import model as m
+from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
 
@@ -33,6 +35,28 @@ class Wish:
     answers: str = "formula"
     misconceptions: tuple[str, ...] = ()
     at: Entry | None = None
+
+    def worth(self, usual: int) -> Fraction:
+        """The points that were wished for, else the usual ones."""
+        return Fraction(usual) if self.points is None else self.points
+
+    def item(
+        self, setting: Setting, asked: m.Asked, prompt: Iterable[Block], key: m.Key, usual: int, *,
+        solution: Iterable[Block], rubric: Iterable[m.Criterion] = (), space: int = 0,
+    ) -> m.Item:  # fmt: skip
+        """An item as it was wished for; `usual`: its points if nobody says."""
+        return m.Item(
+            setting.id,
+            self.kind,
+            tuple(prompt),
+            key,
+            asked,
+            self.worth(usual),
+            tuple(rubric),
+            tuple(solution),
+            self.level,
+            Fraction(space),
+        )
 
     def error(self, what: str, instead: str = "") -> RbpsymError:
         """An error about the task, told where it stands in the file."""
