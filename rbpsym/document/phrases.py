@@ -29,17 +29,17 @@ DECIMAL_COMMA = re.compile(r"\d,\d")
 INLINES = (d.Text, d.Math, d.Ref, d.Emph, d.Strong)
 
 
-def languages() -> tuple[str, ...]:
+def languages(folder: Path | None = None) -> tuple[str, ...]:
     """The languages that have a phrases file."""
-    return tuple(sorted(path.stem for path in FOLDER.glob("*.toml")))
+    return tuple(sorted(path.stem for path in (folder or FOLDER).glob("*.toml")))
 
 
 @cache
-def phrases(language: str) -> Mapping[str, str]:
+def phrases(language: str, folder: Path | None = None) -> Mapping[str, str]:
     """All templates of a language by dotted key."""
-    path = FOLDER / f"{language}.toml"
+    path = (folder or FOLDER) / f"{language}.toml"
     if not path.is_file():
-        known = ", ".join(languages())
+        known = ", ".join(languages(folder))
         raise d.DocumentError(f"there are no phrases in “{language}”", instead=f"known: {known}.")
     return dict(flatten("", tomllib.loads(path.read_text(encoding="utf-8"))))
 
@@ -61,26 +61,36 @@ def grammar(language: str) -> Grammar:
 
 def phrase(key: str, language: str = "en", **slots: object) -> d.Inlines:
     """The phrase `key` with its places filled. Raises DocumentError for a missing key or slot."""
-    return contracted(merged(filled(template(key, language, slots), key, language, slots)), language)
+    return phrase_of(None, key, language, slots)
+
+
+def phrase_of(folder: Path | None, key: str, language: str, slots: Mapping[str, object]) -> d.Inlines:
+    """The same of the phrases in a folder (None: those of documents)."""
+    text = template(key, language, slots, folder)
+    return contracted(merged(filled(text, key, language, slots)), language)
 
 
 def plain(key: str, language: str = "en", **slots: object) -> str:
     """A phrase that holds nothing but text, as a string (captions of tables, verdict words)."""
-    inlines = phrase(key, language, **slots)
+    return text_of(phrase(key, language, **slots), key)
+
+
+def text_of(inlines: d.Inlines, key: str) -> str:
+    """Inlines that are nothing but text, as a string."""
     if not all(isinstance(inline, d.Text) for inline in inlines):
         raise d.DocumentError(f"phrase “{key}” is more than text")
     return "".join(inline.text for inline in inlines)
 
 
-def has_phrase(key: str, language: str = "en") -> bool:
+def has_phrase(key: str, language: str = "en", folder: Path | None = None) -> bool:
     """Is there a phrase (or one with variants) under this key?"""
-    table = phrases(language)
+    table = phrases(language, folder)
     return key in table or any(name.startswith(f"{key}.") for name in table)
 
 
-def template(key: str, language: str, slots: Mapping[str, object]) -> str:
+def template(key: str, language: str, slots: Mapping[str, object], folder: Path | None = None) -> str:
     """The template of `key`, in the variant that the slots ask for."""
-    table = phrases(language)
+    table = phrases(language, folder)
     wanted = f"{key}.{variant(language, slots)}"
     if wanted in table:
         return table[wanted]

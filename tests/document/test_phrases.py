@@ -30,7 +30,7 @@ def table(monkeypatch: pytest.MonkeyPatch) -> None:
         "disk.feminine": "la {name}",
         "disk.masculine": "el {name}",
     }
-    monkeypatch.setattr("rbpsym.document.phrases.phrases", lambda language: own)
+    monkeypatch.setattr("rbpsym.document.phrases.phrases", lambda language, folder=None: own)
 
 
 @pytest.mark.usefixtures("table")
