@@ -20,18 +20,18 @@ def process(*args):
 
 
 def test_list_names_everything_that_ships():
-    text = process("list").stdout
+    text = run("list").stdout
     assert all(name in text for name in [*problem_files(), *course_files()])
-    found = json.loads(process("list", "--json").stdout)
+    found = json.loads(run("list", "--json").stdout)
     assert {p["name"] for p in found["problems"]} == set(problem_files())
 
 
 def test_list_can_be_searched():
-    found = json.loads(process("list", "--json", "--lang", "es", "PENDULOS", "introductorio").stdout)
+    found = json.loads(run("list", "--json", "--lang", "es", "PENDULOS", "introductorio").stdout)
     assert {"rod-pendulum", "kater-pendulum"} <= {p["name"] for p in found["problems"]}
     assert {(p["topic"], p["level"]) for p in found["problems"]} == {("péndulos físicos", "introductorio")}
-    none = process("list", "perpetual", "motion")
-    assert none.returncode == 2 and "“perpetual” and “motion”" in none.stderr
+    none = run("list", "perpetual", "motion")
+    assert none.exit_code == 2 and "“perpetual” and “motion”" in none.stderr
 
 
 @pytest.mark.parametrize("args", [("--help",), ("list",), ("solve", "--help"), ("notes", "--help")])
@@ -96,20 +96,20 @@ def test_a_broken_file_gets_a_sentence_and_exit_2(command, tmp_path):
 
 
 def test_an_unknown_name_is_met_with_the_nearest():
-    done = process("solve", "sliding-lader")
-    assert done.returncode == 2 and "sliding-ladder" in done.stderr
+    done = run("solve", "sliding-lader")
+    assert done.exit_code == 2 and "sliding-ladder" in done.stderr
 
 
 def test_an_unknown_command_and_option():
-    assert process("solv", "x").returncode == 2
-    assert process("solve", "sliding-ladder", "--nonsense").returncode == 2
+    assert run("solv", "x").exit_code == 2
+    assert run("solve", "sliding-ladder", "--nonsense").exit_code == 2
 
 
 def test_new_writes_a_problem_that_works(tmp_path):
-    done = process("new", "my-problem", "-o", str(tmp_path))
-    assert done.returncode == 0, done.stderr
-    assert process("solve", str(tmp_path / "my-problem.toml"), "--json", "--no-simulation").returncode == 0
-    assert process("new", "my-problem", "-o", str(tmp_path)).returncode == 2
+    done = run("new", "my-problem", "-o", str(tmp_path))
+    assert done.exit_code == 0, done.stderr
+    assert run("solve", str(tmp_path / "my-problem.toml"), "--json", "--no-simulation").exit_code == 0
+    assert run("new", "my-problem", "-o", str(tmp_path)).exit_code == 2
 
 
 def test_an_error_of_the_statement_exits_2(tmp_path):

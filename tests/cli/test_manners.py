@@ -24,8 +24,9 @@ from tests.architecture.source import ROOT
 LADDER = problem_files()["sliding-ladder"]
 
 
-def run(*args: str) -> Result:
-    return CliRunner().invoke(main, list(args))
+def run(*args: str, **env: str) -> Result:
+    """A command in this process: quick. What a process itself does (its exit code, say) is seen by `process`."""
+    return CliRunner().invoke(main, list(args), env=env, prog_name="rbpsym")
 
 
 def process(*args: str, cwd: Path | None = None, **env: str) -> subprocess.CompletedProcess[str]:
@@ -70,8 +71,13 @@ def test_version() -> None:
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_completion_script(shell: str) -> None:
-    found = process(_RBPSYM_COMPLETE=f"{shell}_source")
-    assert found.returncode == 0 and "_RBPSYM_COMPLETE" in found.stdout
+    found = run(_RBPSYM_COMPLETE=f"{shell}_source")
+    assert found.exit_code == 0 and "_RBPSYM_COMPLETE" in found.stdout
+
+
+def test_completion_of_a_process() -> None:
+    asked = {"_RBPSYM_COMPLETE": "zsh_complete", "COMP_WORDS": "rbpsym so", "COMP_CWORD": "1"}
+    assert "solve" in process(**asked).stdout.split()
 
 
 @pytest.mark.parametrize(
@@ -91,7 +97,7 @@ def test_completion(words: str, offered: str) -> None:
 
 def run_completion(words: str) -> str:
     count = len(words.split()) - 1
-    return process(_RBPSYM_COMPLETE="zsh_complete", COMP_WORDS=words, COMP_CWORD=str(count)).stdout
+    return run(_RBPSYM_COMPLETE="zsh_complete", COMP_WORDS=words, COMP_CWORD=str(count)).stdout
 
 
 # --- errors
@@ -170,10 +176,17 @@ BAD: list[tuple[tuple[str, ...], str]] = [
 
 
 @pytest.mark.parametrize(("args", "says"), BAD, ids=lambda value: " ".join(value) if isinstance(value, tuple) else "")
-def test_bad_input(args: tuple[str, ...], says: str, tmp_path: Path) -> None:
-    found = process(*args, cwd=tmp_path)
-    assert found.returncode == 2, found
+def test_bad_input(args: tuple[str, ...], says: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = run(*args)
+    assert found.exit_code == 2, found
     assert says in found.stderr and "Traceback" not in found.stderr
+    assert not found.stdout and not list(tmp_path.iterdir())
+
+
+def test_bad_input_of_a_process(tmp_path: Path) -> None:
+    found = process("derive", "sliding-lader", cwd=tmp_path)
+    assert found.returncode == 2 and "sliding-ladder" in found.stderr and "Traceback" not in found.stderr
     assert not found.stdout and not list(tmp_path.iterdir())
 
 
@@ -239,7 +252,7 @@ def test_commands_work_away_from_the_checkout(tmp_path: Path) -> None:
 
 
 def test_output_without_a_terminal_has_no_colours() -> None:
-    assert "\x1b" not in process("derive", "sliding-ladder").stdout + process("list").stdout
+    assert "\x1b" not in process("derive", "sliding-ladder", "--no-simulation").stdout + run("list").stdout
 
 
 @pytest.mark.parametrize("columns", ["50", "80"])

@@ -97,6 +97,17 @@ def test_different_letters_stay_different(names: tuple[str, ...]) -> None:
 
 @needs_coqc
 @each_problem
+def test_coqc_accepts_a_sample(name: str) -> None:
+    """Every fourth step of each; all of them in the thorough tier."""
+    whole = found(name)
+    told = compiled(Written(whole.source, dict(list(whole.lemmas.items())[::4])))
+    assert not told.refused and told.steps > 3
+    assert set(told.axioms or ()) <= AXIOMS
+
+
+@pytest.mark.thorough
+@needs_coqc
+@each_problem
 def test_coqc_accepts_all_that_is_written(name: str) -> None:
     told = report(name)
     assert not told.refused

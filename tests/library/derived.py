@@ -86,3 +86,11 @@ def drafted_from(path: Path) -> Drafted:
 def checked_claims(file: Path) -> tuple[Result, ...]:
     """The results of all claims of a file."""
     return tuple(check_claims(load_claims(file), Certificates(None)))
+
+
+def derive_once(problem: Problem, *, simulation: bool = True) -> Derivation:
+    """As `rbpsym.derive.derive`, for tests of what comes after it: what ships is derived once."""
+    file = problem_files().get(problem.name)
+    if file is None or problem != stated(file):
+        return derive(problem, simulation=simulation)
+    return derived(problem.name) if simulation else unsimulated(problem.name)

@@ -152,18 +152,18 @@ class TooLong(Exception):
 
 @contextmanager
 def within(seconds: int):
-    """Raises TooLong after so many seconds (in the main thread of Unix)."""
+    """Raises TooLong after so many seconds of the processor (in the main thread of Unix)."""
 
     def stop(*_: object) -> None:
         raise TooLong
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(seconds)
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
 
 
 def fault(text: str, *, simulation: bool = False) -> str:

@@ -6,7 +6,7 @@ import pytest
 
 from tests.thorough.mutated import fault, mutant
 
-FEW, MANY, A_BATCH = 200, 5000, 100
+FEW, MANY, A_BATCH = 100, 5000, 100
 SIMULATED = 10  # of so many mutants one is simulated as well
 
 
@@ -14,9 +14,9 @@ def faults(seeds: range) -> dict[int, str]:
     return {seed: found for seed in seeds if (found := fault(mutant(seed), simulation=seed % SIMULATED == 0))}
 
 
-@pytest.mark.parametrize("first", range(0, FEW, A_BATCH // 2))
+@pytest.mark.parametrize("first", range(0, FEW, A_BATCH // 4))
 def test_some(first: int) -> None:
-    assert not faults(range(first, first + A_BATCH // 2))
+    assert not faults(range(first, first + A_BATCH // 4))
 
 
 @pytest.mark.thorough
