@@ -1,5 +1,6 @@
 # make notes   lecture notes of the paper's course: PDF, HTML and LaTeX in build/
 # make test    the whole test suite
+# make bare    what uses TeX, browsers, Node and provers, without any of these: it is skipped with a reason, the rest works
 # make thorough  the tests that take hours: mutants of the source, random systems, mutated files, oracles at many sets
 # make check   derive every problem that ships and decide every claim, all of it anew
 # make mutants  every claim against its mutants and rewrites; fails below 100 %
@@ -17,13 +18,15 @@ VENV   ?= .venv
 OUT    ?= build
 COURSE ?= paper
 TESTS  ?= -n auto
+BARE   := $(addprefix tests/,kernel document/test_access.py document/test_explorer.py document/test_formats.py \
+          document/test_writers.py teaching/test_exports.py teaching/test_worksheet.py)
 
 BIN      := $(VENV)/bin
 PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test thorough check mutants distractors lint bench library docs clean
+.PHONY: help notes test bare thorough check mutants distractors lint bench library docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -37,6 +40,9 @@ $(NOTES).pdf: $(VENV)/run.stamp $(SOURCES)
 
 test: $(VENV)/dev.stamp
 	$(BIN)/python -m pytest $(TESTS)
+
+bare: $(VENV)/dev.stamp
+	PATH="$(abspath $(BIN))" RBPSYM_REQUIRE_TOOLS= $(BIN)/python -m pytest $(TESTS) --one-of-each -rs $(BARE)
 
 thorough: $(VENV)/dev.stamp
 	$(BIN)/python -m pytest $(TESTS) -m thorough

@@ -19,6 +19,19 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
     return report
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--one-of-each", action="store_true", help="of a test with parameters only the first")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """With --one-of-each the others are left out."""
+    if config.getoption("--one-of-each"):
+        first = {item.nodeid.partition("[")[0]: item.nodeid for item in reversed(items)}
+        kept = set(first.values())
+        config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in kept])
+        items[:] = [item for item in items if item.nodeid in kept]
+
+
 @pytest.fixture(autouse=True, scope="module")
 def _quiet_collector() -> None:
     """What earlier modules keep (derivations of the whole library) is no more looked through by the garbage collector.

@@ -323,6 +323,7 @@ def test_any_title_is_typeset(text: str) -> None:
 SCRIPTS = "مرحبا שלום 漢字 θ ≤ é e\u0301 🚀\ufe0f \u202eabc\u202c Ǆ ﷽ Ω½"
 
 
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler is not installed")
 @pytest.mark.parametrize("engine", ["typst", "pdflatex", "beamer"])
 def test_letters_of_all_scripts_and_pictures_are_set_or_told(engine: str, tmp_path: Path) -> None:
     if engine != "typst" and shutil.which("pdflatex") is None:
