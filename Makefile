@@ -17,6 +17,7 @@ PYTHON ?= python3
 VENV   ?= .venv
 OUT    ?= build
 COURSE ?= paper
+JOBS   ?= 2
 TESTS  ?= -n auto
 BARE   := $(addprefix tests/,kernel document/test_access.py document/test_explorer.py document/test_formats.py \
           document/test_writers.py teaching/test_exports.py teaching/test_worksheet.py)
@@ -50,7 +51,8 @@ thorough: $(VENV)/dev.stamp
 	$(BIN)/python -m tests.thorough.mutants $(OUT)/covering.json
 
 check: $(VENV)/run.stamp
-	$(BIN)/rbpsym check --no-cache --simulation --failures
+	@find derivations -name '*.toml' ! -path '*/courses/*' ! -path '*/claims/problems/*' ! -path '*/worksheets/*' | sort | \
+	    xargs -n 30 -P $(JOBS) $(BIN)/rbpsym check --no-cache --simulation --failures
 
 mutants: $(VENV)/run.stamp
 	@$(BIN)/python -m tests.mutants.run

@@ -230,9 +230,10 @@ def derived(path: Path, simulation: bool) -> Result:
 
 
 def verdicts(made) -> list:
-    """The verdicts on all steps and on the independent roads."""
-    roads = [*made.agreement.values(), *([made.lagrange] if made.lagrange else [])]
-    return [*(step.certificate.verdict for step in made.steps), *roads]
+    """The verdicts on all steps and on the independent roads, in every phase."""
+    parts = (made, *(phase.derivation for phase in made.phases))
+    roads = [road for part in parts for road in (*part.agreement.values(), part.lagrange) if road is not None]
+    return [*(step.certificate.verdict for step in made.all_steps), *roads]
 
 
 def doubtful(made) -> Iterator:
@@ -240,7 +241,7 @@ def doubtful(made) -> Iterator:
     from rbpsym.notation.text import to_text
     from rbpsym.verify.claims_model import Link, Outcome
 
-    for step in made.steps:
+    for step in made.all_steps:
         verdict = step.certificate.verdict
         if not verdict.is_proved:
             yield Link(to_text(step.statement), Outcome(str(verdict.kind)), detail=f"{step.id}: {verdict}")

@@ -1,14 +1,18 @@
 """`rbpsym check`: what it prints and writes, its exit codes, its memory."""
 
 import json
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import click
 import pytest
 
-from rbpsym.commands.check import command
+from rbpsym.commands.check import command, doubtful, verdicts
+from rbpsym.derivation.step import Certificate
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
 from rbpsym.verify.claims_cache import NAME
+from tests.library.derived import unsimulated
 
 CLAIMS = r"""
 [settings.ladder]
@@ -166,3 +170,22 @@ def test_formulas_of_the_page_are_drawn_and_nothing_of_the_text_is_markup(folder
     run("marked.toml", "--html", "report.html")
     page = (folder / "report.html").read_text()
     assert "<math " in page and "<script>" not in page and "<b>" not in page
+
+
+@pytest.mark.parametrize("place", ["begins", "steps", "lagrange"])
+def test_a_doubt_in_a_later_phase_is_a_doubt(place):
+    """A derivation is PROVED where all of its phases are."""
+    made = unsimulated("ball-slipping-to-rolling")
+    assert {verdict.kind for verdict in verdicts(made)} == {PROVED} and not list(doubtful(made))
+    doubt = Verdict(UNDECIDED, reason="not known")
+    [phase] = made.phases
+    if place == "lagrange":
+        phase = replace(phase, derivation=replace(phase.derivation, lagrange=doubt))
+    else:
+        home = phase if place == "begins" else phase.derivation
+        first, *others = getattr(home, place)
+        home = replace(home, **{place: (replace(first, certificate=Certificate((), doubt)), *others)})
+        phase = home if place == "begins" else replace(phase, derivation=home)
+    spoilt = replace(made, phases=(phase,))
+    assert doubt in verdicts(spoilt)
+    assert len(list(doubtful(spoilt))) == (place != "lagrange")
