@@ -60,6 +60,12 @@ detail_option = click.option(
 )
 
 
+def formats_option(choices: tuple[str, ...], default: str) -> Callable[[Callable], Callable]:
+    """The option --format: some of the choices."""
+    told = f"Formats, separated by commas: {', '.join(choices)}."
+    return click.option("--format", "formats", type=Listed(choices), default=default, show_default=True, help=told)
+
+
 def output_option(default: str, meaning: str) -> Callable[[Callable], Callable]:
     """The option -o, a folder that is made if it is not there."""
     folder = click.Path(file_okay=False, path_type=Path)

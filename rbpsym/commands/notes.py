@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rbpsym.commands.arguments import Listed, ShelfName, detail_option, output_option
+from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
 
 if TYPE_CHECKING:
     from rbpsym.commands.warm import Kept
@@ -34,14 +34,7 @@ class Wish:
 @click.command("notes")
 @click.argument("name", metavar="NAME|FILE", type=ShelfName(), required=False)
 @click.option("--all", "is_all", is_flag=True, help="The whole library: a book and a site.")
-@click.option(
-    "--format",
-    "formats",
-    type=Listed(FORMATS),
-    default="pdf,html,tex",
-    show_default=True,
-    help="Formats, separated by commas: " + ", ".join(FORMATS) + ".",
-)
+@formats_option(FORMATS, "pdf,html,tex")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
 @detail_option

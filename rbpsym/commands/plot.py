@@ -6,21 +6,14 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import Listed, ShelfName, output_option
+from rbpsym.commands.arguments import ShelfName, formats_option, output_option
 
 FORMATS = ("svg", "png", "pdf")
 
 
 @click.command("plot")
 @click.argument("name", metavar="NAME|FILE", type=ShelfName())
-@click.option(
-    "--format",
-    "formats",
-    type=Listed(FORMATS),
-    default="svg",
-    show_default=True,
-    help="Formats, separated by commas: " + ", ".join(FORMATS) + ".",
-)
+@formats_option(FORMATS, "svg")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the words in them.")
 @output_option(".", "Folder of the files.")
 def command(name: str, formats: tuple[str, ...], lang: str, output: Path) -> int:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from rbpsym.commands.arguments import Listed, ShelfName
+from rbpsym.commands.arguments import ShelfName, formats_option
 
 PAPERS = ("pdf", "tex", "html")  # a file for each student
 PLATFORMS = ("moodle", "qti", "canvas", "prairielearn", "gift")  # all students together
@@ -30,10 +30,7 @@ MOST = 100_000
 @click.option("--key", is_flag=True, help="Write keys too.")
 @click.option("--solution", is_flag=True, help="Write keys, and solutions with the whole derivation.")
 @click.option("--lang", metavar="LANGUAGE", default="", help="en or es; else that of the worksheet.")
-@click.option(
-    "--format", "formats", type=Listed((*PAPERS, *PLATFORMS)), default="pdf", show_default=True,
-    help="Formats, separated by commas: " + ", ".join((*PAPERS, *PLATFORMS)) + ".",
-)  # fmt: skip
+@formats_option((*PAPERS, *PLATFORMS), "pdf")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
 @click.option(
@@ -155,7 +152,7 @@ def _platforms(order, people: tuple) -> list[str]:
         return []
     plan = known_plan(order.source)
     worksheets = tuple(plan.worksheet(student, order.secret, order.language) for student in people)
-    options = Options(order.key, True, order.engine, order.solution, plan.derivations)
+    options = Options(order.key, order.engine, order.solution, plan.derivations)
     made = {name: exporter(name)(worksheets, options) for name in wanted}
     files = {path: content for exported in made.values() for path, content in exported.files.items()}
     left_out = [sentence for exported in made.values() for sentence in exported.left_out]

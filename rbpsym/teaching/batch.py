@@ -13,7 +13,6 @@ from pathlib import Path
 from threading import Lock
 
 from rbpsym.document.files import write_whole
-from rbpsym.errors import RbpsymError
 from rbpsym.teaching.executor import Crew, run
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.journal import Journal
@@ -112,11 +111,7 @@ def send_papers(jobs: tuple[Paper, ...]) -> list[str]:
 
 def _files_of(job: Paper) -> dict[str, bytes]:
     plan = known_plan(job.order.source)
-    if plan.fingerprint != job.order.fingerprint:
-        raise RbpsymError(
-            f"the worksheet {job.order.source} of this worker is another one",
-            instead="give all machines the same files, and start the workers again.",
-        )
+    plan.require(job.order.fingerprint, job.order.source)
     found = files_of(_worksheet(plan, job), plan, job.order)
     return {name: content.encode() if isinstance(content, str) else content for name, content in found.items()}
 
@@ -135,7 +130,7 @@ def written(worksheet: Worksheet, plan: Plan, order: Order) -> list[str]:
 
 def files_of(worksheet: Worksheet, plan: Plan, order: Order) -> dict[str, str | bytes]:
     """The files of one worksheet by name."""
-    options = Options(order.key, True, order.engine, order.solution, plan.derivations)
+    options = Options(order.key, order.engine, order.solution, plan.derivations)
     files: dict[str, str | bytes] = {}
     for name in order.formats:
         files |= exporter(name)((worksheet,), options).files

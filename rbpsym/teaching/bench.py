@@ -115,8 +115,6 @@ class Prepared:
     target: Target | None
     values: tuple[Scalar, ...]
     make: Make
-    is_timed: bool = False
-    needs_place: bool = False
     content: Content = field(default_factory=Content)
 
 

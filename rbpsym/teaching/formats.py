@@ -17,10 +17,9 @@ from rbpsym.teaching.model import Worksheet
 @dataclass(frozen=True, slots=True)
 class Options:
     """key: write keys too; solution: and the worked solutions, from `derivations` (by problem);
-    separate: one file a student (where the format allows both); engine: what makes PDF ("typst" or "pdflatex")."""
+    engine: what makes PDF ("typst" or "pdflatex")."""
 
     key: bool = False
-    separate: bool = True
     engine: str = "typst"
     solution: bool = False
     derivations: Mapping[str, Derivation] = field(default_factory=dict)

@@ -78,6 +78,14 @@ class Plan:
         """Stands for the text of the worksheet and its problems: a form code holds for this text only."""
         return sha256(self.sheet.text.encode()).hexdigest()
 
+    def require(self, fingerprint: str, source: str) -> None:
+        """Raises RbpsymError if the worksheet of another machine, called `source` there, is not this one."""
+        if self.fingerprint != fingerprint:
+            raise RbpsymError(
+                f"the worksheet {source} of this worker is another one",
+                instead="give all machines the same files, and start the workers again.",
+            )
+
     def notation(self, language: str) -> Notation:
         """How the names of all its problems are printed."""
         return common_notation((part.bench.study.problem for part in self.parts), language)
@@ -167,10 +175,10 @@ def _place(part: PlannedPart, wish: int, task: int) -> int:
 # --- making a plan
 
 
-def plan_of(source: str | Path | Problem | Sheet, progress: Callable[[], None] | None = None) -> Plan:
+def plan_of(source: str | Path | Problem | Sheet) -> Plan:
     """The plan of a worksheet or of a problem: a name that ships, a file, a `Problem` or a `Sheet`.
 
-    `progress` is called after each problem. Raises RbpsymError with the place of what is wrong.
+    Raises RbpsymError with the place of what is wrong.
     """
     sheet = source if isinstance(source, Sheet) else _sheet(source)
     parts = []
@@ -182,8 +190,6 @@ def plan_of(source: str | Path | Problem | Sheet, progress: Callable[[], None] |
             sheet = standard_sheet(bench, sight)
             part = sheet.parts[0]
         parts.append(_planned(bench, sight, part))
-        if progress is not None:
-            progress()
     return Plan(sheet, tuple(parts))
 
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError
+from rbpsym.teaching.csv_rows import rows_in, text_in
 from rbpsym.teaching.model import Student
 
 IDS = ("id", "student", "email", "e-mail", "username", "matricula", "matrícula", "correo", "clave")
@@ -16,24 +15,12 @@ MOST_BYTES, MOST_STUDENTS, LONGEST = 8 * 1024 * 1024, 100_000, 200
 
 def load_roster(path: Path) -> tuple[Student, ...]:
     """The students in the order of the file. Raises ReadError with the line of what is wrong."""
-    try:
-        if path.stat().st_size > MOST_BYTES:
-            raise ReadError(f"the roster is larger than {MOST_BYTES} bytes", place=Place(str(path)))
-        data = path.read_bytes()
-        text = data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
-    except UnicodeDecodeError:
-        raise ReadError(
-            "the roster is not UTF-8 text", instead="save it as CSV UTF-8.", place=Place(str(path))
-        ) from None
-    except OSError as error:
-        why = (error.strerror or "it can't be read").lower()
-        raise ReadError(f"can't read the roster: {why}", place=Place(str(path))) from None
-    return roster_of(text, str(path))
+    return roster_of(text_in(path, MOST_BYTES), str(path))
 
 
 def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
     """The students in a CSV text, whose first line names its columns."""
-    rows = _rows(text, file)
+    rows = list(rows_in(text, file))
     if not rows:
         raise ReadError("the roster is empty", instead="write a line for each student: id,name", place=Place(file))
     heading = [cell.strip().lower() for cell in rows[0][1]]
@@ -51,17 +38,6 @@ def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:
             "the roster has headings, but no student", instead="write a line for each below them.", place=Place(file, 1)
         )
     return _students(rows[1:], key if key is not None else name, name, file)
-
-
-def _rows(text: str, file: str) -> list[tuple[int, list[str]]]:
-    """(line, cells) of the rows that hold something; commas, semicolons or tabs part them."""
-    first = text.split("\n", 1)[0]
-    mark = max(",;\t", key=first.count)
-    reader = csv.reader(io.StringIO(text), delimiter=mark)
-    try:
-        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
-    except csv.Error as error:
-        raise ReadError(f"the roster is no CSV: {error}", place=Place(file, reader.line_num)) from None
 
 
 def _students(rows: list[tuple[int, list[str]]], key: int, name: int | None, file: str) -> tuple[Student, ...]:

@@ -8,17 +8,15 @@ Columns: `student` (or `id`), or `code` (or `form`) for the form code on the pap
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
+from rbpsym.teaching.csv_rows import rows_in, text_in
 
 LARGEST = 64 * 1024 * 1024
-LONGEST_CELL = 20_000
 STUDENT, CODE, ITEM, ANSWER = (
     ("student", "id", "estudiante"),
     ("code", "form", "código", "codigo"),
@@ -51,12 +49,12 @@ class AnswerTable:
 
 def read_answers(path: Path) -> AnswerTable:
     """The table in a file. Raises ReadError with file and line."""
-    return parse_answers(_text(path), str(path))
+    return parse_answers(text_in(path, LARGEST), str(path))
 
 
 def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:
     """The table in a text. Raises ReadError with file and line."""
-    lines = _lines(text, file)
+    lines = rows_in(text, file)
     _, header = next(lines, (1, []))
     names = [name.strip().lower() for name in header]
     who, code = _column(names, STUDENT), _column(names, CODE)
@@ -71,38 +69,6 @@ def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:
     known = (*columns, *decided, who, code)
     other = tuple(header[place] for place in range(len(names)) if place not in known and header[place].strip())
     return AnswerTable(_from_wide(lines, who, code, columns, decided, file), other)
-
-
-def _text(path: Path) -> str:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise ReadError(f"can't read {path}: {error.strerror}", instead="Give the path of a CSV file.") from error
-    if len(data) > LARGEST:
-        raise ReadError(f"{path} has more than {LARGEST // 2**20} MiB", instead="Split it.")
-    for encoding in ("utf-16",) if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig",):
-        try:
-            return data.decode(encoding)
-        except UnicodeDecodeError as error:
-            hint = "Save it as CSV UTF-8."
-            raise ReadError(f"{path} is no UTF-8 text (byte {error.start})", instead=hint) from None
-    return ""
-
-
-def _lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """(line, cells) of all rows that hold something."""
-    head = text.split("\n", 1)[0]
-    mark = max(",;\t", key=head.count)
-    csv.field_size_limit(2**30)
-    reader = csv.reader(io.StringIO(text.replace("\x00", "\ufffd"), newline=""), delimiter=mark)
-    try:
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                yield reader.line_num, [cell if len(cell) <= LONGEST_CELL else cell[:LONGEST_CELL] for cell in cells]
-    except csv.Error as error:
-        raise ReadError(
-            f"this is no CSV: {error}", instead="Save it as CSV UTF-8.", place=Place(file, reader.line_num)
-        ) from None
 
 
 def _column(names: list[str], known: tuple[str, ...]) -> int | None:

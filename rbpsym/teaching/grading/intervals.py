@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
+from operator import add
 from typing import Any
 
 from rbpsym.algebra.calculus import function
@@ -120,16 +121,8 @@ def _short(number: Number) -> Number:
     return number
 
 
-def _total(node: t.Add, point: Point, scope: Scope) -> Number:
-    return reduce(lambda a, b: a + b, (enclosed(term, point, scope) for term in node.terms))
-
-
 def _product(node: t.Mul, point: Point, scope: Scope) -> Number:
     return reduce(lambda a, b: _short(a * b), (enclosed(factor, point, scope) for factor in node.factors))
-
-
-def _quotient(node: t.Div, point: Point, scope: Scope) -> Number:
-    return enclosed(node.num, point, scope) * e.reciprocal(enclosed(node.den, point, scope))
 
 
 def _power(node: t.Pow, point: Point, scope: Scope) -> Number:
@@ -196,13 +189,13 @@ FUNCTIONS: Mapping[str, Callable[[Number], Number]] = {
 _RULES: Mapping[type, Callable[[Any, Point, Scope], Number]] = {
     t.Num: lambda node, point, scope: Fraction(node.value),
     t.Sym: _symbol,
-    t.Add: lambda node, point, scope: _total(node, point, scope),
-    t.Mul: lambda node, point, scope: _product(node, point, scope),
+    t.Add: lambda node, point, scope: reduce(add, (enclosed(term, point, scope) for term in node.terms)),
+    t.Mul: _product,
     t.Neg: lambda node, point, scope: -enclosed(node.arg, point, scope),
     t.Group: lambda node, point, scope: enclosed(node.arg, point, scope),
     t.Sqrt: lambda node, point, scope: e.root(enclosed(node.arg, point, scope)),
     t.Abs: _magnitude,
-    t.Div: _quotient,
+    t.Div: lambda node, point, scope: _over(enclosed(node.num, point, scope), enclosed(node.den, point, scope)),
     t.Pow: _power,
     t.Fn: _function,
 }

@@ -140,11 +140,7 @@ def mark_rows(jobs: tuple[tuple[Order, Row], ...]) -> list[str]:
 
 def _marked(order: Order, row: Row) -> dict[str, object]:
     plan, _ = _plan(order.source)
-    if plan.fingerprint != order.fingerprint:
-        raise RbpsymError(
-            f"the worksheet {order.source} of this worker is another one",
-            instead="give all machines the same files, and start the workers again.",
-        )
+    plan.require(order.fingerprint, order.source)
     try:
         sheet = _sheet(plan, order, row)
     except RbpsymError as error:

@@ -8,15 +8,15 @@ from types import MappingProxyType
 from typing import Any
 
 from rbpsym.document.model import Inlines, Math, Text
+from rbpsym.document.phrases import phrase_of
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import renamed
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.grading.judgement import Judgement, Remark
 from rbpsym.teaching.grading.translated import reason, translated
 from rbpsym.teaching.model import Slip
-from rbpsym.teaching.wording import teaching_phrases
+from rbpsym.teaching.wording import FOLDER
 
-_PLACE = re.compile(r"\{([a-z]+)\}")
 _NAME = re.compile(r"[A-Za-z]\w*_\w+")
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 SaySlip = Callable[[Slip, str], Inlines]
@@ -24,8 +24,9 @@ SaySlip = Callable[[Slip, str], Inlines]
 
 def said(remark: Remark, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
     """A remark as a sentence; `called` is what bodies are called in the language."""
-    text = teaching_phrases(language)[f"remark.{remark.key}"]
-    return tuple(_pieces(text, _in_language(remark.slots, language, called), language, say_slip))
+    slots = _in_language(remark.slots, language, called)
+    told = {name: tuple(_inlines(value, language, say_slip)) for name, value in slots.items()}
+    return phrase_of(FOLDER, f"remark.{remark.key}", language, told)
 
 
 def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, str]) -> dict[str, Any]:
@@ -34,14 +35,6 @@ def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, s
     spoken = {name: translated(value, language) if isinstance(value, str) else value for name, value in slots.items()}
     why = reason(error, language) if isinstance(error, RbpsymError) else ""
     return spoken | ({"why": _NAME.sub(lambda name: renamed(name[0], called), why)} if why else {})
-
-
-def _pieces(text: str, slots: Mapping[str, Any], language: str, say_slip: SaySlip) -> Iterator[Text | Math]:
-    for place, piece in enumerate(_PLACE.split(text)):
-        if place % 2:
-            yield from _inlines(slots[piece], language, say_slip)
-        elif piece:
-            yield Text(piece)
 
 
 def _inlines(value: Any, language: str, say_slip: SaySlip) -> Iterator[Any]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.evaluate import Scope, at_start, rate, scalar
-from rbpsym.equality.assumptions import Assumptions
+from collections.abc import Callable
+
+from rbpsym.algebra.evaluate import at_start, rate, scalar
 from rbpsym.equality.decide import equal, scalars_equal
 from rbpsym.equality.domain import Condition, conditions, holds_at
 from rbpsym.equality.enclosure import sign_of
@@ -31,7 +32,7 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
     if first.is_refuted:
         return first
     is_short = is_small(answer, key)
-    found = _by_algebra(answer, key, ground.assumptions, ground.scope) if is_short else TOO_LARGE
+    found = _by_algebra(answer, key, ground) if is_short else TOO_LARGE
     if found.is_proved and found.open_obligations and has_other_domain(answer, key, ground):
         return undecided("equal where both have a value, but they have one at different places")
     if found.is_proved and _open_powers(answer, ground) != _open_powers(key, ground):
@@ -47,21 +48,25 @@ def _equal_along(answer: Node, key: Node, ground: Ground) -> Verdict:
     scope, assumptions = ground.scope, ground.assumptions
     moved = {name: ground.on_motion(scalar(t.Sym(name), scope)) for name in t.names(answer) | t.names(key)}
     on_motion = scope.with_scalars({**scope.scalars, **moved})
-    try:
+
+    def decided() -> Verdict:
         grown = scalars_equal(*(ground.along(rate(side, on_motion)) for side in (answer, key)), assumptions)
         if not grown.is_proved:
             return grown
         return scalars_equal(*(at_start(ground.on_motion(scalar(side, scope)), scope) for side in (answer, key)), assumptions)
-    except (ReadError, LimitError, Undecided) as error:
-        return undecided(error.what)
-    except ZeroDivisionError:
-        return undecided("a denominator is identically zero")
+
+    return _tried(decided)
 
 
-def _by_algebra(answer: Node, key: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
+def _by_algebra(answer: Node, key: Node, ground: Ground) -> Verdict:
+    sides = answer, key, ground.assumptions, ground.scope
+    return _tried(lambda: equal_with_roots(*sides) or equal(*sides))
+
+
+def _tried(decide: Callable[[], Verdict]) -> Verdict:
+    """UNDECIDED with the reason, where the algebra refuses."""
     try:
-        found = equal_with_roots(answer, key, assumptions, scope)
-        return found or equal(answer, key, assumptions, scope)
+        return decide()
     except (ReadError, LimitError, Undecided) as error:
         return undecided(error.what)
     except ZeroDivisionError:
@@ -116,5 +121,5 @@ def divides_by_zero(answer: Node, ground: Ground) -> bool:
     except ZeroDivisionError:
         return True
     except (LimitError, Undecided, ReadError):
-        return False
+        pass
     return False

@@ -47,9 +47,7 @@ def _prepared(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Ite
         kept = chosen(setting, target, wish, found)
         return None if kept is None else _item(bench, setting, target, wish, right, kept)
 
-    yield Prepared(
-        "choose", target, values, make, target.kind == "frequency", wish.answers == "number", asks_for(bench, target)
-    )
+    yield Prepared("choose", target, values, make, asks_for(bench, target))
 
 
 def _has_number(distractor: Distractor, bench: Bench, scenery: Scenery) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Paragraph
@@ -34,10 +35,8 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             f"steps that can be asked: {ids}." if ids else "choose another kind of task.",
         )
     for step in sorted(named, key=lambda s: -_interest(s)):
-        content = Content(claims((step.statement,)))
-        yield Prepared(
-            "explain", None, (), lambda setting, step=step: _item(bench, setting, wish, step), content=content
-        )
+        make = partial(_item, bench, wish, step)
+        yield Prepared("explain", None, (), make, Content(claims((step.statement,))))
 
 
 def _interest(step: Step) -> int:
@@ -50,7 +49,7 @@ def _premises(bench: Bench, step: Step) -> list[Step]:
     return [bench.derivation.step(id) for id in step.reasons][:MOST_PREMISES]
 
 
-def _item(bench: Bench, setting: Setting, wish: Wish, step: Step) -> Item:
+def _item(bench: Bench, wish: Wish, step: Step, setting: Setting) -> Item:
     premises = _premises(bench, step)
     usual, sample = 1 + len(premises), tuple(_sample(bench, setting, step, premises))
     prompt = (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False))

@@ -33,9 +33,8 @@ def _prepared(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Pre
     def make(setting: Setting) -> Item | None:
         return _item(bench, setting, target, wish, found)
 
-    values, is_placed = (right, *(d.along for d in found)), scenery.coordinate in names_in(right)
-    content = Content(numbers=asks_for(bench, target).asks)
-    return Prepared("number", target, values, make, target.kind == "frequency", is_placed, content)
+    values, content = (right, *(d.along for d in found)), Content(numbers=asks_for(bench, target).asks)
+    return Prepared("number", target, values, make, content)
 
 
 def _item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:

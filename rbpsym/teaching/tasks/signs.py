@@ -50,7 +50,7 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
         signs = _signs(bench, setting.values)
         return None if signs is None else _item(bench, setting, wish, rows, signs)
 
-    yield Prepared("signs", None, tuple(values), make, needs_place=True)
+    yield Prepared("signs", None, tuple(values), make)
 
 
 def _rows(bench: Bench) -> tuple[Row, ...]:
