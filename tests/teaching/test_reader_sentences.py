@@ -29,10 +29,10 @@ from rbpsym.teaching.wording import languages
 HOUSE = Path(rbpsym.__file__).parent
 READERS = (
     *sorted((HOUSE / "notation").glob("infix*.py")),
-    *(HOUSE / "notation" / f"{name}.py" for name in ("cursor", "limits", "source")),
+    *(HOUSE / "notation" / f"{name}.py" for name in ("limits", "source")),
     *(
         HOUSE / "notation" / f"latex_{name}.py"
-        for name in ("calculus", "calls", "functions", "grammar", "names", "reader", "rows", "table", "tokens")
+        for name in ("calculus", "calls", "functions", "grammar", "names", "reader", "rows", "tokens")
     ),
     *(
         HOUSE / "teaching" / "grading" / f"{name}.py"
