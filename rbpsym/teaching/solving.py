@@ -6,16 +6,7 @@ from collections.abc import Iterator
 
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import (
-    ASKED_DIGITS,
-    Bench,
-    Setting,
-    asked_unit,
-    formula_of,
-    given_as,
-    numbers_at,
-    word,
-)
+from rbpsym.teaching import bench as b
 from rbpsym.teaching.distractors import shown, size
 from rbpsym.teaching.filling import Fill, filler
 from rbpsym.teaching.lines import WEIGHTS
@@ -29,19 +20,19 @@ MOST_RELATIONS = 2
 LONGEST = 120  # parts of a formula that is shown with numbers in the places of the names
 
 
-def where_text(setting: Setting) -> Inlines:
+def where_text(setting: b.Setting) -> Inlines:
     """“ where θ = 40.0°”, if it is asked at a place."""
     place = setting.situation.place
     if place is None:
         return ()
-    return spoken(setting.said, "ask.place", place=given_as(*place, _notation(setting)))
+    return spoken(setting.said, "ask.place", place=b.given_as(*place, _notation(setting)))
 
 
-def _notation(setting: Setting):
+def _notation(setting: b.Setting):
     return setting.said.notation
 
 
-def hint(bench: Bench, setting: Setting, target: Target, level: int) -> Inlines:
+def hint(bench: b.Bench, setting: b.Setting, target: Target, level: int) -> Inlines:
     """With much help (level 0): the relations from which it follows."""
     if level or not target.step:
         return ()
@@ -51,62 +42,62 @@ def hint(bench: Bench, setting: Setting, target: Target, level: int) -> Inlines:
     return spoken(setting.said, "hint.relations", relations=relations) if relations else ()
 
 
-def label_of(bench: Bench, step: str) -> str:
+def label_of(bench: b.Bench, step: str) -> str:
     """The label under which the solution shows a step of a problem."""
     return f"{bench.name}.{step}"
 
 
-def worked(bench: Bench, setting: Setting, target: Target, value: float | None) -> tuple[Block, ...]:
+def worked(bench: b.Bench, setting: b.Setting, target: Target, value: float | None) -> tuple[Block, ...]:
     """Where the answer comes from, the formula and, if it is a number, the numbers put in."""
     return tuple(_worked(bench, setting, target, value))
 
 
-def _worked(bench: Bench, setting: Setting, target: Target, value: float | None) -> Iterator[Block]:
+def _worked(bench: b.Bench, setting: b.Setting, target: Target, value: float | None) -> Iterator[Block]:
     if target.step:
         yield Paragraph(spoken(setting.said, "solution.from", step=Ref(label_of(bench, target.step))))
-    formula = formula_of(bench, target)
+    formula = b.formula_of(bench, target)
     if value is None:
         yield Display(t.equation(target.left, formula), numbered=False)
         return
     yield Display(numeric_line(bench, setting, target, value), numbered=False)
 
 
-def numeric_line(bench: Bench, setting: Setting, target: Target, value: float) -> t.Node:
+def numeric_line(bench: b.Bench, setting: b.Setting, target: Target, value: float) -> t.Node:
     """left = formula = formula with numbers = number with unit; a very long formula without the third of these."""
     formula = number_formula(bench, target)
     left = target.reading.left if target.reading else target.left
-    result = word(measure_of(bench, target, value), setting.said.notation)
+    result = b.word(measure_of(bench, target, value), setting.said.notation)
     put_in = bench.once(("fill", target.id), lambda: _filler(bench, target, setting))
     if put_in is None:
         return t.equation(left, formula, result)
-    given = numbers_at(setting.situation, number_names(bench, target))
-    numbers = {name: t.Group(word(measure, setting.said.notation)) for name, measure in given.items()}
+    given = b.numbers_at(setting.situation, number_names(bench, target))
+    numbers = {name: t.Group(b.word(measure, setting.said.notation)) for name, measure in given.items()}
     return t.equation(left, formula, put_in(numbers), result)
 
 
-def _filler(bench: Bench, target: Target, setting: Setting) -> Fill | None:
+def _filler(bench: b.Bench, target: Target, setting: b.Setting) -> Fill | None:
     formula = number_formula(bench, target)
-    known = numbers_at(setting.situation, number_names(bench, target))
+    known = b.numbers_at(setting.situation, number_names(bench, target))
     return filler(formula, known) if size(formula) <= LONGEST else None
 
 
-def number_names(bench: Bench, target: Target) -> frozenset[str]:
+def number_names(bench: b.Bench, target: Target) -> frozenset[str]:
     """The names in the formula from which a target's number comes."""
     return bench.once(("names", target.id), lambda: frozenset(t.names(number_formula(bench, target))))
 
 
-def number_formula(bench: Bench, target: Target) -> t.Node:
+def number_formula(bench: b.Bench, target: Target) -> t.Node:
     """The formula from which a target's number comes, as a function of the position alone."""
     return bench.once(("number", target.id), lambda: _number_formula(bench, target))
 
 
-def _number_formula(bench: Bench, target: Target) -> t.Node:
+def _number_formula(bench: b.Bench, target: Target) -> t.Node:
     along = target.along(bench.study)
-    plain = formula_of(bench, target) if along is None else shown(along, bench.study)
+    plain = b.formula_of(bench, target) if along is None else shown(along, bench.study)
     return target.reading.node(plain) if target.reading else plain
 
 
-def measure_of(bench: Bench, target: Target, value: float) -> Measure:
+def measure_of(bench: b.Bench, target: Target, value: float) -> Measure:
     """The number of a target as it is printed (`value` in SI units, before it is read off)."""
     value = target.reading.number(value) if target.reading else value
-    return measured(value, asked_unit(bench, target), ASKED_DIGITS)
+    return measured(value, b.asked_unit(bench, target), b.ASKED_DIGITS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rbpsym.document.explorer.stage import start_name
 from rbpsym.mechanics.numbers import bound, sample
@@ -101,9 +101,7 @@ def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]
             own = {**numbers, start_name(coordinate.name): numbers[coordinate.name]}
             found = _start(start_name(coordinate.name), coordinate, own)
             at = t.At(t.Sym(coordinate.name), t.equation(t.Sym("t"), t.ZERO))
-            yield Slider(
-                found.name, at, found.meaning, found.value, found.least, found.most, found.unit, found.unit_size
-            )
+            yield replace(found, symbol=at)
 
 
 def angles(problem: Problem) -> frozenset[str]:

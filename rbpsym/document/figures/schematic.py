@@ -6,18 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.document.figures import marks
+from rbpsym.document.figures import dimensions, marks
 from rbpsym.document.figures import scene as s
 from rbpsym.document.figures import sketch as sk
-from rbpsym.document.figures.dimensions import (
-    QUARTER,
-    UP,
-    draw_angle,
-    draw_length,
-    draw_radius,
-    free_side,
-    labelled,
-)
 from rbpsym.document.figures.outlines import body_outline
 from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.solid_lines import solid_line
@@ -72,7 +63,11 @@ def extent(sketch: sk.Sketch) -> tuple[float, float, float, float]:
     """The box of bodies, points, links and marks."""
     found = [p for body in sketch.bodies for item in body_outline(body) for p in s.points_of(item)]
     found += [mark.at for mark in (*sketch.points, *sketch.coils, *sketch.angles)]
-    found += [s.polar(c.at, c.radius, n * UP) for c in sketch.circles for n in range(2 if c.kind == "bowl" else 0, 5)]
+    found += [
+        s.polar(c.at, c.radius, n * dimensions.UP)
+        for c in sketch.circles
+        for n in range(2 if c.kind == "bowl" else 0, 5)
+    ]
     found += [point for cord in sketch.cords for point in cord.points]
     found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
     return s.box_of(tuple(found))
@@ -88,15 +83,15 @@ def draw_body(body: sk.SketchBody, sketch: sk.Sketch) -> s.Scene:
     items = body_outline(body)
     mark = () if body.kind == "particle" else marks.dot(body.center)
     side = direction_aside(body, sketch)
-    return s.Scene((*items, *mark), labelled(body.label, body.center, side, gap=0.12))
+    return s.Scene((*items, *mark), dimensions.labelled(body.label, body.center, side, gap=0.12))
 
 
 def direction_aside(body: sk.SketchBody, sketch: sk.Sketch) -> float:
     """Where a body's name stands: beside its axis, upwards, but not where its length stands."""
-    left = body.angle + UP
+    left = body.angle + dimensions.UP
     for mark in sketch.lengths:
         if math.dist(marks.between(mark.start, mark.end, 0.5), body.center) < 0.2:
-            return s.direction(mark.start, mark.end) - math.copysign(UP, free_side(mark, sketch))
+            return s.direction(mark.start, mark.end) - math.copysign(dimensions.UP, dimensions.free_side(mark, sketch))
     return left if math.sin(left) >= 0 else left + math.pi
 
 
@@ -105,7 +100,7 @@ def draw_point(point: sk.SketchPoint, sketch: sk.Sketch) -> s.Scene:
     held = [sketch.body(name).center for name in point.bodies]
     away = marks.away_from(point.at, held) if point.away is None else point.away
     items = POINTS[point.kind](point.at, away)
-    return s.Scene(items, labelled(point.label, point.at, away + math.pi / 3, gap=0.2))
+    return s.Scene(items, dimensions.labelled(point.label, point.at, away + math.pi / 3, gap=0.2))
 
 
 POINTS = {
@@ -124,8 +119,8 @@ def draw_link(link: sk.SketchLink, sketch: sk.Sketch) -> s.Scene:
     """A spring, damper or string with its label beside the middle."""
     items = marks.LINKS[link.kind](link.start, link.end)
     middle = marks.between(link.start, link.end, 0.5)
-    aside = s.direction(link.start, link.end) + UP
-    return s.Scene(items, labelled(link.label, middle, aside, gap=0.22))
+    aside = s.direction(link.start, link.end) + dimensions.UP
+    return s.Scene(items, dimensions.labelled(link.label, middle, aside, gap=0.22))
 
 
 def draw_circle(circle: sk.SketchCircle, sketch: sk.Sketch) -> s.Scene:
@@ -144,8 +139,8 @@ CIRCLES = {
 def draw_cord(cord: sk.SketchCord, sketch: sk.Sketch) -> s.Scene:
     """A string; its length, if it has one, beside its middle."""
     middle = marks.between(cord.points[0], cord.points[1], 0.5)
-    aside = s.direction(cord.points[0], cord.points[1]) + UP
-    return s.Scene((s.Line(cord.points, "cord"),), labelled(cord.label, middle, aside))
+    aside = s.direction(cord.points[0], cord.points[1]) + dimensions.UP
+    return s.Scene((s.Line(cord.points, "cord"),), dimensions.labelled(cord.label, middle, aside))
 
 
 def draw_arrow(arrow: sk.SketchArrow, sketch: sk.Sketch) -> s.Scene:
@@ -154,14 +149,18 @@ def draw_arrow(arrow: sk.SketchArrow, sketch: sk.Sketch) -> s.Scene:
     angle = math.atan2(arrow.direction[1], arrow.direction[0])
     if arrow.kind in ("spin", "couple"):
         arc = marks.turning(arrow.at, 1 if arrow.direction[0] > 0 else -1, 0.5, style)
-        return s.Scene((arc,), labelled(arrow.label, arc.at(0.5), UP + QUARTER, gap=0.08, color=color))
+        return s.Scene(
+            (arc,),
+            dimensions.labelled(arrow.label, arc.at(0.5), dimensions.UP + dimensions.QUARTER, gap=0.08, color=color),
+        )
     start = arrow.at if arrow.kind != "blow" else s.polar(arrow.at, length, angle + math.pi)
     tip = s.polar(start, length, angle)
     heads = "both" if arrow.kind == "driven" else "end"
     item = s.Line((s.polar(start, -length, angle) if arrow.kind == "driven" else start, tip), style, heads=heads)
     target = start if arrow.kind == "blow" else tip
     return s.Scene(
-        (item,), labelled(arrow.label, target, angle if target == tip else angle + math.pi, gap=0.08, color=color)
+        (item,),
+        dimensions.labelled(arrow.label, target, angle if target == tip else angle + math.pi, gap=0.08, color=color),
     )
 
 
@@ -177,7 +176,7 @@ ARROWS = {
 
 def draw_coil(part: sk.SketchCoil, sketch: sk.Sketch) -> s.Scene:
     """A torsion spring."""
-    return s.Scene(marks.coil(part.at), labelled(part.label, part.at, QUARTER, gap=0.35))
+    return s.Scene(marks.coil(part.at), dimensions.labelled(part.label, part.at, dimensions.QUARTER, gap=0.35))
 
 
 def draw_line(line: sk.SketchLine, sketch: sk.Sketch) -> s.Scene:
@@ -189,8 +188,8 @@ def draw_line(line: sk.SketchLine, sketch: sk.Sketch) -> s.Scene:
     if line.kind == "rail":
         return s.Scene((s.Line((start, end), "rail"),))
     target = marks.between(start, end, 0.85, -0.25)
-    toward = s.direction(start, end) - UP
-    return s.Scene(marks.hatching(start, end), labelled(line.label, target, toward))
+    toward = s.direction(start, end) - dimensions.UP
+    return s.Scene(marks.hatching(start, end), dimensions.labelled(line.label, target, toward))
 
 
 DRAW = {
@@ -202,9 +201,9 @@ DRAW = {
     sk.SketchCircle: draw_circle,
     sk.SketchCord: draw_cord,
     sk.SketchArrow: draw_arrow,
-    sk.AngleMark: draw_angle,
-    sk.LengthMark: draw_length,
-    sk.RadiusMark: draw_radius,
+    sk.AngleMark: dimensions.draw_angle,
+    sk.LengthMark: dimensions.draw_length,
+    sk.RadiusMark: dimensions.draw_radius,
 }
 
 
@@ -221,12 +220,12 @@ def axes(at: s.Point) -> s.Scene:
     items: tuple[s.Item, ...] = (
         marks.arrow(at, east, "axis"),
         marks.arrow(at, north, "axis"),
-        replace(marks.turning(at, 1, 0.42), start=0.18, end=UP - 0.1),
+        replace(marks.turning(at, 1, 0.42), start=0.18, end=dimensions.UP - 0.1),
     )
     labels = (
         s.Label(Sym("x"), east, 0.0, 0.06, "soft"),
-        s.Label(Sym("y"), north, UP, 0.04, "soft"),
-        s.Label("+", s.polar(at, 0.42, QUARTER), QUARTER, 0.02, "soft"),
+        s.Label(Sym("y"), north, dimensions.UP, 0.04, "soft"),
+        s.Label("+", s.polar(at, 0.42, dimensions.QUARTER), dimensions.QUARTER, 0.02, "soft"),
     )
     return s.Scene(items, labels)
 

@@ -22,8 +22,13 @@ def write_latex(document: d.Document) -> str:
     """The document as a LaTeX source file."""
     document = numbered(document)
     page = page_for(document, LATEX, COLUMN)
+    return source_of("article.tex", document, page, body(document, page))
+
+
+def source_of(name: str, document: d.Document, page: Page, inner: str, **more: object) -> str:
+    """The source of a numbered document in a shell of LaTeX."""
     source = shell(
-        "article.tex",
+        name,
         title=page.inlines(document.title),
         plain_title=latex_text(plain_text(document.title, document.notation)),
         subtitle=page.inlines(document.subtitle),
@@ -31,7 +36,8 @@ def write_latex(document: d.Document) -> str:
         is_book=document.is_book,
         language=babel(document.language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
-        body=body(document, page),
+        body=inner,
+        **more,
     )
     return with_rare_letters(source)
 

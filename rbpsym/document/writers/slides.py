@@ -10,14 +10,11 @@ from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.tikz import tikz_styles, to_tikz
+from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.latex import LATEX, anchor, babel, blocks
-from rbpsym.document.writers.page import Page, Print, page_for, page_of, shell
+from rbpsym.document.writers.latex import LATEX, anchor, blocks, source_of
+from rbpsym.document.writers.page import Page, Print, page_for, page_of
 from rbpsym.document.writers.pdf import compiled, has_pdflatex
-from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.document.writers.rare_letters import with_rare_letters
-from rbpsym.notation.latex import PREAMBLE
 
 COLUMN = 36.0  # em of formulas; text has 40
 TEXT = 40.0
@@ -31,20 +28,9 @@ def write_slides(document: d.Document) -> str:
     document = numbered(document)
     page = page_for(document, SLIDES, COLUMN)
     tops = [part for part in document.sections if part.level == 1]
-    source = shell(
-        "slides.tex",
-        title=page.inlines(document.title),
-        plain_title=latex_text(plain_text(document.title, document.notation)),
-        subtitle=page.inlines(document.subtitle),
-        source=page.inlines(document.source),
-        language=babel(document.language),
-        contents=latex_text(page.word("block.contents")),
-        is_book=document.is_book,
-        columns=2 if len(tops) > 9 else 1,
-        styles=f"{PREAMBLE}\n{tikz_styles()}",
-        body="\n\n".join(section(part, page_of(part, page)) for part in document.sections),
-    )
-    return with_rare_letters(source)
+    inner = "\n\n".join(section(part, page_of(part, page)) for part in document.sections)
+    contents, columns = latex_text(page.word("block.contents")), 2 if len(tops) > 9 else 1
+    return source_of("slides.tex", document, page, inner, contents=contents, columns=columns)
 
 
 def slides_files(document: d.Document, stem: str) -> dict[str, str | bytes]:

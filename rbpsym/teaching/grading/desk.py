@@ -127,10 +127,6 @@ def _number(text: str, item: m.Item, case: Case) -> Judgement:
     return judge_number(text, wanted(key, carried, case.desk.language))
 
 
-def _choice(text: str, item: m.Item, case: Case) -> Judgement:
-    return judge_choice(text, item.key)
-
-
 def _comparison(text: str, item: m.Item, case: Case) -> Judgement:
     """The choice earns the first line of the rubric; the reasons are the teacher's to mark."""
     found = judge_choice(text, item.key)
@@ -139,14 +135,6 @@ def _comparison(text: str, item: m.Item, case: Case) -> Judgement:
     share = min(item.rubric[0].points / item.points, Fraction(1))
     status = Status.PARTLY if found.status is Status.RIGHT and share < 1 else found.status
     return replace(found, credit=found.credit * share, status=status)
-
-
-def _order(text: str, item: m.Item, case: Case) -> Judgement:
-    return judge_order(text, item.key)
-
-
-def _signs(text: str, item: m.Item, case: Case) -> Judgement:
-    return judge_signs(text, item.key)
 
 
 def _explanation(text: str, item: m.Item, case: Case) -> Judgement:
@@ -231,10 +219,10 @@ def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: Ground) -> bool
 JUDGES: Mapping[type, Callable[[str, m.Item, Case], Judgement]] = {
     m.FormulaKey: _formula,
     m.NumberKey: _number,
-    m.ChoiceKey: _choice,
+    m.ChoiceKey: lambda text, item, case: judge_choice(text, item.key),
     m.ComparisonKey: _comparison,
-    m.OrderKey: _order,
-    m.SignsKey: _signs,
+    m.OrderKey: lambda text, item, case: judge_order(text, item.key),
+    m.SignsKey: lambda text, item, case: judge_signs(text, item.key),
     m.BlanksKey: _blanks,
     m.SlipKey: _slip,
     m.ExplanationKey: _explanation,
