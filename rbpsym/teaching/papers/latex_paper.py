@@ -19,8 +19,7 @@ from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page, height
-from rbpsym.teaching.units import number_text
-from rbpsym.teaching.wording import plain_text
+from rbpsym.teaching.papers.layout import head
 
 COLUMN = 36.0
 INDENT = r"{} \qquad "
@@ -30,19 +29,14 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
     """The LaTeX source of a paper, a key or a solution."""
     document = numbered(document)
     page = page_for(document, PAPER, COLUMN)
-    language, student = worksheet.language, worksheet.student
     return shell(
         "worksheet.tex",
         title=page.inlines(document.title),
         plain_title=latex_text(bare(document.title, document.notation)),
-        language=babel(language),
+        language=babel(worksheet.language),
         styles=f"{PREAMBLE}\n{tikz_styles()}",
-        is_key=is_key,
-        code=latex_text(plain_text("paper.form", language, code=worksheet.code)),
-        student=latex_text((student.name or student.id) if is_key else student.name) if student else "",
-        words={key: latex_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
-        points=number_text(worksheet.points, worksheet.notation.decimal),
         body="\n\n".join(_sections(document, page)),
+        **head(worksheet, latex_text, is_key=is_key),
     )
 
 

@@ -25,6 +25,23 @@ def points_text(points: Fraction, language: str) -> str:
     return plain_text("paper.points", language, count=count, points=shown)
 
 
+def head(worksheet: m.Worksheet, escape: Callable[[str], str], *, is_key: bool) -> dict[str, object]:
+    """What stands at the top and the foot of a paper or a key, written for a format by `escape`."""
+
+    def said(key: str, **slots: str) -> str:
+        return escape(plain_text(f"paper.{key}", worksheet.language, **slots))
+
+    student = worksheet.student
+    shown = "" if student is None else (student.name or student.id) if is_key else student.name
+    return {
+        "is_key": is_key,
+        "code": said("form", code=worksheet.code),
+        "student": escape(shown),
+        "words": {key: said(key) for key in ("name", "date", "total")},
+        "points": escape(number_text(worksheet.points, worksheet.notation.decimal)),
+    }
+
+
 # --- the paper
 
 

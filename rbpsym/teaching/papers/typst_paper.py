@@ -17,8 +17,7 @@ from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.papers.height import fits_a_page
-from rbpsym.teaching.units import number_text
-from rbpsym.teaching.wording import plain_text
+from rbpsym.teaching.papers.layout import head
 
 COLUMN = 38.0
 
@@ -27,18 +26,13 @@ def write_paper(document: Document, worksheet: Worksheet, *, is_key: bool = Fals
     """The Typst source of a paper, a key or a solution."""
     document = numbered(document)
     page = page_for(document, PAPER, COLUMN)
-    language, student = worksheet.language, worksheet.student
     return shell(
         "worksheet.typ",
         title=page.inlines(document.title),
         plain_title=typst_string(bare(document.title, document.notation)),
-        language=language,
-        is_key=is_key,
-        code=typst_text(plain_text("paper.form", language, code=worksheet.code)),
-        student=typst_text((student.name or student.id) if is_key else student.name) if student else "",
-        words={key: typst_text(plain_text(f"paper.{key}", language)) for key in ("name", "date", "total")},
-        points=typst_text(number_text(worksheet.points, worksheet.notation.decimal)),
+        language=worksheet.language,
         body=body(document, page),
+        **head(worksheet, typst_text, is_key=is_key),
     )
 
 
