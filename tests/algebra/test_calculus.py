@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -13,6 +14,7 @@ from rbpsym.algebra.integration import antiderivative, definite
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import PI, Scalar, generator_of, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
+from rbpsym.mechanics import numbers
 from tests.algebra.strategies import (
     POINT,
     A,
@@ -192,3 +194,22 @@ def test_known_integrals(value: Scalar, lower: Scalar, upper: Scalar, expected: 
 def test_outside_the_class(value: Scalar) -> None:
     assert antiderivative(value, "x") is None
     assert definite(value, "x", symbol("p"), symbol("q")) is None
+
+
+def test_cosines_of_twelfths_of_a_turn():
+    for k in range(-24, 25):
+        assert abs(numbers.number(cosine(PI * k / 12), {}) - math.cos(math.pi * k / 12)) < 1e-12, k
+        assert abs(numbers.number(sine(PI * k / 12), {}) - math.sin(math.pi * k / 12)) < 1e-12, k
+
+
+@pytest.mark.parametrize(("cosines", "sines"), [(2, -2), (-2, 2), (4, -2), (-4, 2)])
+def test_squares_over_squares_are_integrated(cosines, sines):
+    x = symbol("x")
+    value = cosine(x) ** cosines * sine(x) ** sines
+    found = antiderivative(value, "x")
+    assert found is not None and same(derivative(found, "x"), value)
+
+
+def test_the_derivative_of_a_root():
+    x = symbol("x")
+    assert same(derivative(root(x), "x") * root(x), lift(Fraction(1, 2)))

@@ -15,7 +15,7 @@ from rbpsym.document.figures.scene import COLORS, STYLES, Label, Line, Scene
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
 from rbpsym.document.figures.solid_lines import solid_line
-from rbpsym.document.figures.svg import to_svg
+from rbpsym.document.figures.svg import SCALE, number, to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.statement.shapes import SHAPES
@@ -150,3 +150,8 @@ def test_curves_differ_by_more_than_their_colour() -> None:
     looks = [(STYLES[f"curve {k}"].dash, STYLES[f"curve {k}"].width) for k in range(1, 7)]
     assert all(one != other for one, other in pairwise(looks))
     assert STYLES["curve sum"].width > max(width for _, width in looks)
+
+
+@pytest.mark.parametrize(("length", "written"), [(0.0, "0"), (-0.00001, "0"), (1.0, None), (-1.0, None)])
+def test_numbers_of_a_drawing_have_no_needless_signs(length: float, written: str | None) -> None:
+    assert number(length) == (written or f"{length * SCALE:g}")

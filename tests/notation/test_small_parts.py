@@ -1,0 +1,71 @@
+"""Small parts of printers and readers, each by what it writes or says: words, thin spaces, limits told with their reason."""
+
+import pytest
+
+from rbpsym.document.writers.word_math import fitted
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.omml import run
+from rbpsym.notation.speech import to_speech
+
+X = t.Sym("x")
+
+
+@pytest.mark.parametrize(
+    ("node", "said"),
+    [
+        (t.relation(X, "<", t.ONE), "x is less than 1"),
+        (t.relation(X, ">", t.ONE), "x is greater than 1"),
+        (t.Div(t.TWO, t.Num(3)), "two thirds"),
+        (t.Div(t.ONE, t.Num(4)), "one quarter"),
+        (t.Div(t.Num(3), t.Num(4)), "three quarters"),
+        (t.Pow(X, t.TWO), "x squared"),
+        (t.Pow(X, t.Num(3)), "x cubed"),
+        (t.Pow(X, t.Num(4)), "x to the power 4"),
+    ],
+)
+def test_words_of_numbers_and_relations(node, said):
+    assert to_speech(node) == said
+
+
+THIN = '<mspace width="0.1667em"/>'
+
+
+def test_a_function_stands_off_from_what_it_is_of_and_from_factors_but_not_from_a_bracket():
+    plain, fenced = to_mathml(t.Fn("sin", X)), to_mathml(t.Fn("sin", t.Group(t.add(X, t.ONE))))
+    assert plain.count(THIN) == 1 and THIN not in fenced
+    assert '<mo form="prefix" fence="true" stretchy="false">(</mo>' in fenced
+    assert to_mathml(t.Mul((X, t.Fn("sin", X)))).count(THIN) == 2 and THIN not in to_mathml(t.Mul((X, t.Sym("y"))))
+
+
+def test_space_at_an_end_is_kept_in_word():
+    assert 'xml:space="preserve"' in run(" a") and 'xml:space="preserve"' in run("a ") and "xml:space" not in run("a b")
+
+
+@pytest.mark.parametrize("order", [2, 9])
+def test_the_order_of_a_derivative_has_one_digit(order):
+    assert read_latex(rf"\frac{{d^{order} x}}{{dt^{order}}}", {"x", "t"}).order == order
+
+
+def told(read, text: str) -> str:
+    with pytest.raises(RbpsymError) as error:
+        read(text, {"x"})
+    return error.value.what
+
+
+def test_what_is_wrong_with_a_number_is_told():
+    assert told(read_latex, "1" * 31) == "a number of more than 30 digits"
+    assert told(read_latex, "1.2.3") == "two decimal marks"
+
+
+def test_of_a_name_that_is_not_known_forty_letters_are_told():
+    assert told(read_infix, "q" * 40) == f"unknown symbol “{'q' * 40}”"
+    assert told(read_infix, "q" * 41) == f"unknown symbol “{'q' * 40}…”"
+
+
+@pytest.mark.parametrize(("left", "right", "widths"), [(50, 50, (50, 50)), (60, 50, (33, 67)), (10, 95, (10, 90))])
+def test_two_sides_are_made_narrower_only_where_they_do_not_fit(left, right, widths):
+    assert fitted(left, right, 100) == widths
