@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field, replace
 from hashlib import blake2b
 from pathlib import Path
 
-from rbpsym.verify.claims_model import Claim, Link, Outcome, Printed, Result, Setting
+from rbpsym.verify.claims_model import Claim, Link, Outcome, Printed, Result, Setting, told_of
 
 MOST = 20_000
 NAME = "certificates.json"
@@ -144,13 +144,4 @@ def _uses_definition(setting: Setting, latex: str) -> bool:
 
 def as_told(found: Result, claim: Claim) -> Result:
     """A remembered result with what the claim says today of its place and its words."""
-    return replace(
-        found,
-        id=claim.id,
-        number=claim.number,
-        label=claim.label,
-        line=claim.line,
-        says=claim.says,
-        note=claim.note,
-        erratum=claim.erratum,
-    )
+    return replace(found, **told_of(claim))

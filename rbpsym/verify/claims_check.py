@@ -19,7 +19,7 @@ from rbpsym.verify.claims_dimensions import with_dimensions
 from rbpsym.verify.claims_given import premises, relations, told, under
 from rbpsym.verify.claims_ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
 from rbpsym.verify.claims_integrals import valued
-from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, worst
+from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
@@ -57,21 +57,8 @@ class Checker:
         return right and result.outcome in EXPECTATIONS[claim.expect]
 
     def _result(self, claim: Claim, printed: Printed | None) -> Result:
-        blank = Result(
-            claim.id,
-            claim.number,
-            claim.label,
-            claim.line,
-            "",
-            printed.latex if printed else "",
-            Outcome.NOT_COMPUTED,
-            False,
-            detail=claim.not_computed,
-            says=claim.says,
-            erratum=claim.erratum,
-            note=claim.note,
-            declared=declared(claim),
-        )
+        latex = printed.latex if printed else ""
+        blank = Result(file="", latex=latex, outcome=Outcome.NOT_COMPUTED, detail=claim.not_computed, **told_of(claim))
         if claim.not_computed or printed is None:
             return blank
         claim = replace(claim, setting=with_own_symbols(claim.setting, self.world(claim.setting)))
@@ -123,26 +110,7 @@ class Checker:
 def unread(claim: Claim, why: str) -> Result:
     """The result of a claim that can't be read."""
     latex = claim.printed.latex if claim.printed else ""
-    return Result(
-        claim.id,
-        claim.number,
-        claim.label,
-        claim.line,
-        "",
-        latex,
-        Outcome.UNREAD,
-        False,
-        detail=why,
-        says=claim.says,
-        erratum=claim.erratum,
-        note=claim.note,
-        declared=declared(claim),
-    )
-
-
-def declared(claim: Claim) -> tuple[str, int]:
-    """File and line of a claim in its claims file."""
-    return (claim.place.file, claim.place.line) if claim.place else ("", 0)
+    return Result(file="", latex=latex, outcome=Outcome.UNREAD, detail=why, **told_of(claim))
 
 
 def read(printed: Printed, words: Glossary) -> t.Node:

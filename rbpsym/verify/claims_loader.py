@@ -21,23 +21,8 @@ MAX_BYTES = 512 * 1024
 SHARED_KEYS = ("problem", "phase", "theory", "fixed_axis", "symbols", "given")
 SETTING_KEYS = (*SHARED_KEYS, "like")
 FILE_KEYS = ("title", "source", "text", "settings", "claim", "unclaimed", *SHARED_KEYS)
-CLAIM_KEYS = (
-    "id",
-    "number",
-    "label",
-    "line",
-    "setting",
-    "latex",
-    "says",
-    "symbols",
-    "holds",
-    "expect",
-    "right",
-    "erratum",
-    "note",
-    "not_computed",
-    "given",
-)
+WORDS = ("id", "label", "says", "holds", "erratum", "note", "not_computed")  # of a claim, taken as they stand
+CLAIM_KEYS = (*WORDS, "number", "line", "setting", "latex", "symbols", "expect", "right", "given")
 _OWN_TABLE = re.compile(r"\s*\[(?:\[\s*claim\s*\]|\s*symbols\s*|\s*settings\b.*)\]\s*(?:#.*)?$")  # of claims files only
 WHOLE = "the file"  # the name of the setting that a file's own keys make
 HOLDS = ("", "identity", "motion", "start")
@@ -189,19 +174,13 @@ def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
     _choice(table, "holds", holds, HOLDS)
     _check_content(table, expect)
     return Claim(
-        id=table.string("id"),
+        **{key: table.string(key) for key in WORDS},
         setting=setting,
         printed=_printed(table, "latex"),
         number=_number(table),
-        label=table.string("label"),
         line=_line(table),
-        says=table.string("says"),
-        holds=holds,
         expect=expect,
         right=_printed(table, "right"),
-        erratum=table.string("erratum"),
-        note=table.string("note"),
-        not_computed=table.string("not_computed"),
         place=table.source.key((*table.path, "id")),
     )
 

@@ -138,7 +138,7 @@ class Result:
     file: str
     latex: str
     outcome: Outcome
-    expected: bool
+    expected: bool = False
     links: tuple[Link, ...] = ()
     detail: str = ""
     says: str = ""
@@ -160,6 +160,15 @@ class Result:
     def how(self) -> str:
         """By what the links were proved."""
         return ", ".join(dict.fromkeys(way for link in self.links if link.how for way in link.how.split(", ")))
+
+
+TOLD = ("id", "number", "label", "line", "says", "note", "erratum")  # what a result repeats of its claim
+
+
+def told_of(claim: Claim) -> dict[str, object]:
+    """What a result repeats of its claim, with the file and line of the claim in its claims file."""
+    declared = (claim.place.file, claim.place.line) if claim.place else ("", 0)
+    return {**{key: getattr(claim, key) for key in TOLD}, "declared": declared}
 
 
 ORDER = (Outcome.UNREAD, Outcome.REFUTED, Outcome.UNDECIDED, Outcome.NOT_COMPUTED, Outcome.PROVED, Outcome.DEFINITION)

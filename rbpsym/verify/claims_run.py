@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError, ReadError, StatementError
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_cache import Certificates, as_told, key_of
-from rbpsym.verify.claims_check import Checker, declared
+from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, ClaimsFile, Printed, Result, Setting
 
 THEORIES = ("plane-motion",)
@@ -85,7 +85,7 @@ class Remembering(Checker):
         key = self._key(claim, printed)
         known = self.cache.get(key) if key else None
         if known is not None:
-            return replace(as_told(known, claim), declared=declared(claim))
+            return as_told(known, claim)
         found = super().check(claim, printed)
         self.cache.put(key, found)
         return found

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from hashlib import blake2b
 from typing import Any
 
+import numpy as np
+
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import value as exact_value
 from rbpsym.algebra.scalar import Scalar
@@ -20,8 +22,7 @@ from rbpsym.verify.claims_ground import Question
 from rbpsym.verify.claims_path import sense
 from rbpsym.verify.claims_refute import carried_out
 
-Triple = tuple[float, float, float]
-Value = float | Triple
+Value = float | np.ndarray  # of a vector, its three components
 TOLERANCE, SMALL = 1e-8, 1e-4
 
 
@@ -60,7 +61,7 @@ class Sample:
 
     def _value(self, found: Scalar | Space | None, name: str) -> Value:
         if isinstance(found, Space):
-            return tuple(self._scalar(part) for part in found.components())
+            return np.array([self._scalar(part) for part in found.components()])
         return math.pi if name == "pi" else self.numbers[name] if found is None else self._scalar(found)
 
     def _scalar(self, found: Scalar) -> float:
@@ -72,19 +73,11 @@ class Sample:
     def gap(self, relation: t.Chain) -> float | None:
         """How far the sides are apart, relative to their size; None if that can't be said."""
         try:
-            left, right = (_flat(value(node, self)) for node in relation.items)
-            size = max(*map(abs, left), *map(abs, right), SMALL)
-            return max(abs(a - b) for a, b in zip(_wide(left, right), _wide(right, left), strict=True)) / size
+            left, right = (value(node, self) for node in relation.items)
+            size = max(np.max(np.abs(left)), np.max(np.abs(right)), SMALL)
+            return float(np.max(np.abs(left - right)) / size)
         except (ArithmeticError, ValueError, KeyError, TypeError, RbpsymError):
             return None
-
-
-def _flat(found: Value) -> tuple[float, ...]:
-    return found if isinstance(found, tuple) else (found,)
-
-
-def _wide(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
-    return one if len(one) >= len(other) else one * len(other)
 
 
 def samples(question: Question, count: int = 2) -> list[Sample]:
@@ -133,46 +126,9 @@ def value(node: t.Node, at: Sample) -> Value:
     return rule(node, at) if rule else at.exact(node)
 
 
-def _sum(node: t.Add, at: Sample) -> Value:
-    parts = [value(term, at) for term in node.terms]
-    if any(isinstance(part, tuple) for part in parts):
-        rows = [part if isinstance(part, tuple) else (part,) * 3 for part in parts]
-        return tuple(map(math.fsum, zip(*rows, strict=True)))
-    return math.fsum(parts)
-
-
-def _product(node: t.Mul, at: Sample) -> Value:
-    factor, vector = 1.0, None
-    for part in node.factors:
-        found = value(part, at)
-        if isinstance(found, tuple):
-            vector = found
-        else:
-            factor *= found
-    return factor if vector is None else tuple(factor * x for x in vector)
-
-
-def _scaled(found: Value, factor: float) -> Value:
-    return tuple(factor * x for x in found) if isinstance(found, tuple) else factor * found
-
-
-def _cross(node: t.Cross, at: Sample) -> Triple:
-    (a, b, c), (x, y, z) = value(node.left, at), value(node.right, at)
-    return b * z - c * y, c * x - a * z, a * y - b * x
-
-
-def _dot(node: t.Dot, at: Sample) -> float:
-    return math.sumprod(value(node.left, at), value(node.right, at))
-
-
 def _power(node: t.Pow, at: Sample) -> float:
     base, exponent = value(node.base, at), value(node.exponent, at)
-    return math.sumprod(base, base) if isinstance(base, tuple) else math.pow(base, exponent)
-
-
-def _absolute(node: t.Abs, at: Sample) -> float:
-    found = value(node.arg, at)
-    return math.hypot(*found) if isinstance(found, tuple) else abs(found)
+    return float(base @ base) if isinstance(base, np.ndarray) else math.pow(base, exponent)
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
@@ -188,22 +144,22 @@ FUNCTIONS: Mapping[str, Callable[[float], float]] = {
     "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),
 }
-UNITS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+UNITS = dict(zip("xyz", np.eye(3), strict=True))
 
 VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
     t.Num: lambda node, at: float(node.value),
     t.Sym: lambda node, at: at.leaf(node),
     t.Vec: lambda node, at: at.leaf(node),
     t.Unit: lambda node, at: UNITS[node.axis],
-    t.Add: _sum,
-    t.Neg: lambda node, at: _scaled(value(node.arg, at), -1.0),
-    t.Mul: _product,
-    t.Div: lambda node, at: _scaled(value(node.num, at), 1 / value(node.den, at)),
+    t.Add: lambda node, at: sum(value(term, at) for term in node.terms),
+    t.Neg: lambda node, at: -value(node.arg, at),
+    t.Mul: lambda node, at: math.prod(value(factor, at) for factor in node.factors),
+    t.Div: lambda node, at: value(node.num, at) * (1 / value(node.den, at)),
     t.Pow: _power,
     t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
     t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
-    t.Abs: _absolute,
+    t.Abs: lambda node, at: float(np.linalg.norm(value(node.arg, at))),
     t.Group: lambda node, at: value(node.arg, at),
-    t.Cross: _cross,
-    t.Dot: _dot,
+    t.Cross: lambda node, at: np.cross(value(node.left, at), value(node.right, at)),
+    t.Dot: lambda node, at: float(np.dot(value(node.left, at), value(node.right, at))),
 }
