@@ -79,9 +79,8 @@ def runs(folder: Path) -> dict[str, list[str]]:
 
 def slowest() -> dict[str, float]:
     """The longest verdicts, from one run in this process (the best of three, for each)."""
-    from rbpsym.verify.claims_cache import Certificates
     from rbpsym.verify.claims_loader import load_claims
-    from rbpsym.verify.claims_run import check_claims
+    from rbpsym.verify.claims_run import Certificates, check_claims
     from tests.mutants.run import trials
 
     file, claims, others = load_claims(CLAIMS), {}, {}

@@ -18,7 +18,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.methods import work_energy
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
-from rbpsym.verify.agreement import agreement
+from rbpsym.verify.lagrange import agreement
 
 MOST_PRODUCTS = 250_000
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)

@@ -33,7 +33,7 @@ def command(name: str, output: Path) -> int:
     from rbpsym.derive import derive
     from rbpsym.document.files import write_all
     from rbpsym.kernel.certify import PRELUDE, compiled, text, written
-    from rbpsym.kernel.terms import identifier
+    from rbpsym.kernel.rocq import identifier
     from rbpsym.statement.loader import load_problem
 
     _, path = found(name, ("problem",))

@@ -12,8 +12,8 @@ import click
 from rbpsym.commands.arguments import ShelfName
 
 if TYPE_CHECKING:
-    from rbpsym.verify.claims_cache import Certificates
     from rbpsym.verify.claims_model import Result
+    from rbpsym.verify.claims_run import Certificates
 
 FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
 TEXTS = (".tex", ".ltx", ".txt", ".latex")
@@ -81,7 +81,7 @@ def command(names, problems, as_json, junit, html, github, only, failures, cache
     """
     from rbpsym.commands import reports
     from rbpsym.commands.progress import Progress
-    from rbpsym.verify.claims_cache import Certificates, default_folder
+    from rbpsym.verify.claims_run import Certificates, default_folder
 
     certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
     with Progress("check") as progress:
@@ -186,7 +186,7 @@ def paper(path: Path, problems, certificates: Certificates) -> Found:
 
 def derivation(path: Path, certificates: Certificates, simulation: bool) -> Result:
     """A problem derived: PROVED if every step is, and all methods and Lagrange's equations agree."""
-    from rbpsym.verify.claims_cache import digest
+    from rbpsym.verify.claims_run import digest
 
     key = digest(certificates.engine, "derivation", str(simulation), path.read_bytes()) if certificates.folder else ""
     known = certificates.get(key)

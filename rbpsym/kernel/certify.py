@@ -17,8 +17,7 @@ from rbpsym.kernel.certificates import Proof
 from rbpsym.kernel.claims import Claim, Said, Source
 from rbpsym.kernel.components import START
 from rbpsym.kernel.proofs import Search
-from rbpsym.kernel.rocq import REFUSED, Lemma, Writer
-from rbpsym.kernel.terms import Terms, identifier
+from rbpsym.kernel.rocq import REFUSED, Lemma, Terms, Writer, identifier
 from rbpsym.notation import tree as t
 
 

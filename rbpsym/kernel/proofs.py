@@ -16,7 +16,7 @@ from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import Claim, Source, tree_of
 from rbpsym.kernel.components import START, started
-from rbpsym.kernel.terms import is_along_time
+from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 

@@ -10,7 +10,7 @@ from rbpsym.algebra.calculus import derivative, names_in
 from rbpsym.algebra.evaluate import at_start
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.chapters.axes import moment_about, turning_together
+from rbpsym.derivation.chapters.inertia import moment_about, turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics.elimination import short

@@ -13,8 +13,8 @@ from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
+from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.net_work import is_kinetic, net_power
-from rbpsym.methods.solving import isolated_again, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "energy"

@@ -14,9 +14,8 @@ from rbpsym.derivation.draft import Draft, acceleration_symbol
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import short, solve_linear
-from rbpsym.methods.balances import Balance, Plan, outer_forces, plan
+from rbpsym.methods.balances import Balance, Plan, isolated, outer_forces, plan, solved_for
 from rbpsym.methods.body_by_body import along_k, by_bodies
-from rbpsym.methods.solving import isolated, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "torque"

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.chapters.axes import turning_together
 from rbpsym.derivation.chapters.forces import is_reaction
+from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics import energy, motion

@@ -18,9 +18,9 @@ from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.methods import axis_work, net_work, spring_works, work_by_bodies, works_together
+from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.known_works import over_coordinates
 from rbpsym.methods.net_work import HALVES
-from rbpsym.methods.solving import isolated_again, solved_for
 from rbpsym.notation import tree as t
 
 NAME = "work-energy"

@@ -14,8 +14,7 @@ from types import MappingProxyType
 from rbpsym.errors import LimitError, Place, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_grammar import expression
-from rbpsym.notation.infix_names import FUNCTIONS, Reader
-from rbpsym.notation.infix_tokens import tokenize
+from rbpsym.notation.infix_names import FUNCTIONS, Reader, tokenize
 from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 

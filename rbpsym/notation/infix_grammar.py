@@ -11,6 +11,7 @@ from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_names import (
     Reader,
+    Token,
     function_named,
     in_last_argument,
     is_bare_call,
@@ -20,7 +21,6 @@ from rbpsym.notation.infix_names import (
     symbol_named,
     unknown,
 )
-from rbpsym.notation.infix_tokens import Token
 from rbpsym.notation.limits import check_exponent, number_of
 
 _ROOTS = frozenset(("sqrt", "cbrt", "root"))

@@ -13,9 +13,9 @@ from difflib import SequenceMatcher
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_cache import digest
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Outcome, Printed, Result, Setting
+from rbpsym.verify.claims_run import digest
 from rbpsym.verify.paper_source import expanded, told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 

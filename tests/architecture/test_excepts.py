@@ -42,12 +42,12 @@ ALLOWED = {
     "teaching/retold.py": "a step of a wrong physics whose premise is none: it is not told",
     "teaching/tasks/choose.py": FLOATS,
     "teaching/tasks/number.py": FLOATS,
-    "verify/claims_cache.py": READS,
+    "verify/claims_run.py": READS,
     "verify/claims_loader.py": READS,
     "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",
     "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",
     "verify/paper_source.py": READS,
-    "verify/agreement.py": "pow(x, -1, p) at a pole",
+    "verify/lagrange.py": "pow(x, -1, p) at a pole",
 }
 
 

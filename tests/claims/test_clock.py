@@ -1,9 +1,8 @@
 """With a clock, coordinates and time are tied along the motion: a pair of them taken at will is no witness."""
 
-from rbpsym.verify.claims_cache import Certificates
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import check_claims
+from rbpsym.verify.claims_run import Certificates, check_claims
 
 TRUE_ON_THE_MOTION = r"""
 title = "Works in a truck"

@@ -11,7 +11,7 @@ from rbpsym.commands.check import command, doubtful, verdicts
 from rbpsym.derivation.step import Certificate
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
-from rbpsym.verify.claims_cache import NAME
+from rbpsym.verify.claims_run import NAME
 from tests.library.derived import unsimulated
 
 CLAIMS = r"""

@@ -5,10 +5,9 @@ from dataclasses import replace
 import pytest
 
 from rbpsym.statement.library import library_folder
-from rbpsym.verify.claims_cache import Certificates
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Outcome
-from rbpsym.verify.claims_run import check_paper
+from rbpsym.verify.claims_run import Certificates, check_paper
 from tests.notation.paper import equations
 
 FILE = load_claims(library_folder() / "claims" / "paper.toml")

@@ -13,10 +13,9 @@ from rbpsym.solve import results
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.statement.model import Problem
-from rbpsym.verify.claims_cache import Certificates
 from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Result
-from rbpsym.verify.claims_run import check_claims
+from rbpsym.verify.claims_run import Certificates, check_claims
 
 NAMES = tuple(sorted(problem_files()))
 

@@ -32,7 +32,7 @@ AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
     "field": (60, ("algebra/*.py",)),
     "verdicts": (60, ("equality/*.py",)),
     "mechanics": (90, ("mechanics/*.py",)),
-    "steps and checkers": (80, ("derivation/*.py", "derivation/chapters/*.py", "methods/*.py", "verify/agreement.py")),
+    "steps and checkers": (80, ("derivation/*.py", "derivation/chapters/*.py", "methods/*.py", "verify/lagrange.py")),
     "readers": (50, ("notation/infix*.py", "notation/latex_*.py")),
     "printers": (
         60,

@@ -11,8 +11,7 @@ from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
-from rbpsym.verify.agreement import agreement
-from rbpsym.verify.lagrange import lagrange_verdict
+from rbpsym.verify.lagrange import agreement, lagrange_verdict
 from rbpsym.verify.simulation import simulate
 from tests.library.derived import derived
 

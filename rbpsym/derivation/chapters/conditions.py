@@ -13,8 +13,17 @@ from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.derivation.chapters.places import coordinates_of, distance_rows, line_rows, meeting_rows
-from rbpsym.derivation.chapters.tied import Given, as_given, found_spins, speed_along, tied
+from rbpsym.derivation.chapters.places import (
+    Given,
+    as_given,
+    coordinates_of,
+    distance_rows,
+    found_spins,
+    line_rows,
+    meeting_rows,
+    speed_along,
+    tied,
+)
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, PhraseRef
 from rbpsym.equality.signs import sign

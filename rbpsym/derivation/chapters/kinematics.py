@@ -6,8 +6,7 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import conditions
-from rbpsym.derivation.chapters.axes import turns_about
-from rbpsym.derivation.chapters.inertia import as_power, is_centred
+from rbpsym.derivation.chapters.inertia import as_power, is_centred, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef
 from rbpsym.mechanics.inertia import tidy

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space
-from rbpsym.derivation.chapters.axes import moment_of, turning_together, turns_about
+from rbpsym.derivation.chapters.inertia import moment_of, turning_together, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics import energy

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place
-from rbpsym.notation.infix_tokens import MAX_LENGTH
+from rbpsym.notation.infix_names import MAX_LENGTH
 from rbpsym.teaching.grading import dialects as d
 from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import NUMBER, is_label
