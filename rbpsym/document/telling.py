@@ -8,6 +8,7 @@ from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, Step, StepRef
 from rbpsym.document.breaking import lines
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Text
+from rbpsym.document.tables import relations
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
@@ -92,11 +93,7 @@ def is_tall(steps: Sequence[Step], said: Words) -> bool:
 
 def joined(steps: Sequence[Step], said: Words) -> Display:
     """The formulas of several steps below each other, with one number."""
-    rows = tuple(
-        row
-        for step in steps
-        for row in (step.statement.rows if isinstance(step.statement, t.System) else (step.statement,))
-    )
+    rows = tuple(row for step in steps for row in relations(step))
     first, *others = (said.prefix + step.id for step in steps)
     return Display(t.System(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
 

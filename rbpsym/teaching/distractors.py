@@ -28,6 +28,7 @@ from rbpsym.teaching.first_wrong import first_wrong
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Measure, Slip
+from rbpsym.teaching.ranges import named_quantities
 from rbpsym.teaching.retold import Retelling
 from rbpsym.teaching.targets import Target
 
@@ -199,14 +200,10 @@ def speeds_in(value: Scalar) -> set[str]:
 
 def dimensions_of(study: Study) -> Mapping[str, Dimension]:
     """The dimension of every name of a problem: parameters, coordinates, starts, speeds, unknown forces."""
-    problem = study.problem
-    found = {q.name: q.dimension for q in problem.parameters}
-    for coordinate in problem.coordinates:
+    found = dict(named_quantities(study.problem))
+    for coordinate in study.problem.coordinates:
         own = coordinate.quantity.dimension
         found |= {coordinate.name: own, f"{coordinate.name}_dot": own / TIME, f"{coordinate.name}_ddot": own / TIME**2}
-        for node, dimension in ((coordinate.start, own), (coordinate.speed, own / TIME)):
-            if isinstance(node, t.Sym):
-                found.setdefault(node.name, dimension)
     return found
 
 

@@ -88,12 +88,13 @@ def invalid(error: Exception) -> Judgement:
     """An answer that can't be read, with the sentence that says why, and the place under a caret."""
     slots = {"why": str(error), "shown": ""}
     if isinstance(error, RbpsymError):
-        why = " ".join(filter(None, (_sentence(error.what), error.instead)))
+        why = " ".join(filter(None, (sentence(error.what), error.instead)))
         slots = {"why": why, "shown": _shown(error), "error": error}
     return Judgement(Status.INVALID, remarks=(Remark("invalid", slots),))
 
 
-def _sentence(text: str) -> str:
+def sentence(text: str) -> str:
+    """The text with a full stop, unless it ends with a sign of its own."""
     return text if text.endswith((".", "?", "!")) else f"{text}."
 
 

@@ -10,6 +10,7 @@ import re
 from functools import cache
 
 from rbpsym.errors import RbpsymError
+from rbpsym.teaching.grading.judgement import sentence
 from rbpsym.teaching.wording import teaching_phrases
 
 TABLE = "reader."
@@ -34,11 +35,6 @@ def reason(error: RbpsymError, language: str) -> str:
     what = translated(error.what, language)
     instead = translated(error.instead, language) if error.instead else ""
     return " ".join(filter(None, (sentence(what), sentence(instead) if instead else "")))
-
-
-def sentence(text: str) -> str:
-    """The text with a full stop, unless it ends with a sign of its own."""
-    return text if text.endswith((".", "?", "!")) else f"{text}."
 
 
 def filled(text: str, parts: dict[str, str]) -> str:
