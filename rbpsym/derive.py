@@ -42,7 +42,8 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
 
 def _derived(study: Study, simulation: bool) -> Derivation:
     """The derivation of one phase."""
-    with suppress(LimitError):  # told by the methods that can't do without the forces
+    study.dynamics  # noqa: B018  what grows too long is refused before anything is written
+    with suppress(LimitError):  # the signs at the start: told by the methods that can't do without the forces
         check_start(study)
     draft = Draft(study)
     for write in BEFORE:

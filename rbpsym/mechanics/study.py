@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.effort import is_bounded
+from rbpsym.algebra.effort import apart, at_most
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
@@ -18,10 +18,13 @@ from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.notation.tree import Fn, Sym, walk
 from rbpsym.quantities import ACCELERATION, NUMBER, Quantity
 from rbpsym.statement.letters import Letters, letters_of
 from rbpsym.statement.model import Problem
+
+MOST_PRODUCTS = 600_000  # of terms, for the equations of motion: forty times as many as the longest of the library takes
 
 
 @dataclass(frozen=True)
@@ -48,21 +51,18 @@ class Study:
     @property
     def dynamics(self) -> Dynamics:
         """Equations of motion, accelerations, unknown forces. Raises LimitError where they grow too long."""
-        if is_bounded() and "_dynamics" not in self.__dict__:
-            found = self.__dict__.setdefault("_dynamics", solve(self.system))
-        else:
-            found = self._dynamics
-        if isinstance(found, LimitError):
-            raise found
-        return found
+        if isinstance(self._dynamics, LimitError):
+            raise self._dynamics
+        return self._dynamics
 
     @cached_property
     def _dynamics(self) -> Dynamics | LimitError:
-        """That it grows too long is found out only once."""
+        """That it grows too long is found out only once, whoever asks first."""
         try:
-            return solve(self.system)
-        except LimitError as error:
-            return error
+            with apart(), at_most(MOST_PRODUCTS):
+                return solve(self.system)
+        except LimitError:
+            return too_long(self.system)
 
     @cached_property
     def newton_euler_rows(self) -> list[Scalar]:

@@ -10,7 +10,7 @@ from itertools import islice
 
 from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.errors import NoNumber, StatementError
+from rbpsym.errors import LimitError, NoNumber, StatementError
 from rbpsym.mechanics.elimination import is_surely_nonzero_on, linear_row
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.system import System
@@ -67,6 +67,26 @@ def contradictory(system: System) -> StatementError:
         f"{', '.join(f'“{name}”' for name in names)}{fixed}",
         instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
         place=system.element(names[0]).place if names else None,
+    )
+
+
+def too_long(system: System) -> LimitError:
+    """Named are the constraints whose conditions tie coordinates without a solution for one of them."""
+    names = tuple(dict.fromkeys(condition.constraint for condition in system.implicit))
+    if not names:
+        return LimitError(
+            "the equations of motion grow too long to be worked out exactly",
+            instead="take coordinates in which the places are shorter, fewer bodies, or fewer different sizes.",
+            place=system.problem.bodies[-1].place,
+        )
+    tied = " and ".join(f"“{name}”" for name in names)
+    return LimitError(
+        f"the equations of motion grow too long to be worked out exactly: {tied} tie{'s' * (len(names) == 1)} coordinates "
+        "by equations that have no solution for one of them",
+        instead="take coordinates in which the constraint holds by itself (the angle of a string or of a link, with the "
+        "place of the body in terms of it), give a coordinate that is held its start alone, or take sizes that are "
+        'multiples of each other (ell = "2*a").',
+        place=system.element(names[0]).place,
     )
 
 
