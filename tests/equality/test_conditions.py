@@ -3,6 +3,7 @@
 import pytest
 
 from rbpsym.algebra.evaluate import BARE
+from rbpsym.equality.assumptions import NONE
 from rbpsym.equality.domain import conditions, obligations
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
@@ -44,3 +45,8 @@ def test_declared_signs_discharge_it():
 def test_an_inverse_function_asks_for_its_domain(name):
     found = list(conditions(Fn(name, Sym("x")), BARE))
     assert len(found) >= 1 and all("x" in to_machine(duty.node) for duty in found)
+
+
+def test_squares_are_told_as_the_reason():
+    found = conditions(read_infix("sqrt(x**4 + y**2)", {"x", "y"}), BARE)
+    assert [duty.why for duty in obligations(found, NONE)] == ["a sum of squares and of what is not negative"]

@@ -1,3 +1,16 @@
 """Mutants of the source that change nothing that can be seen, by the name that `mutants.key` gives them, with the reason."""
 
-EQUIVALENT: dict[str, str] = {}
+SAMPLE = "which of many sets of sample numbers is drawn; all of them are as good"
+NEVER_EQUAL = "a number of floating point beside a tolerance is not just equal to it"
+
+EQUIVALENT: dict[str, str] = {
+    "mechanics/numbers.py _factor: 104729 -> 104730": SAMPLE,
+    "mechanics/numbers.py _parameter: 1.0 + 0.31 * ((place * 7) % 5) / 2 -> (1.0) - (0.31 * ((place * 7) % 5) / 2)": SAMPLE,
+    "mechanics/unsolvable.py _is_seen: abs(number(value, known)) > SEEN * max(1.0, *sizes) -> "
+    "abs(number(value, known)) >= SEEN * max(1.0, *sizes)": NEVER_EQUAL,
+    "mechanics/phase_checks.py check_collision: _at(study, along.dot(second - first), known) > -CLOSE -> "
+    "_at(study, along.dot(second - first), known) >= -CLOSE": NEVER_EQUAL,
+    "equality/factoring.py _factor_list: factor.terms[min(factor.terms)] < 0 -> "
+    "factor.terms[min(factor.terms)] <= 0": "no coefficient of a polynomial is 0",
+    "algebra/present.py _with_denominator: i[1] > 0 -> i[1] >= 0": "no exponent of a monomial is 0",
+}

@@ -1,0 +1,72 @@
+"""Small parts of steps, each by what it states: no row of several is lost, no sign of a side, no word for its opposite."""
+
+import pytest
+
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.derivation.chapters.contact import _with_tangent
+from rbpsym.derivation.chapters.impulses import _positive
+from rbpsym.derivation.chapters.momentum import _phrase
+from rbpsym.derivation.draft import Draft
+from rbpsym.derive import derive
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.roots import _principal
+from rbpsym.notation import tree as t
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_text
+from tests.library.derived import unsimulated
+
+
+def rows(name: str, id: str) -> int:
+    statement = unsimulated(name).step(id).statement
+    return len(statement.rows) if isinstance(statement, t.System) else 1
+
+
+@pytest.mark.parametrize(
+    ("name", "id", "number"),
+    [
+        ("atwood-with-massive-pulley", "free_body.first", 1),
+        ("block-on-table", "free_body.block", 2),
+        ("atwood-with-massive-pulley", "free_body.pulley", 3),
+        ("rod-and-disk-fixed", "condition.N", 2),
+    ],
+)
+def test_a_step_states_all_of_its_rows(name, id, number):
+    assert rows(name, id) == number
+
+
+@pytest.mark.parametrize(
+    ("orbital", "spin", "key"),
+    [(UNITY, UNITY, "both"), (UNITY, NOTHING, "orbital"), (NOTHING, UNITY, "spin")],
+)
+def test_which_part_of_the_angular_momentum_there_is(orbital, spin, key):
+    assert _phrase(orbital, spin) == f"momentum.{key}"
+
+
+def test_a_ratio_of_sine_and_cosine_is_a_tangent():
+    draft, beta, mu = Draft(unsimulated("ball-on-incline").study), symbol("beta"), symbol("m")
+    ratio = sine(beta) / cosine(beta)
+    assert _with_tangent(draft, ratio) == t.Fn("tan", t.Sym("beta"))
+    assert _with_tangent(draft, mu * ratio) == t.mul(t.Sym("m"), t.Fn("tan", t.Sym("beta")))
+
+
+def test_two_signs_of_a_speed_go_away():
+    e, v = t.Sym("e"), t.Sym("v")
+    assert _positive(t.neg(t.Mul((e, t.neg(v))))) == t.mul(e, v)
+    assert _positive(t.neg(t.Mul((e, v)))) == t.neg(t.Mul((e, v)))
+
+
+def test_what_can_only_push_or_only_pull():
+    assert {kind for kind, joint in JOINTS.items() if joint.is_one_sided} == {"contact", "touch", "rolling", "sticking", "string"}
+
+
+@pytest.mark.parametrize(("turns", "principal"), [(3, 1), (-1, 1), (-3, 1), (2, 0), (-2, 0), (4, 0)])
+def test_angles_are_brought_into_one_turn(turns, principal):
+    assert _principal(PI * turns) == PI * principal
+
+
+def test_a_line_may_be_written_with_either_sign():
+    text, line = problem_files()["ball-on-incline"].read_text(encoding="utf-8"), '"y = -x*tan(beta)"'
+    assert line in text
+    found = derive(load_text(text.replace(line, '"-y = x*tan(beta)"')), simulation=False).summary()
+    assert found["proved"] == found["steps"]
