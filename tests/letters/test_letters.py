@@ -48,10 +48,12 @@ LETTERS = (
     "phi", "varphi", "vartheta", "omega", "gamma", "lamda", "mu", "theta", "eta", "zeta", "u", "v", "q", "x_cm", "y_cm",
     "I_cm", "K_prime", "l_0", "mu_min", "vartheta_1", "tau_O", "tau_C", "cal_W_T", "cal_w_c", "theta_dot0", "E_tot", "t_1",
     "K_1", "r_O", "R_cm", "omega_cm", "z", "I_O", "L_O", "tot", "d_x", "A_C_1", "theta_e", "a_end", "b_A", "cal",
+    "Delta_x", "Delta", "O1", "P_hat", "J_hat", "nu", "Omega", "x_hat", "kappa",
 )  # fmt: skip
 WORDS = (
     "bar", "hat", "dot", "ddot", "tilde", "check", "prime", "cal", "T", "tot", "c", "nc", "C", "f", "x", "y",
     "end", "min", "A", "B", "P", "b", "e", "K", "E", "two", "r", "I", "N", "W", "rod", "disk", "one", "left", "L",
+    "d", "O1", "Delta", "Delta_x", "theta", "omega", "tau", "alpha", "mu",
 )  # fmt: skip
 SEEDS = range(1)
 ALWAYS = {"O", "t"}

@@ -69,25 +69,25 @@ def after_name(draft: Draft, coordinate: str) -> str:
     return draft.free(f"{alias}_prime")
 
 
-def impulse_name(name: str, blow: Blow) -> str:
+def impulse_name(draft: Draft, name: str, blow: Blow) -> str:
     """P̂_x for the impulse of the force P_x; a collision's impulse has its own name."""
     if any(element.name == name for element in blow.phase.impulses):
         return name
     first, _, rest = name.partition("_")
-    return f"{first}_hat_{rest}" if rest else f"{first}_hat"
+    return draft.free(f"{first}_hat_{rest}" if rest else f"{first}_hat")
 
 
 def _define(draft: Draft, blow: Blow) -> None:
     for name in blow.after.independent:
         draft.context.scalars[after_name(draft, name)] = blow.began.speeds[name]
     for name, value in blow.began.impulses.items():
-        draft.context.scalars[impulse_name(name, blow)] = value
+        draft.context.scalars[impulse_name(draft, name, blow)] = value
 
 
 def _new(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
     """A value after the impulse: its speeds and impulses as letters, at the place where it happens."""
     images = {f"{name}_dot": symbol(after_name(draft, name)) for name in blow.after.independent}
-    images |= {name: symbol(impulse_name(name, blow)) for name in blow.after.unknowns}
+    images |= {name: symbol(impulse_name(draft, name, blow)) for name in blow.after.unknowns}
     return short(substitute(substitute(value, images), blow.state.places))
 
 
@@ -165,7 +165,7 @@ def _positive(node: t.Node) -> t.Node:
 def _solved(draft: Draft, blow: Blow, steps: list) -> None:
     """The speeds just after, then the impulses."""
     values = {after_name(draft, name): blow.began.speeds[name] for name in blow.after.independent}
-    found = {impulse_name(name, blow): value for name, value in blow.began.impulses.items()}
+    found = {impulse_name(draft, name, blow): value for name, value in blow.began.impulses.items()}
     scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in {**values, **found}})
     rows = [row for step in steps for row in _equations(step.statement, scope)]
     used = {n: v for n, v in {**values, **found}.items() if any(depends_on(row, n) for row in rows)}
