@@ -154,18 +154,6 @@ def blocks(matrix: Matrix) -> list[tuple[int, ...]]:
     return found
 
 
-def has_full_rank(rows: Sequence[Scalar], unknowns: Sequence[str]) -> bool:
-    """Whether the rows determine all unknowns: a minor that does not vanish modulo a prime.
-
-    The image of a rank at one point is a lower bound of the rank, so True is a proof.
-    """
-    try:
-        matrix = [[residue(derivative(row, name)) for name in unknowns] for row in rows]
-    except (NoImage, ValueError):
-        return not solve_linear(rows, unknowns).free
-    return _rank(matrix) == len(unknowns) or not solve_linear(rows, unknowns).free
-
-
 def residue(value: Scalar) -> int:
     """The image modulo a prime at one point. Raises NoImage (a root, an odd angle) or ValueError
     (a pole there)."""
@@ -181,18 +169,3 @@ def is_surely_nonzero_on(value: Scalar, images: Mapping[str, Scalar]) -> bool:
         return bool((sum(parts) + residue(row[CONSTANT])) % PRIME)
     except (NoImage, ValueError):
         return False
-
-
-def _rank(matrix: list[list[int]]) -> int:
-    rank = 0
-    for column in range(len(matrix[0]) if matrix else 0):
-        place = next((k for k in range(rank, len(matrix)) if matrix[k][column]), None)
-        if place is None:
-            continue
-        matrix[rank], matrix[place] = matrix[place], matrix[rank]
-        inverse = pow(matrix[rank][column], -1, PRIME)
-        for k in range(rank + 1, len(matrix)):
-            factor = matrix[k][column] * inverse % PRIME
-            matrix[k] = [(a - factor * b) % PRIME for a, b in zip(matrix[k], matrix[rank], strict=True)]
-        rank += 1
-    return rank

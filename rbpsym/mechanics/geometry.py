@@ -126,12 +126,6 @@ def unsaid(problem: Problem) -> frozenset[str]:
     return frozenset(c.name for c in problem.coordinates if c.start is None and c.lower is None and c.upper is None)
 
 
-def sample_numbers(problem: Problem, dependent: Mapping[str, Scalar]) -> dict[str, float]:
-    """The sample state, what the constraints tie to other coordinates included."""
-    numbers = sample(problem)
-    return numbers | {name: number(value, numbers) for name, value in dependent.items()}
-
-
 def start_numbers(problem: Problem) -> dict[str, float]:
     """The sample state with the declared starts of the coordinates."""
     numbers = sample(problem)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_calls import operand, relation
+from rbpsym.notation.latex_functions import operand, relation
 from rbpsym.notation.latex_grammar import (
     argument,
     between,

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import LimitError, Place, RbpsymError
-from rbpsym.notation import latex_calculus, latex_calls, latex_functions
+from rbpsym.notation import latex_calculus, latex_functions
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.infix import Ways
-from rbpsym.notation.latex_calls import relation
+from rbpsym.notation.latex_functions import relation
 from rbpsym.notation.latex_grammar import BELOW
 from rbpsym.notation.latex_rows import GAP, laid_out
 from rbpsym.notation.latex_tokens import CONDITION, Token, tokenize
@@ -114,7 +114,7 @@ def _parting(one: Reading, other: Reading) -> Question:
     return one.met[place]
 
 
-GRAMMAR = (latex_calculus, latex_calls, latex_functions)  # enter their commands into the table when they are imported
+GRAMMAR = (latex_calculus, latex_functions)  # enter their commands into the table when they are imported
 
 
 def read_latex(

@@ -15,11 +15,10 @@ from rbpsym.statement.finish import finish
 from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
-from rbpsym.statement.names import check_name
 from rbpsym.statement.phases import read_phases
 from rbpsym.statement.premises import declared
 from rbpsym.statement.quantities import CoordinateReader, read_parameters
-from rbpsym.statement.references import read_point
+from rbpsym.statement.references import check_name, read_point
 from rbpsym.statement.scope import ORIGIN, Scope, read_pair, text_of
 from rbpsym.statement.source import Table, kind_of
 from rbpsym.statement.translations import check_languages, check_translated_names, strings, worded

@@ -9,9 +9,8 @@ from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import Body, Pair, PlacedShape, Shape
-from rbpsym.statement.names import check_name
 from rbpsym.statement.premises import contradicts
-from rbpsym.statement.references import CM
+from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
 from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass

@@ -12,9 +12,9 @@ from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.example import check_example
 from rbpsym.statement.hints import in_radians
 from rbpsym.statement.model import Body, Coordinate, Element, Problem
-from rbpsym.statement.names import fault_of_name, twice
 from rbpsym.statement.paths import tensions
 from rbpsym.statement.premises import Declared, declared, surely_above
+from rbpsym.statement.references import fault_of_name, twice
 from rbpsym.statement.source import Table, did_you_mean
 
 MAX_BODIES = 64

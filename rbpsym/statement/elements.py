@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 from rbpsym.statement.kinds import Field, Kind, known_names
 from rbpsym.statement.model import Body, Element
-from rbpsym.statement.names import check_name, check_name_item
 from rbpsym.statement.paths import read_path
-from rbpsym.statement.references import GROUND, read_body, read_line, read_point
+from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_line, read_point
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 

@@ -12,8 +12,8 @@ from rbpsym.notation.tree import ZERO, Div, Node, Num, Sym, names
 from rbpsym.quantities import NUMBER, TIME, Dimension, Quantity, dimension_named
 from rbpsym.statement.hints import for_a_dimension
 from rbpsym.statement.model import Coordinate
-from rbpsym.statement.names import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.premises import Declared, declared, surely_above
+from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression, read_text
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 

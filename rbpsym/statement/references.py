@@ -1,17 +1,68 @@
-"""What a statement refers to: bodies, points (“rod.end”, “O”, or a place in space), straight lines from their equations.
+"""Names that a statement may give, and what it refers to: bodies, points (“rod.end”, “O”, a place in space), lines.
 
-“y = x*tan(beta)” is tan(beta) x - y = 0."""
+A straight line is read from its equation: “y = x*tan(beta)” is tan(beta) x - y = 0."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
+from rbpsym.errors import StatementError
 from rbpsym.notation import tree
 from rbpsym.notation.tree import ONE, ZERO, Node, add, div, mul, neg
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Line, PointRef
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of
-from rbpsym.statement.source import Item, did_you_mean, kind_of
+from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_FUNCTIONS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "arcsin", "arccos", "arctan",
+              "exp", "ln", "log", "sqrt", "abs", "sen", "tg", "ctg", "cotg", "cosec", "arcsen", "arctg")  # fmt: skip
+
+RESERVED = {
+    "t": "the time",
+    "pi": "the number π",
+    "O": "the origin",
+    "cm": "the centre of mass of each body",
+    "ground": "what does not move",
+    "all": "all bodies",
+    **dict.fromkeys(_FUNCTIONS, "a function"),
+}
+AXES = {"x": "an axis of space", "y": "an axis of space"}
+
+
+def fault_of_name(name: str, reserved: dict[str, str] = RESERVED) -> tuple[str, str]:
+    """What is wrong with a name and what to do, two empty texts if nothing is."""
+    if not _NAME.fullmatch(name):
+        return f"“{name}” can't be a name", "a name is made of a-z, A-Z, 0-9 and “_”, a letter first: theta_0, N_w."
+    if name in reserved:
+        return f"“{name}” is reserved: it means {reserved[name]}", "choose another name."
+    if re.search(r"_d+ot$", name):
+        return f"“{name}” can't be declared: names ending in _dot are time derivatives", "choose another name."
+    return "", ""
+
+
+def check_name(name: str, table: Table, reserved: dict[str, str] = RESERVED, key: str | None = None) -> None:
+    """Refuse a name that can't be; `table` is what bears the name, or holds it as `key`."""
+    what, instead = fault_of_name(name, reserved)
+    if what:
+        raise table.error(what, instead, key)
+
+
+def check_name_item(item: Item, what: str) -> str:
+    """The name that a value holds."""
+    if not isinstance(item.value, str):
+        raise item.error(f"{what} must be a name in quotes, not {kind_of(item.value)}")
+    fault, instead = fault_of_name(item.value)
+    if fault:
+        raise item.error(fault, instead)
+    return item.value
+
+
+def twice(name: str, first: str, second: str, table: Table, key: str | None = None) -> StatementError:
+    """The error of a name that two things bear."""
+    return table.error(f"“{name}” is the name of {first} and of {second}", "give one of them another name.", key)
+
 
 _AXES = ("x", "y")
 _Form = tuple[Node, Node, Node]  # coefficients of x, y and 1

@@ -9,7 +9,7 @@ from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.kinds import Field, Kind, ShapeKind
-from rbpsym.statement.names import fault_of_name
+from rbpsym.statement.references import fault_of_name
 from rbpsym.statement.shapes import SHAPES
 
 _TEXT = """\

@@ -23,9 +23,8 @@ from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
 from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_bound import World
-from rbpsym.verify.claims_dimensions import with_dimensions
 from rbpsym.verify.claims_ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
-from rbpsym.verify.claims_integrals import valued
+from rbpsym.verify.claims_integrals import valued, with_dimensions
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
 
 # what a value may not be, by the declared sign of its name

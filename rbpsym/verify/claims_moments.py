@@ -20,7 +20,7 @@ from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.linear import decaying
+from rbpsym.mechanics.oscillation import decaying
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean

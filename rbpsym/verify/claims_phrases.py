@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Space, Vector
+from rbpsym.algebra.vector import ORIGIN, Space
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
@@ -26,15 +26,6 @@ from rbpsym.verify.claims_moments import PHRASES as MOMENTS
 
 if TYPE_CHECKING:
     from rbpsym.verify.claims_problem import ProblemWorld
-
-
-def _inner(world: ProblemWorld, phrase: str, see: Callable[[Scalar], Scalar]) -> Bound:
-    found = world.bound(phrase)
-    vector = found.vector
-    if vector is not None:
-        parts = {angle: see(length) for angle, length in vector.plane.parts.items()}
-        vector = Space(Vector({a: n for a, n in parts.items() if n}), see(vector.z))
-    return replace(found, scalar=None if found.scalar is None else see(found.scalar), vector=vector)
 
 
 def _minus(world: ProblemWorld, phrase: str) -> Bound:

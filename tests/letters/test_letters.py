@@ -27,7 +27,7 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.solve import results
-from rbpsym.statement.names import RESERVED
+from rbpsym.statement.references import RESERVED
 from tests.letters.renaming import Names, dictionary, original, renamed, symbols_of, things_of
 from tests.library.derived import answered
 

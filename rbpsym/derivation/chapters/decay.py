@@ -18,8 +18,7 @@ from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import essential
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.linear import Powers, conditions, decaying
-from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.oscillation import Equilibrium, Powers, conditions, decaying
 from rbpsym.notation import tree as t
 
 LONGEST = 120
