@@ -151,6 +151,7 @@ def _restitution(draft: Draft, blow: Blow, element):
         t.equation(speeds[0], _positive(right)),
         f"phases.restitution.{'sticks' if scalar(factor).number() == 0 else 'parts'}",
         coefficient=factor,
+        obligations=tuple(t.relation(part, ">=", t.ZERO) for part in (factor, t.add(t.ONE, t.neg(factor)))),
         data={"element": element, "blow": blow},
     )
 
