@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from rbpsym.algebra.scalar import Scalar
 
@@ -21,6 +22,13 @@ class Assumptions:
 
     signs: Mapping[str, str] = field(default_factory=dict)
     ranges: Mapping[str, Range] = field(default_factory=dict)
+
+    @cached_property
+    def _content(self) -> int:
+        return hash((frozenset(self.signs.items()), frozenset(self.ranges.items())))
+
+    def __hash__(self) -> int:
+        return self._content
 
     def sign_of(self, name: str) -> str:
         """The declared sign of a name."""

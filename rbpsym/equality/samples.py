@@ -11,9 +11,10 @@ from dataclasses import dataclass, field
 from zlib import crc32
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.masks import MINUS, NONZERO, PLUS, times
 
 COUNT = 6
 CLEAR = 1e-9  # a value that is less than this part of its terms has no clear sign
@@ -27,11 +28,28 @@ class Samples:
     assumptions: Assumptions
     known: dict[int, Values] = field(default_factory=dict)
     names: dict[str, Values] = field(default_factory=dict)
+    masks: dict[Poly, tuple[int, ...]] = field(default_factory=dict)
+
+    def seen(self, *values: Scalar) -> int:
+        """The clear signs, + and -, that the values seem to take at the points."""
+        mask = 0
+        for value in values:
+            above = self._signs(value.num)
+            for a, b in zip(above, above if value.den is ONE else self._signs(value.den), strict=True):
+                mask |= a if value.den is ONE else times(a, b)
+            if mask == NONZERO:
+                break
+        return mask
 
     def has_both_signs(self, poly: Poly) -> bool:
         """Whether the polynomial seems to be positive at one point and negative at another."""
-        signs = {self._sign(poly, k) for k in range(COUNT)}
-        return {1, -1} <= signs
+        return self.seen(Scalar(poly)) == NONZERO
+
+    def _signs(self, poly: Poly) -> tuple[int, ...]:
+        """At each point the sign as a mask, 0 where it is not clear."""
+        if poly not in self.masks:
+            self.masks[poly] = tuple(self._sign(poly, k) for k in range(COUNT))
+        return self.masks[poly]
 
     def _sign(self, poly: Poly, k: int) -> int:
         try:
@@ -41,7 +59,7 @@ class Samples:
         total = math.fsum(terms)
         if not abs(total) > CLEAR * math.fsum(map(abs, terms)):
             return 0
-        return 1 if total > 0 else -1
+        return PLUS if total > 0 else MINUS
 
     def _term(self, m: tuple, c: object, k: int) -> float:
         return math.prod((self.atom(index)[k] ** exponent for index, exponent in m), start=float(c))

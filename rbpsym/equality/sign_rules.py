@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
 from rbpsym.equality.constants import is_algebraic, is_zero_number
-from rbpsym.equality.masks import ANY, DECIDED, MINUS, PLUS, ZERO, flip, plus, power, times
+from rbpsym.equality.masks import ANY, DECIDED, MINUS, NONZERO, PLUS, ZERO, flip, plus, power, times
 from rbpsym.equality.points import Point, names_of
 
 if TYPE_CHECKING:
@@ -65,10 +65,13 @@ def _by_quadratic(study: Study, poly: Poly) -> int:
 
 def _quadratic(study: Study, parts: dict[int, Poly]) -> int:
     a, linear, constant = parts[2], parts.get(1, Poly({})), parts.get(0, Poly({}))
+    inner = linear * linear - (a * constant).scaled(4)
+    if study.samples.seen(Scalar(inner)) & PLUS or study.samples.has_both_signs(a):
+        return ANY
     lead = study.poly(a)
     if lead not in (PLUS, MINUS):
         return ANY
-    discriminant = study.poly(linear * linear - (a * constant).scaled(4))
+    discriminant = study.poly(inner)
     return {MINUS: lead, ZERO: lead | ZERO, MINUS | ZERO: lead | ZERO}.get(discriminant, ANY)
 
 
@@ -119,6 +122,8 @@ def _common(study: Study, coefficients: list[Scalar], reached: tuple[bool, bool]
     """The sign of Σ coefficient × positive function; an end that is reached leaves one term."""
     mask, last = ZERO, len(coefficients) - 1
     signs = []
+    if study.samples.seen(*coefficients) == NONZERO:
+        return ANY
     for coefficient in coefficients:
         signs.append(study.scalar(coefficient))
         mask = plus(mask, signs[-1])
@@ -164,12 +169,16 @@ def _by_root(study: Study, poly: Poly) -> int:
     for index in poly.atoms():
         found = atoms.atom(index)
         parts = poly.by_power(index)
-        if found.kind == "root" and set(parts) == {0, 1}:
+        if found.kind == "root" and set(parts) == {0, 1} and _are_opposite(study, *map(Scalar, (parts[0], parts[1]))):
             a, factor = study.poly(parts[0]), study.poly(parts[1])
             if a in (PLUS, MINUS) and factor == flip(a):
                 square = Scalar(parts[0] * parts[0]) - Scalar(parts[1] * parts[1]) * found.arg
                 return times(a, study.scalar(square))
     return ANY
+
+
+def _are_opposite(study: Study, a: Scalar, b: Scalar) -> bool:
+    return study.samples.seen(a, -b) != NONZERO
 
 
 def _by_factors(study: Study, poly: Poly) -> int:
@@ -180,7 +189,8 @@ def _by_factors(study: Study, poly: Poly) -> int:
 
     _, powers = poly.content()
     coefficient, found = factors(poly.scaled(1, inverse(powers)))
-    if len(found) == 1 and found[0][1] == 1:
+    odd = (factor for factor, exponent in found if exponent % 2)
+    if found == ((found[0][0], 1),) or any(study.samples.has_both_signs(factor) for factor in odd):
         return ANY
     mask = times(study.monomial(powers), PLUS if coefficient > 0 else MINUS)
     for factor, exponent in found:

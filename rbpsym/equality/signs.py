@@ -8,8 +8,10 @@ Bernstein coefficients in one generator, which are polynomials in the others.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import apart, at_most
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import bounds as b
@@ -20,6 +22,7 @@ from rbpsym.equality.sign_rules import QUICK, RULES
 from rbpsym.errors import LimitError, Undecided
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
+MOST_PRODUCTS = 30_000  # of terms, for one question
 LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
 
@@ -44,11 +47,18 @@ class SignResult:
 def sign(value: Scalar, assumptions: Assumptions = NONE, *, factoring: bool = True) -> SignResult:
     """The sign of a value for all quantities that satisfy the assumptions.
 
-    `factoring` lets sympy factor what is not decided by its form.
+    `factoring` lets what is not decided by its form be factored. The question has an effort of its own, so that
+    the answer depends on nothing else.
     """
+    return _sign(value, assumptions, factoring)
+
+
+@lru_cache(maxsize=8192)
+def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResult:
     study = Study(assumptions, factoring)
     try:
-        mask = study.scalar(value)
+        with apart(), at_most(MOST_PRODUCTS):
+            mask = study.scalar(value)
     except (LimitError, Undecided, ZeroDivisionError) as error:
         return SignResult(None, str(error))
     return SignResult(NAMES[mask], study.reasons.get(value.num, "") if NAMES[mask] else "")
@@ -60,6 +70,7 @@ class Study:
 
     assumptions: Assumptions
     factoring: bool = True
+    own: bool = False  # what is known of generators is found here too, and not looked up
     found: dict[Poly, int] = field(default_factory=dict)
     reasons: dict[Poly, str] = field(default_factory=dict)
     limits: dict[int, b.Bounds] = field(default_factory=dict)
@@ -105,6 +116,8 @@ class Study:
 
     def atom(self, index: int) -> int:
         """What sign a generator may have."""
+        if not self.own:
+            return _known(index, self.assumptions)[0]
         found = atoms.atom(index)
         mask = ATOMS.get(found.kind, lambda study, arg: ANY)(self, found.arg)
         limits = self.bounds(index)
@@ -116,6 +129,8 @@ class Study:
 
     def bounds(self, index: int) -> b.Bounds:
         """Between what a generator lies."""
+        if not self.own:
+            return _known(index, self.assumptions)[1]
         if index not in self.limits:
             self.limits[index] = b.NO_BOUNDS
             found = atoms.atom(index)
@@ -127,6 +142,13 @@ class Study:
     def is_nonnegative(self, value: Scalar) -> bool:
         """Whether a value is surely ≥ 0."""
         return not self.scalar(value) & MINUS
+
+
+@lru_cache(maxsize=8192)
+def _known(index: int, assumptions: Assumptions) -> tuple[int, b.Bounds]:
+    """Sign and bounds of a generator, in a study of its own: all questions share what is found."""
+    study = Study(assumptions, own=True)
+    return study.atom(index), study.bounds(index)
 
 
 def _above(end: int, reached: bool) -> int:

@@ -144,6 +144,10 @@ def _one(study: Study, numbers: Numbers, label: str, time: float | None, found: 
     start = declared_start(bench)
     if start is None:
         own.missing["motion"] = "no start is declared in full"
+        bench.errors = Errors()
+        bench.compare_generic_states()
+        for name, error in bench.errors.relative().items():
+            own.note(name, error, numbers)
     elif time == 0.0:
         own.missing["motion"] = "the phase ends at once"
     else:
