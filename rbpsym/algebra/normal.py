@@ -145,21 +145,27 @@ def reduce_squares(poly: Poly) -> Poly:
 
 def without_squares(poly: Poly, index: int) -> Poly:
     """Powers ≥ 2 of a sine (or cosine) replaced through its partner: s^(2h) = Σ (h over k) (-c²)^k."""
-    if index not in _squared(poly):
+    powers = [next((e for i, e in m if i == index), 0) for m in poly.terms]
+    if max(powers, default=0) < 2:
         return poly
     other, result = partner(index), {}
-    for m, c in poly.terms.items():
-        power = next((e for i, e in m if i == index), 0)
+    for power, (m, c) in zip(powers, poly.terms.items(), strict=True):
         if power < 2:
             result[m] = result.get(m, 0) + c
             continue
         half, keep = divmod(power, 2)
-        rest = tuple((i, keep if i == index else e) for i, e in m if i != index or keep)
-        for k in range(half + 1):
+        rest = tuple([(i, keep if i == index else e) for i, e in m if i != index or keep])
+        for k, number in enumerate(_signed_row(half)):
             key = times(rest, ((other, 2 * k),)) if k else rest
-            result[key] = result.get(key, 0) + c * comb(half, k) * (-1) ** k
+            result[key] = result.get(key, 0) + c * number
     spend(len(poly) + len(result))
     return clean(result)
+
+
+@lru_cache(maxsize=64)
+def _signed_row(n: int) -> tuple[int, ...]:
+    """Coefficients of (1 - x)ⁿ."""
+    return tuple(comb(n, k) * (-1) ** k for k in range(n + 1))
 
 
 def _squared(poly: Poly) -> set[int]:
@@ -175,11 +181,29 @@ def shorten(poly: Poly) -> Poly:
     if len(poly) < 2:
         return poly
     for index in sorted(poly.atoms()) if squared else ():
-        if index in squared and atoms.atom(index).kind in ("cos", "sin"):
+        if index in squared and atoms.atom(index).kind in ("cos", "sin") and _merges(poly, index):
             other = without_squares(poly, index)
             if len(other) < len(poly):
                 poly, squared = other, _squared(other)
     return poly
+
+
+def _merges(poly: Poly, index: int) -> bool:
+    """Whether some term with a square of the sine (or cosine) differs from another by sines and cosines of its angle alone."""
+    other = partner(index)
+    rests, squares = set(), set()
+    for m in poly.terms:
+        power, rest = 0, m
+        for i, e in m:
+            if i == index or i == other:
+                power = e if i == index else power
+                rest = tuple([item for item in m if item[0] != index and item[0] != other])
+        if rest in (rests if power > 1 else squares):
+            return True
+        rests.add(rest)
+        if power > 1:
+            squares.add(rest)
+    return False
 
 
 def _is_root_of_number(index: int) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd
+from math import gcd, lcm
 
 from rbpsym.algebra.effort import spend
 from rbpsym.errors import LimitError
@@ -52,18 +52,25 @@ def tidy(value: Coefficient) -> Coefficient:
     return value.numerator if type(value) is Fraction and value.denominator == 1 else value
 
 
+@lru_cache(maxsize=65536)
+def ratio(numerator: int, denominator: int) -> Coefficient:
+    """A quotient of whole numbers, an int where it is one."""
+    return numerator // denominator if numerator % denominator == 0 else Fraction(numerator, denominator)
+
+
 class Poly:
     """A Laurent polynomial. Build with `Poly.of`, `constant`, `monomial`; use + - * and **."""
 
-    __slots__ = ("_hash", "terms")
+    __slots__ = ("_denominator", "_hash", "terms")
 
     def __init__(self, terms: Mapping[Monomial, Coefficient]) -> None:
         self.terms = terms
         self._hash: int | None = None
+        self._denominator = 0
 
     def __hash__(self) -> int:
         if self._hash is None:
-            self._hash = hash(frozenset(self.terms.items()))
+            self._hash = hash((frozenset(self.terms), sum([c.numerator for c in self.terms.values()])))
         return self._hash
 
     def __eq__(self, other: object) -> bool:
@@ -101,12 +108,14 @@ class Poly:
         if len(self.terms) == 1:
             [(m, c)] = self.terms.items()
             return other.scaled(c, m)
-        result: dict[Monomial, Coefficient] = {}
-        for m1, c1 in self.terms.items():
-            for m2, c2 in other.terms.items():
+        result: dict[Monomial, int] = {}
+        below, factors = other.whole()
+        denominator, terms = self.whole()
+        for m1, c1 in terms.items():
+            for m2, c2 in factors.items():
                 m = times(m1, m2)
                 result[m] = result.get(m, 0) + c1 * c2
-        return clean(result)
+        return divided(result, denominator * below)
 
     def __pow__(self, exponent: int) -> Poly:
         if len(self.terms) == 1 or exponent < 0:
@@ -127,7 +136,16 @@ class Poly:
             return ZERO
         if coefficient == 1:
             return self if not by else Poly({times(m, by): c for m, c in self.terms.items()})
-        return Poly({times(m, by): tidy(c * coefficient) for m, c in self.terms.items()})
+        above, below = coefficient.numerator, coefficient.denominator
+        return Poly({times(m, by): ratio(c.numerator * above, c.denominator * below) for m, c in self.terms.items()})
+
+    def whole(self) -> tuple[int, Mapping[Monomial, int]]:
+        """The common denominator, and the terms multiplied by it."""
+        if not self._denominator:
+            fractions = {type(c) for c in self.terms.values()} - {int}
+            self._denominator = lcm(*[c.denominator for c in self.terms.values()]) if fractions else 1
+        d = self._denominator
+        return d, self.terms if d == 1 else {m: c.numerator * (d // c.denominator) for m, c in self.terms.items()}
 
     def atoms(self) -> set[int]:
         """Indices of all atoms that occur."""
@@ -154,22 +172,18 @@ class Poly:
 
     def content(self) -> tuple[Fraction, Monomial]:
         """The positive rational and the monomial that can be taken out of all terms."""
-        numerator = denominator = 0
+        numerator, denominator = 0, 1
         lowest: dict[int, int] | None = None
         for m, c in self.terms.items():
             numerator = gcd(numerator, c.numerator)
-            denominator = _lcm(denominator, c.denominator)
+            denominator = lcm(denominator, c.denominator)
             lowest = dict(m) if lowest is None else _lower(lowest, dict(m))
         powers = tuple(sorted(item for item in (lowest or {}).items() if item[1]))
-        return Fraction(numerator or 1, denominator or 1), powers
+        return Fraction(numerator or 1, denominator), powers
 
 
 def _lower(a: dict[int, int], b: dict[int, int]) -> dict[int, int]:
     return {i: min(a.get(i, 0), b.get(i, 0)) for i in a.keys() | b.keys()}
-
-
-def _lcm(a: int, b: int) -> int:
-    return a * b // gcd(a, b) if a else b
 
 
 def clean(terms: dict[Monomial, Coefficient]) -> Poly:
@@ -179,14 +193,26 @@ def clean(terms: dict[Monomial, Coefficient]) -> Poly:
     return Poly({m: tidy(c) for m, c in terms.items() if c})
 
 
+def divided(terms: dict[Monomial, int], denominator: int) -> Poly:
+    """A Poly from whole raw terms and what they are divided by."""
+    if len(terms) > MOST_TERMS:
+        raise LimitError(f"the expression has more than {MOST_TERMS} terms when multiplied out")
+    if denominator == 1:
+        return Poly({m: c for m, c in terms.items() if c})
+    return Poly({m: ratio(c, denominator) for m, c in terms.items() if c})
+
+
 def accumulate(parts: Iterable[tuple[Coefficient, Poly]]) -> Poly:
     """Σ coefficient × poly, in one pass."""
-    result: dict[Monomial, Coefficient] = {}
-    for factor, poly in parts:
-        spend(len(poly.terms))
-        for m, c in poly.terms.items():
-            result[m] = result.get(m, 0) + factor * c
-    return clean(result)
+    result: dict[Monomial, int] = {}
+    found = [(factor, *poly.whole()) for factor, poly in parts]
+    denominator = lcm(*[factor.denominator * below for factor, below, _ in found])
+    for factor, below, terms in found:
+        spend(len(terms))
+        number = factor.numerator * (denominator // (factor.denominator * below))
+        for m, c in terms.items():
+            result[m] = result.get(m, 0) + number * c
+    return divided(result, denominator)
 
 
 def constant(value: Coefficient) -> Poly:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse, ratio
 
 
 class Scalar:
@@ -125,10 +125,10 @@ def quotient(num: Poly, den: Poly) -> Scalar:
             return NOTHING
     if den.is_monomial():
         [(m, c)] = den.terms.items()
-        return Scalar(num.scaled(Fraction(1) / c, inverse(m)))
+        return Scalar(num.scaled(ratio(c.denominator, c.numerator), inverse(m)))
     rational, powers = den.content()
     sign = -1 if den.terms[min(den.terms, key=_order)] < 0 else 1
-    factor, by = Fraction(sign) / rational, inverse(powers)
+    factor, by = ratio(sign * rational.denominator, rational.numerator), inverse(powers)
     return Scalar(num.scaled(factor, by), den.scaled(factor, by))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from zlib import crc32
 
 from rbpsym.algebra import atoms
@@ -16,22 +17,24 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.masks import MINUS, NONZERO, PLUS, times
 
-COUNT = 6
+FEW, MANY = 6, 24  # points at which something within a question is looked at, and the whole question
+CANDIDATES = 96
 CLEAR = 1e-9  # a value that is less than this part of its terms has no clear sign
 Values = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Samples:
-    """Values of generators at COUNT points that (nearly) satisfy the assumptions."""
+    """Values of generators at points (told by numbers) that satisfy the assumptions as far as such are found."""
 
     assumptions: Assumptions
+    points: tuple[int, ...]
     known: dict[int, Values] = field(default_factory=dict)
     names: dict[str, Values] = field(default_factory=dict)
     masks: dict[Poly, tuple[int, ...]] = field(default_factory=dict)
 
     def seen(self, *values: Scalar) -> int:
-        """The clear signs, + and -, that the values seem to take at the points."""
+        """The clear signs, + and -, that the values seem to take at a few points."""
         mask = 0
         for value in values:
             above = self._signs(value.num)
@@ -41,14 +44,19 @@ class Samples:
                 break
         return mask
 
-    def has_both_signs(self, poly: Poly) -> bool:
+    def has_both_signs(self, poly: Poly, count: int = FEW) -> bool:
         """Whether the polynomial seems to be positive at one point and negative at another."""
-        return self.seen(Scalar(poly)) == NONZERO
+        mask = self.seen(Scalar(poly))
+        for k in range(FEW, min(count, len(self.points))):
+            if mask == NONZERO:
+                break
+            mask |= self._sign(poly, k)
+        return mask == NONZERO
 
     def _signs(self, poly: Poly) -> tuple[int, ...]:
-        """At each point the sign as a mask, 0 where it is not clear."""
+        """At each of a few points the sign as a mask, 0 where it is not clear."""
         if poly not in self.masks:
-            self.masks[poly] = tuple(self._sign(poly, k) for k in range(COUNT))
+            self.masks[poly] = tuple(self._sign(poly, k) for k in range(min(FEW, len(self.points))))
         return self.masks[poly]
 
     def _sign(self, poly: Poly, k: int) -> int:
@@ -62,14 +70,17 @@ class Samples:
         return PLUS if total > 0 else MINUS
 
     def _term(self, m: tuple, c: object, k: int) -> float:
-        return math.prod((self.atom(index)[k] ** exponent for index, exponent in m), start=float(c))
+        value = float(c)
+        for index, exponent in m:
+            value *= self.atom(index)[k] ** exponent
+        return value
 
     def atom(self, index: int) -> Values:
         """A generator at all points (NaN where it has no value)."""
         if index not in self.known:
             found = atoms.atom(index)
             rule = VALUES.get(found.kind, lambda samples, arg, k: math.nan)
-            self.known[index] = tuple(_tried(rule, self, found.arg, k) for k in range(COUNT))
+            self.known[index] = tuple(_tried(rule, self, found.arg, k) for k in range(len(self.points)))
         return self.known[index]
 
     def poly(self, poly: Poly, k: int) -> float:
@@ -83,9 +94,23 @@ class Samples:
     def name(self, name: str) -> Values:
         """A name at all points."""
         if name not in self.names:
-            self.names[name] = (math.nan,) * COUNT  # a range that holds the name itself
-            self.names[name] = tuple(_tried(_chosen, self, name, k) for k in range(COUNT))
+            self.names[name] = (math.nan,) * len(self.points)  # a range that holds the name itself
+            self.names[name] = tuple(_tried(_chosen, self, name, k) for k in range(len(self.points)))
         return self.names[name]
+
+    def fits(self, name: str, k: int) -> bool:
+        """Whether a name lies within its range at a point, not beyond an end that has passed the other."""
+        lower, upper = (None if end is None else _tried(Samples.scalar, self, end, k) for end in self.assumptions.range_of(name))
+        value = self.name(name)[k]
+        return (lower is None or lower <= value) and (upper is None or value <= upper) and value == value
+
+
+@lru_cache(maxsize=256)
+def samples_of(assumptions: Assumptions) -> Samples:
+    """Points for the assumptions: the first at which every range has room, else any."""
+    wide = Samples(assumptions, tuple(range(CANDIDATES)))
+    fitting = [k for k in wide.points if all(wide.fits(name, k) for name in assumptions.ranges)]
+    return Samples(assumptions, tuple(fitting[:MANY] or wide.points[:FEW]))
 
 
 def _tried(rule: Callable[[Samples, object, int], float], samples: Samples, arg: object, k: int) -> float:
@@ -97,7 +122,7 @@ def _tried(rule: Callable[[Samples, object, int], float], samples: Samples, arg:
 
 def _chosen(samples: Samples, name: str, k: int) -> float:
     """A number in the range of a name, scattered by the name and the point."""
-    part = (crc32(f"{name} {k}".encode()) % 997 + 1) / 999
+    part = (crc32(f"{name} {samples.points[k]}".encode()) % 997 + 1) / 999
     lower, upper = (None if end is None else samples.scalar(end, k) for end in samples.assumptions.range_of(name))
     if samples.assumptions.sign_of(name) in ("positive", "nonnegative"):
         lower = max(lower or 0.0, 0.0)

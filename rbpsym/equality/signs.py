@@ -17,12 +17,12 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import bounds as b
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.masks import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times
-from rbpsym.equality.samples import Samples
+from rbpsym.equality.samples import MANY, Samples, samples_of
 from rbpsym.equality.sign_rules import QUICK, RULES
 from rbpsym.errors import LimitError, Undecided
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
-MOST_PRODUCTS = 30_000  # of terms, for one question
+MOST_PRODUCTS = 20_000  # of terms, for one question
 LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
 
@@ -58,6 +58,8 @@ def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResul
     study = Study(assumptions, factoring)
     try:
         with apart(), at_most(MOST_PRODUCTS):
+            if value.den is ONE and study.samples.has_both_signs(value.num, MANY):
+                study.left = 0
             mask = study.scalar(value)
     except (LimitError, Undecided, ZeroDivisionError) as error:
         return SignResult(None, str(error))
@@ -79,7 +81,7 @@ class Study:
 
     def __post_init__(self) -> None:
         self.left = MOST_STUDIES if self.factoring else FEW_STUDIES
-        self.samples = Samples(self.assumptions)
+        self.samples = samples_of(self.assumptions)
 
     def scalar(self, value: Scalar) -> int:
         """What sign a value may have."""
