@@ -29,39 +29,25 @@ def is_surely_nonzero(poly: Poly) -> bool:
         return False
 
 
-def value_of(poly: Poly, *, independent: bool = False) -> int:
-    """The image of the polynomial; `independent` treats each sine and cosine as a free symbol."""
-    image = free_image if independent else atom_image
-    total = 0
-    for m, c in poly.terms.items():
-        total += _coefficient(c) * _monomial(m, image) % PRIME
-    return total % PRIME
-
-
-def term_values(poly: Poly) -> list[tuple[dict[int, int], int]]:
-    """Each term's powers by atom, and its image with each sine and cosine as a free symbol."""
-    return [(dict(m), _coefficient(c) * _monomial(m, free_image) % PRIME) for m, c in poly.terms.items()]
+def value_of(poly: Poly) -> int:
+    """The image of the polynomial."""
+    return sum([_coefficient(c) * _monomial(m) for m, c in poly.terms.items()]) % PRIME
 
 
 def _coefficient(c: Coefficient) -> int:
     return c if type(c) is int else c.numerator * pow(c.denominator, -1, PRIME) % PRIME
 
 
-def _monomial(m: Monomial, image) -> int:
+@lru_cache(maxsize=65536)
+def _monomial(m: Monomial) -> int:
     product = 1
     for index, exponent in m:
-        product = product * pow(image(index), exponent, PRIME) % PRIME
+        product = product * pow(atom_image(index), exponent, PRIME) % PRIME
     return product
 
 
 def _random(label: str) -> int:
     return int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), "big") % (PRIME - 2) + 2
-
-
-@lru_cache(maxsize=8192)
-def free_image(index: int) -> int:
-    """A fixed pseudo-random residue for the atom."""
-    return _random(f"free {index}")
 
 
 @lru_cache(maxsize=8192)

@@ -195,7 +195,7 @@ def _merges(poly: Poly, index: int) -> bool:
     for m in poly.terms:
         power, rest = 0, m
         for i, e in m:
-            if i == index or i == other:
+            if i in (index, other):
                 power = e if i == index else power
                 rest = tuple([item for item in m if item[0] != index and item[0] != other])
         if rest in (rests if power > 1 else squares):

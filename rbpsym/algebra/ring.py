@@ -1,19 +1,18 @@
 """Common divisors and factors in ℚ[x0, x1, ...]: by flint, or by sympy where flint is missing.
 
-Both give the same: what is found is scaled and put in order here. Polynomials have no negative powers; sines and
-cosines count as independent.
+Both give the same factors in the same order; cofactors may differ by a number. Sines and cosines count as independent.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from importlib.util import find_spec
+from operator import sub
 from types import ModuleType
 from typing import Any
 
-from rbpsym.algebra.poly import Coefficient, Monomial, Poly
+from rbpsym.algebra.poly import Coefficient, Monomial, Poly, ratio
 
 Powers = tuple[int, ...]
 
@@ -28,41 +27,56 @@ def backend() -> ModuleType:
 
 def element(poly: Poly, order: Sequence[int], ring: ModuleType) -> Any:
     """The polynomial as an element of ℚ[x0, x1, ...], its atoms in this order."""
-    place = {index: k for k, index in enumerate(order)}
-    terms, zeros = {}, [0] * len(order)
-    for m, c in poly.terms.items():
+    return ring.element(dict(zip(_rows(poly, order), poly.terms.values(), strict=True)), len(order))
+
+
+def _rows(poly: Poly, order: Sequence[int]) -> list[Powers]:
+    """The powers of the atoms, term by term."""
+    place, zeros, rows = {index: k for k, index in enumerate(order)}, [0] * len(order), []
+    for m in poly.terms:
         powers = zeros[:]
         for index, exponent in m:
             powers[place[index]] = exponent
-        terms[tuple(powers)] = c
-    return ring.element(terms, len(order))
+        rows.append(tuple(powers))
+    return rows
 
 
 def _poly(terms: Iterable[tuple[Powers, Any]], order: Sequence[int]) -> Poly:
-    return Poly({_monomial(powers, order): number(c) for powers, c in terms})
-
-
-def _monomial(powers: Powers, order: Sequence[int]) -> Monomial:
-    return tuple([(index, int(e)) for index, e in zip(order, powers, strict=True) if e])
+    return Poly(
+        {tuple([(i, int(e)) for i, e in zip(order, powers, strict=True) if e]): number(c) for powers, c in terms}
+    )
 
 
 def number(c: Any) -> Coefficient:
     """A rational number of either ring as one of ours."""
-    return int(c.numerator) if c.denominator == 1 else Fraction(int(c.numerator), int(c.denominator))
+    return ratio(int(c.numerator), int(c.denominator))
 
 
 def cofactors(a: Poly, b: Poly) -> tuple[Poly, Poly]:
-    """a/g and b/g for the greatest common divisor g (the same two where there is none)."""
+    """a/g and b/g for the greatest common divisor g of two Laurent polynomials (the same two where there is none)."""
     ring, order = backend(), sorted(a.atoms() | b.atoms())
-    found = ring.cofactors(element(a, order, ring), element(b, order, ring))
-    return (a, b) if found is None else tuple(_poly(part.terms(), order) for part in found)
+    (x, low), (y, below) = _lifted(a, order, ring), _lifted(b, order, ring)
+    found = ring.cofactors(x, y)
+    if found is None:
+        return a, b
+    return _poly(found[0].terms(), order).scaled(1, low), _poly(found[1].terms(), order).scaled(1, below)
+
+
+def _lifted(poly: Poly, order: Sequence[int], ring: ModuleType) -> tuple[Any, Monomial]:
+    """The polynomial without its greatest common monomial, and that."""
+    rows = _rows(poly, order)
+    low = [min(column) for column in zip(*rows, strict=True)]
+    if any(low):
+        rows = [tuple(map(sub, row, low)) for row in rows]
+    powers = tuple([(index, e) for index, e in zip(order, low, strict=True) if e])
+    return ring.element(dict(zip(rows, poly.terms.values(), strict=True)), len(order)), powers
 
 
 @lru_cache(maxsize=4096)
 def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
     """Rational coefficient and irreducible factors over ℚ with multiplicities.
 
-    Each factor has whole coefficients without common divisor, that of its first term is positive.
+    There may be no negative powers. Each factor has whole coefficients without common divisor, that of its first term is positive.
     """
     ring, order = backend(), sorted(poly.atoms())
     if not order:
