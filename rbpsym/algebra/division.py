@@ -43,6 +43,6 @@ def _has_partners(num: Poly, den: Poly) -> bool:
 def divide(num: Poly, den: Poly) -> Poly | None:
     """num / den if den divides num (as Laurent polynomials), else None."""
     if not num.terms or den.is_monomial():
-        return num * den**-1
+        return num * den**-1 if num.terms else num
     above, below = cofactors(num, den)
     return above * below**-1 if below.is_monomial() else None

@@ -76,7 +76,8 @@ def _lifted(poly: Poly, order: Sequence[int], ring: ModuleType) -> tuple[Any, Mo
 def factors(poly: Poly) -> tuple[Coefficient, tuple[tuple[Poly, int], ...]]:
     """Rational coefficient and irreducible factors over ℚ with multiplicities.
 
-    There may be no negative powers. Each factor has whole coefficients without common divisor, that of its first term is positive.
+    There may be no negative powers. Each factor has whole coefficients without common divisor, the first of them
+    positive.
     """
     ring, order = backend(), sorted(poly.atoms())
     if not order:
