@@ -8,7 +8,7 @@ before. What of this depends on parameters is the condition under which the cont
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
@@ -103,7 +103,7 @@ def losses(
     if first in system.problem.implicit and given.range_of(first) == (None, None) and period(squares[name], name):
         given = given.with_range(first, -PI, PI)  # what repeats itself with each turn may start in the first
     held = [*forces.values(), *_grips(system, along)]
-    return _joined([_on_way(way, forces, held, given) for way in ways(system, dynamics, name, squares[name], given)])
+    return _joined([_to_and_fro(way, forces, held, given) for way in ways(system, dynamics, name, squares[name], given)])
 
 
 def _grips(system: System, along: Mapping[str, Scalar]) -> Iterator[Scalar]:
@@ -131,6 +131,20 @@ def _joined(parts: list[Losses]) -> Losses:
     first = next((part for part in parts if part.complete is not True), Losses())
     found, open_ = [loss for part in parts for loss in part.found], [loss for part in parts for loss in part.open_]
     return Losses(tuple(found), first.complete, first.reason, tuple(x for k, x in enumerate(open_) if x not in open_[:k]))
+
+
+def _to_and_fro(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
+    """What is lost on the way; where the motion may turn round, the list is whole only if nothing can be lost behind the
+    start, to where it then comes."""
+    found, end = _on_way(way, forces, held, given), given.range_of(way.name)[way.sense > 0]
+    if found.complete is not True or sign(way.square, given if end is None else way.until(end, given)).kind == "positive":
+        return found
+    back = _on_way(replace(way, sense=-way.sense), forces, held, given)
+    sooner = [settle(first.valid, assuming(given, loss.valid)) == () for loss in back.found for first in found.found]
+    if back.complete is True and (not back.found or all(sooner) and sooner):  # what would be lost there is lost before it turns
+        return found
+    why = "the motion may turn round, and whether a contact is lost behind its start is not decided"
+    return replace(found, complete=None, reason=why)
 
 
 def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:
