@@ -140,8 +140,8 @@ def _to_and_fro(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], give
     if found.complete is not True or sign(way.square, given if end is None else way.until(end, given)).kind == "positive":
         return found
     back = _on_way(replace(way, sense=-way.sense), forces, held, given)
-    sooner = [settle(first.valid, assuming(given, loss.valid)) == () for loss in back.found for first in found.found]
-    if back.complete is True and (not back.found or all(sooner) and sooner):  # what would be lost there is lost before it turns
+    each = [[settle(first.valid, assuming(given, loss.valid)) == () for first in found.found] for loss in back.found]
+    if back.complete is True and all(map(any, each)):  # what would be lost there is lost before it turns
         return found
     why = "the motion may turn round, and whether a contact is lost behind its start is not decided"
     return replace(found, complete=None, reason=why)
