@@ -6,15 +6,16 @@ were divided by are kept, since they must not vanish.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Iterable, Iterator, Set
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Protocol
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
 from rbpsym.algebra.normal import is_zero, shorten
-from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
+from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, times
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
 from rbpsym.algebra.squares import with_squares
 
@@ -98,21 +99,40 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], b
     `counts`: the names that are not known, of which products are unknowns of their own; `is_even`: of these the ones of
     which only squares are. Raises NoImage for a value without an image.
     """
-    pivots: list[tuple[Monomial, dict[Monomial, int], frozenset[str]]] = []
-    for row in rows:
-        found, sources = _reduced_image(_image(row.value, counts, is_even), pivots)
-        if found:
-            key = min(found)
-            by = pow(found[key], -1, PRIME)
-            pivots.append((key, {k: v * by % PRIME for k, v in found.items()}, sources | row.sources))
-    left, sources = _reduced_image(_image(goal, counts, is_even), pivots)
-    if any(len(key) > 1 for key in left):
-        raise NoImage  # a product of unknowns, of which one may be told
+    images = [(_image(row.value, counts, is_even), row.sources) for row in rows]
+    target = _image(goal, counts, is_even)
+    left, sources = _reduced_image(target, _pivots(images))
+    if any(len(key) > 1 for key in left):  # products of unknowns, of which one may be told
+        by = {part for key in target for part in _parts(key)}
+        left, sources = _reduced_image(target, _pivots([*images, *_products(images, by)]))
     return None if left else sources
 
 
+def _pivots(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]]) -> list:
+    pivots: list[tuple[Monomial, dict[Monomial, int], frozenset[str]]] = []
+    for image, told_by in images:
+        found, sources = _reduced_image(image, pivots)
+        if found:
+            key = min(found)
+            by = pow(found[key], -1, PRIME)
+            pivots.append((key, {k: v * by % PRIME for k, v in found.items()}, sources | told_by))
+    return pivots
+
+
+def _parts(key: Monomial) -> Iterator[Monomial]:
+    """By what a row may be multiplied to give this product: a part of it."""
+    for size in range(1, len(key)):
+        yield from combinations(key, size)
+
+
+def _products(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]], by: Iterable[Monomial]) -> Iterator:
+    for part in sorted(by):
+        for image, sources in images:
+            yield {times(key, part): value for key, value in image.items()}, sources
+
+
 def _reduced_image(found: dict[Monomial, int], pivots: list) -> tuple[dict[Monomial, int], frozenset[str]]:
-    sources: frozenset[str] = frozenset()
+    found, sources = dict(found), frozenset()
     for key, row, rests_on in pivots:
         if factor := found.get(key, 0):
             sources |= rests_on
