@@ -121,7 +121,7 @@ def agree(context: Context, a: Scalar, b: Scalar, depth: str) -> Verdict:
     """Whether two values are equal as seen at that depth."""
     if getattr(context, "is_hasty", False) and (quick := context.agree_by_numbers(a - b, depth)) is not None:
         return Verdict(PROVED, how="by numbers") if quick else Verdict(UNDECIDED, reason="not by numbers")
-    found = same(context, seen(context, a, depth), seen(context, b, depth))
+    found = same(context, seen(context, a - b, depth), NOTHING)
     if found.is_proved and depth != "state" and hasattr(context, "goals"):
         context.goals.append(a - b)
     return found

@@ -93,14 +93,21 @@ def short(value: Scalar) -> Scalar:
 # --- the same by numbers: whether it is worth while, and with which rows
 
 
-def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], bool], is_even: Callable[[str], bool]):
+def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], bool], even: Set[str], known: dict):
     """The sources of the rows of which a value is a linear combination, modulo a prime at one point; None if of none.
 
-    `counts`: the names that are not known, of which products are unknowns of their own; `is_even`: of these the ones of
-    which only squares are. Raises NoImage for a value without an image.
+    `counts`: the names that are not known, of which products are unknowns of their own; `even`: of these the ones of
+    which only squares are; `known`: images that were found. Raises NoImage for a value without an image.
     """
-    images = [(_image(row.value, counts, is_even), row.sources) for row in rows]
-    target = _image(goal, counts, is_even)
+
+    def image(value: Scalar) -> dict[Monomial, int]:
+        key = ("image", value, frozenset(name for name in names_in(value) if counts(name)), bool(even))
+        if key not in known:
+            known[key] = _image(value, counts, even)
+        return known[key]
+
+    images = [(image(row.value), row.sources) for row in rows]
+    target = image(goal)
     left, sources = _reduced_image(target, _pivots(images))
     if any(len(key) > 1 for key in left):  # products of unknowns, of which one may be told
         by = {part for key in target for part in _parts(key)}
@@ -141,7 +148,7 @@ def _reduced_image(found: dict[Monomial, int], pivots: list) -> tuple[dict[Monom
     return {k: v for k, v in found.items() if v}, sources
 
 
-def _image(value: Scalar, counts: Callable[[str], bool], is_even: Callable[[str], bool]) -> dict[Monomial, int]:
+def _image(value: Scalar, counts: Callable[[str], bool], even: Set[str]) -> dict[Monomial, int]:
     """A value as a linear form in products of what is unknown."""
     by = pow(_residue(Scalar(value.den), counts), -1, PRIME) if value.den is not ONE else 1
     found: dict[Monomial, int] = {}
@@ -154,7 +161,7 @@ def _image(value: Scalar, counts: Callable[[str], bool], is_even: Callable[[str]
                 key += [(index, 1)] if exponent % 2 else []
                 continue
             is_free = bool(name) and counts(name)
-            kept = 0 if not is_free else exponent - exponent % 2 if is_even(name) else exponent
+            kept = 0 if not is_free else exponent - exponent % 2 if name in even else exponent
             key += [(index, kept)] if kept else []
             rest += [(index, exponent - kept)] if exponent != kept else []
         image = value_of(Poly({tuple(rest): c})) * factor

@@ -53,16 +53,26 @@ def _is_letter(context: Context, part: t.Sym | t.Vec) -> bool:
 
 def introducers(context: Context, statements: Iterable[t.Node]) -> list[str]:
     """Ids of what introduced the letters in these, and those in what is said of them."""
-    found: dict[str, None] = {}
-    left = [name for node in statements for name in letters(context, node)]
-    while left:
-        id, said = context.introduced.get(left.pop(), ("", None))
-        if id and id not in found:
-            found[id] = None
-            left += [] if said is None else letters(context, said)
-    return list(found)
+    return list(dict.fromkeys(id for node in statements for id in _introducers(context, node)))
+
+
+def _introducers(context: Context, node: t.Node) -> tuple[str, ...]:
+    key = ("introducers", id(node), len(context.introduced))  # what is introduced stays
+    if key not in context.rows:
+        found: dict[str, None] = {}
+        left = letters(context, node)
+        while left:
+            made_by, said = context.introduced.get(left.pop(), ("", None))
+            if made_by and made_by not in found:
+                found[made_by] = None
+                left += [] if said is None else letters(context, said)
+        context.rows[key] = (node, tuple(found))  # with the node, whose address is its name
+    return context.rows[key][1]
 
 
 def fixed(context: Context) -> frozenset[str]:
     """The facts about starts and shapes, which no letter names."""
-    return frozenset(id for id, fact in context.facts.items() if fact.kind in ("start", "shape"))
+    if "fixed" not in context.rows:
+        found = (id for id, fact in context.facts.items() if fact.kind in ("start", "shape"))
+        context.rows["fixed"] = frozenset(found)
+    return context.rows["fixed"]

@@ -194,8 +194,8 @@ class View(Context):
 
     def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Value:
         """What is found, if no other view with the same premises for these letters has found it already."""
-        rests = frozenset(introducers(self, [node])) | fixed(self)
-        key = (kind, node, rests & self.premises, self.step.id)
+        rests = frozenset(introducers(self, [node]))
+        key = (kind, node, self.step.id if self.step.id in rests else "", (rests | fixed(self)) & self.premises)
         if key not in self.rows:
             before = set(self.opaque)
             with self.noting() as noted:
@@ -248,7 +248,7 @@ class View(Context):
         if depth == "along" and MOTION in self.premises:
             return None
         try:
-            sources = used_by_numbers(rows, gap, lambda n: n in speeds or bool(self._rank(n)), speeds.__contains__)
+            sources = used_by_numbers(rows, gap, lambda n: n in speeds or bool(self._rank(n)), speeds, self.rows)
         except (NoImage, ValueError, ZeroDivisionError):
             return None
         self.trail[-1] |= sources or set()
@@ -259,6 +259,8 @@ class View(Context):
         found = []
         for goal in self.goals:
             known = self._known(goal)
+            if all(pivot.divisor.number() is not None for pivot in (*known.pivots, *known.squares)):
+                continue
             factors = cofactors(known, goal)
             found += [pivot.divisor.inverse() for pivot in known.used(goal)] if factors is None else factors
         return found
