@@ -88,10 +88,27 @@ class Context:
         moments = self.moments[body]
         return sum((Scalar(part) * moments[power] for power, part in parts.items()), NOTHING)
 
+    def parts(self, node: Node, *kinds: type[Node]) -> tuple[Node, ...]:
+        """The parts of a tree that are of these kinds; each tree is walked once."""
+        key = ("parts", id(node))
+        if key not in self.rows:
+            found: dict[type[Node], list[Node]] = {}
+            for part in walk(node):
+                found.setdefault(type(part), []).append(part)
+            self.rows[key] = (node, found)  # with the node, whose address is its name
+        found = self.rows[key][1]
+        return tuple(part for kind in kinds for part in found.get(kind, ()))
+
+    def grows(self, node: Node) -> bool:
+        """Whether it holds what is summed up along the motion: an integral, a change, a work."""
+        return bool(self.parts(node, Integral, PathIntegral, Delta)) or any(
+            part.name in self.works for part in self.parts(node, Sym)
+        )
+
     def value(self, node: Node) -> Value:
         """The value of a tree in coordinates, speeds, accelerations and unknown forces."""
-        for part in walk(node):
-            if isinstance(part, Deriv) and part.wrt == "t":
+        for part in self.parts(node, Deriv):
+            if part.wrt == "t":
                 self._refuse_unknown_rates(value(part.of, self.scope))
         return value(node, self.scope)
 
@@ -99,7 +116,7 @@ class Context:
         """d/dt of a tree that may hold integrals along the motion."""
         if isinstance(node, Add):
             return sum((self.rate(term) for term in node.terms), NOTHING)
-        if not any(isinstance(part, (Integral, PathIntegral, Delta)) or self._is_work(part) for part in walk(node)):
+        if not self.grows(node):
             self._refuse_unknown_rates(value(node, self.scope))
         return rate(node, self.scope)
 
@@ -107,9 +124,6 @@ class Context:
         """d/dt of a value."""
         self._refuse_unknown_rates(found)
         return time_derivative(found, self.scope)
-
-    def _is_work(self, node: Node) -> bool:
-        return isinstance(node, Sym) and node.name in self.works
 
     def _refuse_unknown_rates(self, found: Value) -> None:
         """Raises Undecided for a value with accelerations or unknown forces, whose rates no one knows: they are no constants."""

@@ -39,7 +39,7 @@ def _said(context: Context, row: t.Chain) -> t.Node | None:
 
 def letters(context: Context, node: t.Node) -> list[str]:
     """Names in a formula that have a meaning of their own (an unknown force has none: its vector has)."""
-    found = {part.name for part in t.walk(node) if isinstance(part, (t.Sym, t.Vec)) and _is_letter(context, part)}
+    found = {part.name for part in context.parts(node, t.Sym, t.Vec) if _is_letter(context, part)}
     return sorted(found)
 
 

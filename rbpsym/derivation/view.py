@@ -181,15 +181,13 @@ class View(Context):
         return self._once("value", node, self._value)
 
     def _rate(self, node: t.Node) -> Scalar:
-        for part in t.walk(node):
-            if isinstance(part, t.Integral):
-                self.start(symbol(part.var))
+        for part in self.parts(node, t.Integral):
+            self.start(symbol(part.var))
         return super().rate(node)
 
     def _value(self, node: t.Node) -> Value:
-        for part in t.walk(node):
-            if isinstance(part, t.Delta):
-                self.start(value(part.arg, self.scope))
+        for part in self.parts(node, t.Delta):
+            self.start(value(part.arg, self.scope))
         return super().value(node)
 
     def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Value:
@@ -349,7 +347,7 @@ def _components(found: Value) -> tuple[Scalar, ...]:
 def _values(view: View, step: Step) -> Iterator[Scalar]:
     """left - right of each equation that has values."""
     for left, right in _pairs(step):
-        if not _holds_integral(view, left) and not _holds_integral(view, right):
+        if not view.grows(left) and not view.grows(right):
             a, b = view.value(left), view.value(right)
             if isinstance(a, Space) == isinstance(b, Space):
                 yield from (x - y for x, y in zip(_components(a), _components(b), strict=True))
@@ -358,7 +356,7 @@ def _values(view: View, step: Step) -> Iterator[Scalar]:
 def _growths(view: View, step: Step) -> Iterator[Scalar]:
     """left - right of the rates, where both are integrals along the motion or changes."""
     for left, right in _pairs(step):
-        if _holds_integral(view, left) or _holds_integral(view, right):
+        if view.grows(left) or view.grows(right):
             yield view.rate(left) - view.rate(right)
 
 
@@ -369,9 +367,3 @@ def _constants(view: View, step: Step) -> Iterator[Scalar]:
         yield view.rate_of(kept)
         yield kept - view.start(kept)
 
-
-def _holds_integral(view: View, node: t.Node) -> bool:
-    return any(
-        isinstance(part, (t.Integral, t.PathIntegral, t.Delta)) or (isinstance(part, t.Sym) and part.name in view.works)
-        for part in t.walk(node)
-    )
