@@ -112,6 +112,8 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], b
     if any(len(key) > 1 for key in left):  # products of unknowns, of which one may be told
         by = {part for key in target for part in _parts(key)}
         left, sources = _reduced_image(target, _pivots([*images, *_products(images, by)]))
+        if any(atoms.atom(index).kind == "root" for key in left for index, _ in key):
+            raise NoImage  # of roots more is known than their squares tell
     return None if left else sources
 
 
