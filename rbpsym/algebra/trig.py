@@ -61,14 +61,21 @@ def _basic(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
     return (c, -s) if sign < 0 else (c, s)
 
 
+MOST_MULTIPLES = 4
+
+
 def _inverse(rest: Poly) -> tuple[Scalar, Scalar] | None:
-    """(cos, sin) of ±acos x, ±asin x or ±atan x."""
+    """(cos, sin) of a small multiple of acos x, asin x or atan x."""
     [(m, c)] = rest.terms.items() if rest.is_monomial() else [((), 0)]
-    if len(m) != 1 or m[0][1] != 1 or abs(c) != 1 or atoms.atom(m[0][0]).kind not in UNDONE:
+    if len(m) != 1 or m[0][1] != 1 or type(c) is not int or atoms.atom(m[0][0]).kind not in UNDONE:
+        return None
+    if not 0 < abs(c) <= MOST_MULTIPLES:
         return None
     found = atoms.atom(m[0][0])
-    cos, sin = UNDONE[found.kind](found.arg)
-    return cos, sin * c
+    x, y = cos, sin = UNDONE[found.kind](found.arg)
+    for _ in range(abs(c) - 1):
+        x, y = x * cos - y * sin, y * cos + x * sin
+    return x, y if c > 0 else -y
 
 
 def _side(value: Scalar) -> Scalar:

@@ -232,7 +232,8 @@ def _search(values: list[Scalar], names: tuple[str, ...], at: dict, places: Plac
         for image in ways:
             if len(places.found) < most:
                 fixed = {n: substitute(v, image) for n, v in at.items()} | image
-                _search([substitute(v, fixed) for v in values], names, fixed, places, most, spread)
+                others = [substitute(v, fixed) for v in values if v is not value]  # which vanishes by its root
+                _search(others, names, fixed, places, most, spread)
         if ways or not left:
             places.open_.extend(left)
             return
