@@ -46,10 +46,6 @@ class Scope:
         """The same scope with further (or other) scalar meanings."""
         return replace(self, scalars={**self.scalars, **more})
 
-    def with_vectors(self, more: Mapping[str, Space]) -> Scope:
-        """The same scope with further (or other) vector meanings."""
-        return replace(self, vectors={**self.vectors, **more})
-
 
 BARE = Scope()
 

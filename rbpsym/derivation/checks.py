@@ -47,13 +47,6 @@ def guarded(check: Callable[[], Verdict]) -> Verdict:
         return Verdict(UNDECIDED, reason=str(error))
 
 
-def _equal(a: Value, b: Value, context: Context) -> Verdict:
-    if isinstance(a, Space) or isinstance(b, Space):
-        pairs = zip(_components(a), _components(b), strict=True)
-        return weakest([same(context, x, y) for x, y in pairs])
-    return same(context, a, b)
-
-
 def _components(found: Value) -> tuple[Scalar, ...]:
     """Components of a vector; the scalar 0 counts as the zero vector."""
     return found.components() if isinstance(found, Space) else (NOTHING, NOTHING, found)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.atoms import symbol_name
@@ -20,7 +19,6 @@ from rbpsym.derivation.binding import bound
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import facts_of
 from rbpsym.derivation.letters import introduce
-from rbpsym.derivation.rules import certify
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.study import Study
@@ -71,8 +69,7 @@ class Draft:
             data=data or {},
         )
         introduce(self.context, step)
-        with apart():  # what is proved of a step is no work of the method that makes it
-            step = bound(self.context, step, self.those(*premises))
+        step = self.certified(step, self.those(*premises))
         step = told(step, Said(self.study, steps=self.steps, context=self.context))
         self.steps.append(step)
         self.context.steps[step.id] = step
@@ -92,9 +89,10 @@ class Draft:
         """Those of the ids of which a step was made."""
         return tuple(id for id in ids if id in self.context.steps or id in self.context.facts)
 
-    def certified(self, step: Step) -> Step:
-        """The step with its certificate."""
-        return replace(step, certificate=certify(self.context, step))
+    def certified(self, step: Step, named: tuple[str, ...]) -> Step:
+        """The step with the premises that it needs, and its certificate."""
+        with apart():  # what is proved of a step is no work of the method that makes it
+            return bound(self.context, step, named)
 
     def _unique(self, id: str, known: set[str]) -> str:
         found, k = id, 2
