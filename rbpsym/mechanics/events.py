@@ -137,6 +137,8 @@ def _to_and_fro(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], give
     """What is lost on the way; where the motion may turn round, the list is whole only if nothing can be lost behind the
     start, to where it then comes."""
     found, end = _on_way(way, forces, held, given), given.range_of(way.name)[way.sense > 0]
+    if _is_driven_from_rest(way):
+        return found
     if found.complete is not True or sign(way.square, given if end is None else way.until(end, given)).kind == "positive":
         return found
     back = _on_way(replace(way, sense=-way.sense), forces, held, given)
@@ -145,6 +147,13 @@ def _to_and_fro(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], give
         return found
     why = "the motion may turn round, and whether a contact is lost behind its start is not decided"
     return replace(found, complete=None, reason=why)
+
+
+def _is_driven_from_rest(way: Way) -> bool:
+    """Whether the speed is zero at the start and grows from there: behind it the square of the speed would be negative."""
+    there = {way.name: way.start}
+    slope = derivative(way.square, way.name)
+    return is_zero(substitute(way.square, there)) and not is_zero(substitute(slope, there))
 
 
 def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: Assumptions) -> Losses:

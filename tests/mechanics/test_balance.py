@@ -48,7 +48,8 @@ def test_nothing_is_said_of_stability_where_the_slope_has_no_sign():
 def test_a_place_in_closed_form_is_no_open_balance():
     slack = DOOR.replace('[interactions.W]\ntype = "gravity"\n', "")
     assert balance(slack) is None
-    assert not Study(load_text(slack)).equilibria  # θ = 0 is the end of the range, which does not belong to it
+    assert len(Study(load_text(slack)).equilibria) == 1  # the stated start, θ = 0, belongs to the range
+    assert not Study(load_text(slack.replace('start = "0"', 'start = "pi/4"'))).equilibria  # other ends do not
     assert len(Study(load_text(slack.replace('["0","pi/2"]', '["-1","pi/2"]'))).equilibria) == 1
 
 

@@ -32,7 +32,7 @@ READERS = (
     *(HOUSE / "notation" / f"{name}.py" for name in ("limits", "source")),
     *(
         HOUSE / "notation" / f"latex_{name}.py"
-        for name in ("calculus", "calls", "functions", "grammar", "names", "reader", "rows", "tokens")
+        for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "tokens")
     ),
     *(
         HOUSE / "teaching" / "grading" / f"{name}.py"
