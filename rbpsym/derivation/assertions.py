@@ -41,7 +41,8 @@ STEPS: Mapping[str, Entry] = {
     "torque.projected": (g.is_without_unknowns, ""),
     "torque.silent": (g.silent_forces_drop_out, "torque.none"),
     "torque.solved_zero": (g.ends_in_zero, ""),
-    "torque.added": (g.is_without_unknowns, ""),
+    "torque.added": (g.acts_at_same_points, "torque.added_along"),
+    "torque.added_along": (g.is_without_unknowns, ""),
     "torque.free": (g.no_force_acts_along, "torque.even"),
     "torque.net.contact": (g.point_moves, "torque.net.resting"),
     "torque.net.moving": (g.point_moves, "torque.net.resting"),
@@ -66,7 +67,10 @@ STEPS: Mapping[str, Entry] = {
     "energy.effective": (w.work_is_of_position, ""),
     "energy.changes": (g.ends_otherwise, "energy.rated"),
     "energy.square": (w.does_not_stay, "energy.square_resting"),
-    "energy.square_alone": (w.acceleration_is_alone, ""),
+    "energy.square_alone": (w.acceleration_is_of_position_and_does_not_stay, "energy.square_alone_resting"),
+    "energy.square_alone_resting": (w.acceleration_is_of_position, "energy.square_own"),
+    "energy.square_own": (w.acceleration_is_alone_and_does_not_stay, "energy.square_own_resting"),
+    "energy.square_own_resting": (w.acceleration_is_alone, ""),
     "energy.potential.force": (w.is_constant_action, "energy.potential.other"),
     "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
@@ -104,6 +108,8 @@ PAGES: Mapping[str, Entry] = {
     "torque.solved_all": (_all("torque.solved"), ""),
     "torque.solved_zero_all": (_all("torque.solved_zero"), ""),
     "work.cancel_all": (_all("work.cancels"), "work.cancelled_all"),
+    "work.done_intro": (w.all_works_are_done, "work.done_some"),
+    "work.done_below": (w.all_works_are_done, "work.done_some_below"),
     "work.theorem.half": (g.nothing_turns, "work.theorem.halves"),
     "contact.along_all": (_all("contact.along"), ""),
     "contact.along_plain": (_all("contact.along"), ""),
@@ -130,7 +136,7 @@ notebook number obligation part plain plots point ref results section shape skip
 kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
-work.done_intro work.done_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
+work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
 phases.event phases.impulses phases.same_motion phases.title oscillations.brief oscillations.doubtful
 oscillations.intro oscillations.place comparison.intro comparison.title comparison.because theory.intro
 theory.heading

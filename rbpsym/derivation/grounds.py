@@ -99,6 +99,14 @@ def is_without_unknowns(said: Said) -> bool:
     return is_proved(said) and not gone & t.names(said.step.statement)
 
 
+def acts_at_same_points(said: Said) -> bool:
+    """And each unknown force between two bodies acts on both at one point; those of a string only along one line."""
+    bodies = {b for premise in said.step.data["terms"] for b in premise[1].id.split(".")[1:]}
+    inner = [f for f in said.system.forces if f.unknowns and f.on in bodies and f.by in bodies]
+    ends = [(a, b) for a in inner for b in inner if a.name == b.name and a.on == b.by and b.on == a.by]
+    return is_without_unknowns(said) and all(vanishes(a.point - b.point) for a, b in ends if a.vector)
+
+
 def is_steady(said: Said) -> bool:
     """No side on the right changes with the time."""
     return all(not said.moving & t.names(row.items[-1]) for row in said.rows)

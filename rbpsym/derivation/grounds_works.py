@@ -84,11 +84,27 @@ def work_is_of_position(said: Said) -> bool:
 
 
 def acceleration_is_alone(said: Said) -> bool:
-    """The acceleration of the coordinate depends on no other coordinate, nor on its speed."""
+    """The acceleration of the coordinate depends on no other coordinate, nor on the speed of another one."""
     own = said.slot("coordinate")
     value = said.study.dynamics.accelerations[f"{own}_ddot"]
     others = (n for name in said.system.independent if name != own for n in (name, f"{name}_dot"))
     return is_proved(said) and not any(depends_on(value, name) for name in others)
+
+
+def acceleration_is_alone_and_does_not_stay(said: Said) -> bool:
+    """And it does not start from rest where its accelerations vanish."""
+    return acceleration_is_alone(said) and does_not_stay(said)
+
+
+def acceleration_is_of_position(said: Said) -> bool:
+    """The acceleration of the coordinate depends on nothing but this coordinate, not even on its own speed."""
+    own = said.slot("coordinate")
+    return acceleration_is_alone(said) and not depends_on(said.study.dynamics.accelerations[f"{own}_ddot"], f"{own}_dot")
+
+
+def acceleration_is_of_position_and_does_not_stay(said: Said) -> bool:
+    """And it does not start from rest where its accelerations vanish."""
+    return acceleration_is_of_position(said) and does_not_stay(said)
 
 
 def is_constant_action(said: Said) -> bool:
@@ -120,6 +136,13 @@ def energy_is_lost(said: Said) -> bool:
 
 
 # --- whole pages
+
+
+def all_works_are_done(said: Said) -> bool:
+    """Each work that is not zero has a step that tells its value, and each of them is proved."""
+    done = {step.id for step in said.steps if is_proved(Said(step=step))}
+    halves = ((w, letter, half) for w in said.study.works for letter, half in (("T", w.translational), ("theta", w.rotational)))
+    return all(f"done.{letter}.{w.force}.{w.on}" in done for w, letter, half in halves if half.parts)
 
 
 def starts_at_rest(said: Said) -> bool:

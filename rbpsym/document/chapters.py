@@ -212,12 +212,12 @@ def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
-    table = done_table(steps, said)
+    table, ground = done_table(steps, said), Said(derivation.study, steps=steps)
     if table_width(table, said.notation) <= WIDEST:
-        yield Paragraph(said.say("work.done_intro", table=Ref(table.label)))
+        yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table
         return
-    yield Paragraph(said.say("work.done_below"))
+    yield Paragraph(said.say("work.done_below", ground=ground))
     for group in _by_force(steps):
         yield joined(group, said)
 

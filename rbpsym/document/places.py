@@ -6,9 +6,12 @@ import math
 from collections.abc import Callable
 from functools import cache
 
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.vector import Vector
 from rbpsym.document.model import Inlines
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words
+from rbpsym.mechanics.assemble import vector_rate
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Line, PointRef
@@ -105,7 +108,7 @@ def _is_below(line: Line, pose: DrawnPose) -> bool:
 
 
 def growth(coordinate: str, pose: DrawnPose) -> tuple[str, str]:
-    """Which way a coordinate grows, and on which body this is seen ("" for both if on none)."""
+    """Which way a coordinate grows, and on which body this is seen ("" for both if on none, or not always this way)."""
     for name in pose.study.system.bodies:
         slope = pose.slope(name, coordinate)
         if slope in (1.0, -1.0):
@@ -114,6 +117,14 @@ def growth(coordinate: str, pose: DrawnPose) -> tuple[str, str]:
         velocity = state.center.derivative(coordinate)
         x, y = pose.point(velocity)
         if math.hypot(x, y) > 1e-9:
+            if not _keeps_direction(velocity, pose):
+                return "", name
             quarters = math.atan2(y, x) / (math.pi / 2)
             return (SIDES[round(quarters) % 4] if abs(quarters - round(quarters)) < 1e-6 else ""), name
     return "", ""
+
+
+def _keeps_direction(velocity: Vector, pose: DrawnPose) -> bool:
+    """Does the vector stay parallel to itself whatever the motion is?"""
+    rate = vector_rate(velocity, pose.study.system.scope)
+    return is_zero(velocity.cross(rate))

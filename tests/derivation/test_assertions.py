@@ -220,3 +220,18 @@ force = ["-F", "0"]
     assert "the outer forces on the bead cancel" in told
     assert "No force acts on the bead vertically" in told
     assert "vertical plane" not in told
+
+
+SAID_OF = {
+    "falling-stick": ("If a push, however small", "Multiplied by its speed and integrated"),
+    "rod-on-two-strings": ("Some of these integrals", "With the forces known along the motion, these"),
+    "bead-on-rotating-rod": ("", "grows to the right"),
+}
+
+
+@pytest.mark.parametrize("name", SAID_OF)
+def test_what_is_not_so_is_not_said(name: str) -> None:
+    """Nothing is said of a push, a force or a direction that this motion does not have."""
+    yes, no = SAID_OF[name]
+    said = said_in(derived(name))
+    assert yes in said and no not in said

@@ -98,7 +98,7 @@ def write(draft: Draft) -> None:
                 f"moment.{name}",
                 "parallel_axis",
                 t.equation(moment, draft.show(state.moment)),
-                "inertia.assembled",
+                "inertia.assembled" if len(draft.study.problem.body(name).shape.parts) > 1 else "inertia.one_part",
                 body=BodyRef(name),
                 data=_about(name, state, state.moment),
             )
