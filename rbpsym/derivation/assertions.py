@@ -71,6 +71,7 @@ STEPS: Mapping[str, Entry] = {
     "energy.square_alone_resting": (w.acceleration_is_of_position, "energy.square_own"),
     "energy.square_own": (w.acceleration_is_alone_and_does_not_stay, "energy.square_own_resting"),
     "energy.square_own_resting": (w.acceleration_is_alone, ""),
+    "energy.rate": (w.energy_has_no_drive, "energy.rate_relative"),
     "energy.potential.force": (w.is_constant_action, "energy.potential.other"),
     "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),

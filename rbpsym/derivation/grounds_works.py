@@ -72,6 +72,11 @@ def energy_is_conserved(said: Said) -> bool:
     return known and is_proved(said) and all(ideal.get(f.name) for f in said.system.forces if f.unknowns)
 
 
+def energy_has_no_drive(said: Said) -> bool:
+    """Nothing is driven: what is constant is then not only Jacobi's integral."""
+    return is_proved(said) and not said.system.has_clock
+
+
 def no_force_acts(said: Said) -> bool:
     """There is none at all."""
     return is_proved(said) and not said.system.forces

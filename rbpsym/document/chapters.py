@@ -79,6 +79,8 @@ def _title(name: str, derivation: Derivation) -> str:
     """The chapter on contacts is about forces along the motion where none is lost; energy need not be conserved."""
     if name == "energy" and not any(step.id == "energy" for step in derivation.steps):
         return "energy_changes"
+    if name == "energy" and derivation.study.system.has_clock:
+        return "energy_relative"
     if name == "contact" and is_still(derivation):
         return "friction"
     lost = any(step.rule == "vanishing" for step in derivation.steps)

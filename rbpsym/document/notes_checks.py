@@ -104,7 +104,9 @@ def checks_table(steps: Iterable[Step], said: Words) -> Table:
 
 
 def _methods(summary: dict, said: Words, ground: Said) -> Iterator[Inlines]:
-    names = [said.say(f"method.{name}") for name in summary["methods"]]
+    relative = any(step.phrase == "energy.relative" for step in ground.steps)
+    keys = ["energy_relative" if relative and name == "energy" else name for name in summary["methods"]]
+    names = [said.say(f"method.{key}") for key in keys]
     if len(names) > 1:
         yield said.say("checks.methods", ground=ground, methods=names)
 

@@ -225,7 +225,9 @@ force = ["-F", "0"]
 SAID_OF = {
     "falling-stick": ("If a push, however small", "Multiplied by its speed and integrated"),
     "rod-on-two-strings": ("Some of these integrals", "With the forces known along the motion, these"),
-    "bead-on-rotating-rod": ("", "grows to the right"),
+    "bead-on-rotating-rod": ("Jacobi's integral", "grows to the right"),
+    "stepped-pulley": ("act along the same line", "act at the same point"),
+    "loaded-wheel": ("", "from those of its parts"),
 }
 
 
@@ -235,3 +237,4 @@ def test_what_is_not_so_is_not_said(name: str) -> None:
     yes, no = SAID_OF[name]
     said = said_in(derived(name))
     assert yes in said and no not in said
+    assert "Since the energy" not in said or not derived(name).study.system.has_clock
