@@ -350,6 +350,6 @@ def holds_there(context: Context, step: Step) -> Verdict:
         difference = context.value(left) - context.value(right)
         if step.data["at"]:
             return same(context, substitute(difference, step.data["at"]), NOTHING)
-        return same(context, difference, step.data["factor"])
+        return same(context, context.along(difference), step.data["factor"])
 
     return weakest(guarded(lambda r=r: one(r[0], r[2])) for r in relations(step.statement))

@@ -176,3 +176,16 @@ def test_a_motion_that_a_blow_ends_at_its_start_has_no_speed_along_it():
 def test_the_friction_of_a_contact_is_a_vector_in_the_statement_as_everywhere():
     told = [part.node for part in parts(document("disk-on-incline").sections[:1]) if isinstance(part, Math)]
     assert t.Vec("f") in told and t.Sym("f") not in told
+
+
+def test_a_force_on_the_other_body_acts_at_the_point_of_contact():
+    assert "cube (point of contact), by the ball" in _said("ball-on-rod-against-cube")
+    assert "rod (point of contact), by the bead" in _said("bead-on-rotating-rod")
+
+
+def test_a_contact_that_may_end_is_told_however_long_its_force_is():
+    assert "The contact lasts only while" in _said("loaded-wheel")
+
+
+def _said(name):
+    return writer("md")(document(name))

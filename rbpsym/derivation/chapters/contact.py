@@ -35,7 +35,7 @@ def write(draft: Draft) -> None:
         for loss in draft.study.losses:
             _loss(draft, loss, along)
         for force in dict.fromkeys(loss.force for loss in draft.study.ended.open_):
-            _may_end(draft, force)
+            _may_end(draft, force, along[force])
     for need in draft.study.friction_needs:
         _friction(draft, need)
     for element, what, value in asked(draft.study) if draft.study.dynamics.accelerations else ():
@@ -204,12 +204,13 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         )
 
 
-def _may_end(draft: Draft, force: str) -> None:
-    """What would have to vanish for the force to vanish, where it is not decided whether the motion comes there."""
+def _may_end(draft: Draft, force: str, value: Scalar) -> None:
+    """What would have to vanish for the force to vanish, where it is not decided whether the motion comes there; the
+    force itself where that is too long."""
     factor = next(loss.factor for loss in draft.study.ended.open_ if loss.force == force)
     shown = draft.show(factor, factor=True)
     if length(shown) > LONGEST:
-        return
+        shown, factor = t.Sym(force), value
     draft.add(
         f"may_end.{force}",
         "may_vanish",
