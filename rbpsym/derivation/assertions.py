@@ -76,6 +76,7 @@ STEPS: Mapping[str, Entry] = {
     "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
     "contact.along": (g.is_of_position, "contact.known"),
+    "contact.endless": (g.no_friction_is_enough, "contact.ratio"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
     "phases.taken": (w.only_friction_works, "phases.fallen"),
     "phases.lost.some": (w.energy_is_lost, "phases.lost.change"),

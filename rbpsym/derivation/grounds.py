@@ -18,6 +18,7 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
 from rbpsym.mechanics.assemble import vector_rate
+from rbpsym.mechanics.events import vanishes_before, ways_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
@@ -125,6 +126,16 @@ def is_of_position_and_speed(said: Said) -> bool:
 def is_of_position(said: Said) -> bool:
     """Nor speeds."""
     return _free_of(said, ("_ddot", "_dot"))
+
+
+def no_friction_is_enough(said: Said) -> bool:
+    """The normal force comes to zero where static friction is still asked for, and no contact ends before."""
+    study = said.study
+    if not is_proved(said) or not study.reactions_along_motion or study.losses or study.ended.complete is not True:
+        return False
+    friction, normal = said.slot("friction"), said.slot("force")
+    found = ways_of(study.system, study.dynamics, study.reactions_along_motion[normal], study.squares, study.assumptions)
+    return any(vanishes_before(way, study.reactions_along_motion, normal, friction, study.assumptions) for way in found)
 
 
 # --- kinematics

@@ -127,6 +127,30 @@ def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: A
     return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
 
+def ways_of(
+    system: System, dynamics: Dynamics, value: Scalar, squares: Mapping[str, Scalar], given: Assumptions
+) -> list[Way]:
+    """The ways that are surely taken by the only coordinate of which a value is a function; none if there are several."""
+    names = {n for n in (*system.coordinates, "t") if depends_on(value, n)}
+    if len(names) != 1 or system.implicit or not names <= squares.keys() & system.scope.start.keys():
+        return []
+    [name] = names
+    return [way for way in ways(system, dynamics, name, squares[name], given) if not way.asked]
+
+
+def vanishes_before(way: Way, along: Mapping[str, Scalar], normal: str, other: str, given: Assumptions) -> bool:
+    """Whether the motion surely comes to where a normal force vanishes while another force does not."""
+    places = [place for factor in factors_in(along[normal], way.name) for place in _places(factor, way, given)]
+    ends = given.range_of(way.name)
+    return any(
+        not any(end is not None and is_zero(place - end) for end in ends)
+        and all(settle([demand], given) == () for demand in (*existence(place), Demand(way.ahead(place))))
+        and sign(way.square, way.until(place, given)).kind == "positive"
+        and sign(short(substitute(along[other], {way.name: place})), given).is_nonzero
+        for place in places
+    )
+
+
 def _joined(parts: list[Losses]) -> Losses:
     first = next((part for part in parts if part.complete is not True), Losses())
     found, open_ = [loss for part in parts for loss in part.found], [loss for part in parts for loss in part.open_]

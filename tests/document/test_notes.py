@@ -187,5 +187,10 @@ def test_a_contact_that_may_end_is_told_however_long_its_force_is():
     assert "The contact lasts only while" in _said("loaded-wheel")
 
 
+def test_no_coefficient_is_enough_where_the_normal_force_comes_to_nothing():
+    assert "slipping sets in before" in _said("rod-falling-on-rough-floor")
+    assert "no coefficient is large enough" not in _said("loaded-wheel")
+
+
 def _said(name):
     return writer("md")(document(name))

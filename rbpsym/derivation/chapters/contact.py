@@ -129,7 +129,7 @@ def _friction(draft: Draft, need: FrictionNeed) -> None:
             f"friction.{need.constraint}",
             "substitution",
             t.equation(t.Div(force, normal), shown),
-            "contact.ratio",
+            "contact.endless",
             level=STANDARD if length(shown) <= LONGEST else FULL,
             premises=premises,
             **slots,
