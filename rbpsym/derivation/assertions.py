@@ -29,7 +29,7 @@ MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
 STEPS: Mapping[str, Entry] = {
     **dict.fromkeys(CHAPTERS.split(), (g.is_proved, "")),  # what says no more than its formula
     **{f"kinematics.condition.{kind}.identity": (g.is_identity, "") for kind in IDENTITY.split()},
-    "kinematics.condition.sticking_speed.moving": (g.is_point_of_body, "kinematics.condition.sticking_speed.fixed"),
+    "kinematics.condition.sticking_speed.moving": (g.touching_body_moves, "kinematics.condition.sticking_speed.fixed"),
     "kinematics.dependent": (g.ties_to_others, "kinematics.determined"),
     "kinematics.orbit": (g.is_steady, ""),
     "kinematics.turning.opposite": (g.is_turned_back, "kinematics.turning.plain"),
@@ -77,6 +77,7 @@ STEPS: Mapping[str, Entry] = {
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
     "contact.along": (g.is_of_position, "contact.known"),
     "contact.endless": (g.no_friction_is_enough, "contact.ratio"),
+    "phases.slip": (g.touching_body_moves, "phases.slip_between"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
     "phases.taken": (w.only_friction_works, "phases.fallen"),
     "phases.lost.some": (w.energy_is_lost, "phases.lost.change"),
@@ -104,6 +105,8 @@ PAGES: Mapping[str, Entry] = {
     "statement.rest": (w.leaves_rest, "statement.rest_there"),
     "statement.rest_there": (w.stays_at_rest, "statement.begins"),
     **{f"kinematics.{kind}_many": (_all(f"kinematics.{kind}"), "") for kind in MANY},
+    "oscillations.intro": (w.is_not_carried, "oscillations.carried"),
+    "oscillations.brief": (w.is_not_carried, "oscillations.carried"),
     "newton_euler.rest.intro": (w.is_still, ""),
     "newton_euler.driven.intro": (w.is_driven, ""),
     "newton_euler.reactions": (_all("newton_euler.reaction"), ""),
@@ -139,8 +142,8 @@ kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.s
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
 work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
-phases.event phases.impulses phases.same_motion phases.title oscillations.brief oscillations.doubtful
-oscillations.intro oscillations.place comparison.intro comparison.title comparison.because theory.intro
+phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
+oscillations.place comparison.intro comparison.title comparison.because theory.intro
 theory.heading
 """  # names things, says what is done next, or repeats the statement
 NARRATION = frozenset(NARRATIVE.split())

@@ -147,9 +147,13 @@ def ties_to_others(said: Said) -> bool:
     return is_proved(said) and any(not is_zero(derivative(value, name)) for name in said.system.independent)
 
 
-def is_point_of_body(said: Said) -> bool:
-    """What touches is a point of a body, and not of the ground."""
-    return is_proved(said) and toucher(said.step.data["element"]) is not None
+def touching_body_moves(said: Said) -> bool:
+    """What touches is a point of a body that can move."""
+    name = toucher(said.step.data["element"])
+    if name is None or not is_proved(said):
+        return False
+    body = said.system.bodies[name]
+    return not is_zero(body.omega) or any(not is_zero(part) for part in (body.velocity.x, body.velocity.y))
 
 
 def is_turned_back(said: Said) -> bool:

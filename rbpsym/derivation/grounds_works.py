@@ -82,6 +82,11 @@ def no_force_acts(said: Said) -> bool:
     return is_proved(said) and not said.system.forces
 
 
+def is_not_carried(said: Said) -> bool:
+    """Nothing is moved in a given way, so that what balances is at rest."""
+    return not said.system.has_clock
+
+
 def work_is_of_position(said: Said) -> bool:
     """A force without a potential energy, and one degree of freedom."""
     found = energy.potentials(said.system).values()

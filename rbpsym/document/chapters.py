@@ -90,7 +90,7 @@ def _title(name: str, derivation: Derivation) -> str:
 def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> Iterator[Block]:
     if said.is_brief:
         short = f"{key.partition('.')[0]}.brief"
-        yield from (Paragraph(said.say(short)),) if said.has(short) else ()
+        yield from (Paragraph(said.say(short, ground=Said(derivation.study))),) if said.has(short) else ()
     elif said.has(f"{key}.intro") and not (said.is_later and key != "oscillations"):
         points = [t.Sym(label) for label in derivation.study.origins]
         count = len(derivation.study.system.bodies)
