@@ -56,7 +56,7 @@ def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iter
         f"forces.{kind}",
         body=said.body(step.slots["body"].name),
         by=_by(step.slots["by"], said),
-        at=_at(step.slots["where"], pose, said),
+        at=_at(step.slots["where"], step.slots["body"].name, pose, said),
         variant=variant,
     )
     yield from ((Math(row.items[-1]),) for row in torques)
@@ -66,14 +66,15 @@ def _by(name: str, said: Words) -> Inlines:
     return said.say(f"forces.{name}") if name in PARTIES else said.say("plain", text=BodyRef(name))
 
 
-def _at(label: str, pose: DrawnPose, said: Words) -> Inlines:
-    """Where the force acts, in a word."""
+def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:
+    """Where the force acts on a body, in a word: what touches there may be named by a point of the other body."""
     body, _, point = label.partition(".")
     if label == "rim":
         return said.say("point.rim")
-    if label in pose.study.problem.body_names:
+    names = pose.study.problem.body_names
+    if label in names or (body in names and body != on):
         return said.say("point.contact")
-    known = body in pose.study.problem.body_names and (point == "cm" or point in pose.study.problem.body(body).points)
+    known = body in names and (point == "cm" or point in pose.study.problem.body(body).points)
     return point_name(PointRef(label, body, point), pose, said) if known else said.say("plain", text=label)
 
 

@@ -151,22 +151,11 @@ def _outside(element: Element, geometry: Geometry, middle: Vector) -> Scalar:
 
 
 def _pair(element: Element, name: str, met: Meeting, vector: Vector, unknowns: tuple[str, ...]) -> tuple[Force, ...]:
-    """The force on what touches, and the opposite one on the body of the curve.
-
-    `where` tells the place: of the curve it is no point of its own, but that of contact (the label is the body's name).
-    """
+    """The force on what touches, and the opposite one on the body of the curve."""
     ends = ((met.on, met.by, vector), (met.by, met.on, -vector))
-    point = element.values.get("point")
+    label = touching_point(element).label if "point" in element.values else element["body"]
     return tuple(
-        Force(
-            name,
-            on,
-            by or "ground",
-            met.place,
-            push,
-            unknowns=unknowns,
-            where=point.label if point and point.body == on else on,
-        )
+        Force(name, on, by or "ground", met.place, push, unknowns=unknowns, where=label)
         for on, by, push in ends
         if on is not None
     )
