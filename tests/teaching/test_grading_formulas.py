@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import statistics
 from collections import Counter
 from functools import cache
-from time import process_time
 
 import pytest
 
@@ -49,21 +47,16 @@ def test_the_tables_are_large() -> None:
 
 
 def test_made_answers() -> None:
-    """None is wrongly called right or wrong; 99 % and more are decided; median and p99 of the time."""
-    ground, spent, undecided = bare_ground(SIGNS), [], 0
-    grade_answer("sqrt(m + g)*m/(m**2 - g**2)", "m", ground)  # loads what is loaded once
+    """None is wrongly called right or wrong; 99 % and more are decided (of the time: test_grading_holdout)."""
+    ground, undecided = bare_ground(SIGNS), 0
     made = made_answers()
     for answer in made:
-        begin = process_time()
         found = grade_answer(answer.answer, answer.key, ground)
-        spent.append(process_time() - begin)
         assert found.status in (Status.RIGHT, Status.WRONG, Status.UNDECIDED), (answer, found)
         undecided += found.status is Status.UNDECIDED
         if found.status is not Status.UNDECIDED:
             assert (found.status is Status.RIGHT) == answer.is_right, answer
     assert undecided <= len(made) / 100
-    assert statistics.median(spent) <= 0.003
-    assert statistics.quantiles(spent, n=100)[98] <= 0.1
 
 
 # --- on the ground of a problem
