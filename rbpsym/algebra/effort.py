@@ -26,11 +26,6 @@ def spend(products: int) -> None:
             raise LimitError("the expression grows beyond what can be expanded exactly")
 
 
-def is_bounded() -> bool:
-    """Whether some bound holds now."""
-    return _left.get() is not None
-
-
 @contextmanager
 def at_most(products: int) -> Iterator[None]:
     """Within it, no more products than these (nor than an outer bound leaves)."""

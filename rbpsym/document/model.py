@@ -138,14 +138,12 @@ class ItemList:
 
 @dataclass(frozen=True, slots=True)
 class Callout:
-    """A framed remark; `kind` is one of CALLOUT_KINDS."""
+    """A framed remark; `kind` is “result”, “why”, “note” or “check”."""
 
     kind: str
     title: Inlines
     blocks: tuple[Block, ...]
 
-
-CALLOUT_KINDS = ("result", "why", "note", "check")
 
 Block = Paragraph | Display | Table | FigureBlock | ItemList | Callout
 

@@ -62,11 +62,6 @@ def scalars_equal(a: Scalar, b: Scalar, assumptions: Assumptions = NONE) -> Verd
     return _guarded(lambda: _decide(a, b, assumptions, ()))
 
 
-def vectors_equal(a: Space, b: Space, assumptions: Assumptions = NONE) -> Verdict:
-    """Whether two vectors are equal, component by component."""
-    return all_of(scalars_equal(x, y, assumptions) for x, y in zip(a.components(), b.components(), strict=True))
-
-
 def compare(a: Scalar, b: Scalar, assumptions: Assumptions = NONE, *, strict: bool = True) -> Verdict:
     """Whether a < b (or a <= b) for all quantities that satisfy the assumptions."""
     return _guarded(lambda: _compare(a, b, assumptions, strict))

@@ -56,11 +56,6 @@ class Witness:
     right: Number
     of: str = ""
 
-    @property
-    def is_exact(self) -> bool:
-        """Whether both sides are exact fractions."""
-        return isinstance(self.left, Fraction) and isinstance(self.right, Fraction)
-
     def __str__(self) -> str:
         parts = [f"cos({a}) = {c}, sin({a}) = {s}" for a, c, s in self.points]
         parts += [f"{name} = {number}" for name, number in self.numbers]

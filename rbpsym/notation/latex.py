@@ -34,11 +34,6 @@ def to_latex(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False)
     return render(layout(node, notation))
 
 
-def to_latex_rows(node: Node, notation: Notation = DEFAULT) -> tuple[str, ...]:
-    """The rows of a chain or system for an aligned block: `lhs &= a`, then `&= b`."""
-    return tuple(_row_pair(pair) for pair in layout_rows(node, notation).rows)
-
-
 def render(box: b.Box) -> str:
     """The LaTeX of boxes."""
     return TABLE[type(box)](box)

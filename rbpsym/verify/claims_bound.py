@@ -99,6 +99,10 @@ class Motion:
         return symbol(name)
 
 
+# how it is written, what finds its value, and what is offered of it to who writes something else
+Phrase = tuple[str, Callable[..., Bound], str]
+
+
 class World(Protocol):
     """A problem or a theory as claims see it; `symbols`: what its own names are printed as, with the names.
 

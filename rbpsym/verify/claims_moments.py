@@ -8,23 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cmp_to_key
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import depends_on, function, root, substitute
+from rbpsym.algebra.calculus import depends_on, root, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.squares import with_squares
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.oscillation import decaying
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, number, plane
+from rbpsym.verify.claims_bound import Bound, Phrase, number, plane
+from rbpsym.verify.claims_oscillations import PHRASES as OSCILLATIONS
+from rbpsym.verify.claims_path import SENSES, first_push
 from rbpsym.verify.claims_refute import work_done
 
 if TYPE_CHECKING:
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from rbpsym.verify.claims_problem import ProblemWorld
 
 See = Callable[[Scalar], Scalar]
-SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}
 
 
 def mapped(found: Bound, see: See, image: Mapping[str, Scalar]) -> Bound:
@@ -148,8 +147,7 @@ def where_rests(world: ProblemWorld, phrase: str, name: str) -> Bound:
     square, begin = motion.squares.get(name), motion.scope.start.get(name)
     if square is None or begin is None:
         raise StatementError(f"the speed of “{name}” as a function of its place is not known")
-    first = motion.scope.start.get(f"{name}_dot") or motion.moved(symbol(f"{name}_ddot"))
-    way = substitute(first, motion.scope.start)
+    way = first_push(motion, name)
     places = [place for place in zeros(square, name) if not is_zero(place - begin)]
     if len(places) != 1 or sign(way * (places[0] - begin), motion.assumptions).kind != "positive":
         raise StatementError(f"the place where “{name}” comes to rest has no single closed form")
@@ -218,72 +216,6 @@ def energy_lost(world: ProblemWorld, name: str) -> Bound:
     return number(_stage(world, name)[1].began.energy_lost)
 
 
-# --- equilibria and oscillations
-
-ORDINALS = {None: None, "lowest ": 0, "second ": 1, "third ": 2, "highest ": -1}
-
-
-def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list:
-    found = [item for item in world.study.equilibria if bool(item.stable) is stable and name in item.at]
-    if not found:
-        raise StatementError(f"no {'' if stable else 'un'}stable equilibrium of “{name}” is known")
-    return found
-
-
-def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
-    """An angular frequency of small oscillations about the stable equilibrium."""
-    squares = [s for item in _equilibria(world, name, True)[:1] for s in item.frequencies_squared]
-    place = ORDINALS[ordinal]
-    if not squares:
-        said = ", ".join(f"“{kind} of {name}”" for kind in OF_MODE)
-        raise StatementError(f"no undamped oscillations of “{name}” are known", instead=f"of a damped motion: {said}.")
-    if place is None and len(squares) > 1:
-        raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
-    if place is not None and place >= len(squares):
-        raise StatementError(f"there are only {len(squares)} frequencies")
-    return number(function("sqrt", _ordered(world, squares)[place or 0]))
-
-
-def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
-    """From the lowest to the highest, for all parameters. Raises StatementError if that depends on them."""
-    return sorted(values, key=cmp_to_key(lambda a, b: _compared(world, a, b)))
-
-
-def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
-    found = SENSES.get(sign(a - b, world.motion.assumptions).kind)
-    if found is None:
-        raise StatementError("which of the frequencies is the lower one depends on the parameters, or is not decided")
-    return found
-
-
-def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
-    """γ, or a frequency, of the one mode λ² + 2γλ + ϑ² about the stable equilibrium."""
-    modes = [decaying(powers) for item in _equilibria(world, name, True)[:1] for powers in item.linear.factors]
-    if len(modes) != 1 or not modes[0][1]:
-        raise StatementError(f"the motion of “{name}” is not that of one mode")
-    return number(OF_MODE[kind](*modes[0]))
-
-
-OF_MODE = {
-    "decay rate": lambda decay, square: decay,
-    "damped frequency": lambda decay, square: function("sqrt", square - decay * decay),
-    "undamped frequency": lambda decay, square: function("sqrt", square),
-}
-
-
-def period(world: ProblemWorld, name: str) -> Bound:
-    """The period of small oscillations."""
-    return number(PI * 2 / frequency(world, None, name).scalar)
-
-
-def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
-    """The place of the one stable (unstable) equilibrium."""
-    found = _equilibria(world, name, not unstable)
-    if len(found) > 1:
-        raise StatementError(f"“{name}” has {len(found)} such equilibria")
-    return number(found[0].at[name])
-
-
 def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
     """f/N of a contact that static friction holds."""
     needs = {item.constraint: item for item in world.study.friction_needs}
@@ -301,42 +233,19 @@ def needed_friction(world: ProblemWorld, contact: str) -> Bound:
 
 
 _W = r"([\w-]+)"
-PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
-    (rf"impulse of (\w+) when {_W} begins", impulse),
-    (rf"energy lost when {_W} begins", energy_lost),
-    (rf"(.+) when {_W} begins", when_begins),
-    (rf"(.+) just before {_W}", just_before),
-    (r"time until (\w+) = (.+)", time_until),
-    (rf"time until {_W}", until),
-    (r"(.+) where (\w+) = (.+)", where_equal),
-    (r"(.+) where (\w+) vanishes", where_vanishes),
-    (r"(.+) where (\w+) comes to rest", where_rests),
-    (r"(.+) in ([\w./-]+)", elsewhere),
-    (r"start of (.+)", start),
-    (r"(lowest |second |third |highest )?frequency of (\w+)", frequency),
-    (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode),
-    (r"period of (\w+)", period),
-    (r"(unstable )?equilibrium of (\w+)", equilibrium),
-    (r"friction ratio at (\w+)", friction_ratio),
-    (r"friction coefficient needed at (\w+)", needed_friction),
-)
-EXAMPLES = (
-    "speed of COORDINATE where COORDINATE = VALUE",
-    "start of FORCE",
-    "COORDINATE where FORCE vanishes",
-    "COORDINATE where COORDINATE comes to rest",
-    "time until COORDINATE = VALUE",
-    "speed of COORDINATE when PHASE begins",
-    "speed of COORDINATE just before PHASE",
-    "time until PHASE",
-    "impulse of FORCE when PHASE begins",
-    "energy lost when PHASE begins",
-    "frequency of COORDINATE",
-    "lowest frequency of COORDINATE",
-    "damped frequency of COORDINATE",
-    "decay rate of COORDINATE",
-    "period of COORDINATE",
-    "equilibrium of COORDINATE",
-    "friction ratio at CONTACT",
-    "friction coefficient needed at CONTACT",
+PHRASES: tuple[Phrase, ...] = (
+    (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of FORCE when PHASE begins"),
+    (rf"energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
+    (rf"(.+) when {_W} begins", when_begins, "speed of COORDINATE when PHASE begins"),
+    (rf"(.+) just before {_W}", just_before, "speed of COORDINATE just before PHASE"),
+    (r"time until (\w+) = (.+)", time_until, "time until COORDINATE = VALUE"),
+    (rf"time until {_W}", until, "time until PHASE"),
+    (r"(.+) where (\w+) = (.+)", where_equal, "speed of COORDINATE where COORDINATE = VALUE"),
+    (r"(.+) where (\w+) vanishes", where_vanishes, "COORDINATE where FORCE vanishes"),
+    (r"(.+) where (\w+) comes to rest", where_rests, "COORDINATE where COORDINATE comes to rest"),
+    (r"(.+) in ([\w./-]+)", elsewhere, ""),
+    (r"start of (.+)", start, "start of FORCE"),
+    *OSCILLATIONS,
+    (r"friction ratio at (\w+)", friction_ratio, "friction ratio at CONTACT"),
+    (r"friction coefficient needed at (\w+)", needed_friction, "friction coefficient needed at CONTACT"),
 )

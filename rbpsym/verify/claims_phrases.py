@@ -6,22 +6,19 @@ translational”. A new phrase is a new row of PHRASES.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.vector import ORIGIN, Space
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
-from rbpsym.mechanics.system import Force
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, axial, number, plane
-from rbpsym.verify.claims_moments import EXAMPLES as AT_MOMENTS
+from rbpsym.verify.claims_bound import Bound, Phrase, axial, number, plane
 from rbpsym.verify.claims_moments import PHRASES as MOMENTS
 
 if TYPE_CHECKING:
@@ -112,17 +109,17 @@ def _couple(world: ProblemWorld, names: str, on: str) -> Bound:
     return axial(sum(found, NOTHING))
 
 
-def _power(world: ProblemWorld, forces: Iterable[Force], part: str | None) -> Scalar:
+def _power(world: ProblemWorld, names: str, on: str | None, part: str | None) -> Bound:
     total = NOTHING
-    for force in forces:
+    for force in world.forces(names, on or "system"):
         state = world.study.system.bodies[force.on]
         push, turn = force.vector.dot(state.velocity), torque_about_center(force, state) * state.omega
         total = total + {"translational": push, "rotational": turn}.get(part or "", push + turn)
-    return total
+    return number(total)
 
 
 def _work(world: ProblemWorld, names: str, on: str | None, part: str | None) -> Bound:
-    return number(world.motion.work(_power(world, world.forces(names, on or "system"), part)))
+    return number(world.motion.work(_power(world, names, on, part).scalar))
 
 
 def _axis_work(world: ProblemWorld, names: str, on: str | None, about: str) -> Bound:
@@ -177,55 +174,38 @@ _B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+)", r"([\w, ]+?)"
 _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
-PHRASES: tuple[tuple[str, Callable[..., Bound]], ...] = (
+PHRASES: tuple[Phrase, ...] = (
     *MOMENTS,
-    (r"kinetic energy of the system relative to its centre of mass", _relative),
-    (r"minus (.+)", _minus),
-    (r"magnitude of (.+)", _magnitude),
-    (r"([xyz]) component of (.+)", _component),
-    (r"rate of (.+)", _rate),
-    (r"(?:speed|velocity) of ([\w]+)", _of_coordinate(1)),
-    (r"acceleration of ([\w]+)", _of_coordinate(2)),
-    (rf"position of {_P}(?: from {_P})?", _of_point(0)),
-    (rf"velocity of {_P}", _of_point(1)),
-    (rf"acceleration of {_P}", _of_point(2)),
-    (rf"angular velocity of {_B}", lambda world, name: axial(world.body(name).omega)),
-    (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha)),
-    (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING))),
-    (rf"moment of inertia of {_B}{_ABOUT}", _moment),
-    (rf"linear momentum of {_B}", _momentum),
-    (rf"angular momentum of {_B}{_ABOUT}{_PART}", _angular_momentum),
-    (rf"(net|external) force{_ON}", _force),
-    (rf"forces? {_F}{_ON}", _force),
-    (rf"(net|external) torque{_ON}{_ABOUT}", _torque),
-    (rf"torque of {_F}{_ON}{_ABOUT}", _torque),
-    (rf"couple of {_F}{_ON}", _couple),
-    (rf"(net|external) work{_ON}{_HALF}", _work),
-    (rf"(net|external) work{_ON} about {_P}", _axis_work),
-    (rf"work of {_F}{_ON}? about {_P}", _axis_work),
-    (rf"work of {_F}{_ON}?{_HALF}", _work),
-    (rf"kinetic energy(?: of {_B})?{_HALF}", _kinetic),
-    (rf"potential energy(?: of {_B})?", _potential),
-    (r"energy(, up to a constant)?", _energy),
-    (r"Lagrangian", _lagrangian),
-    (rf"radius of gyration of {_B}{_ABOUT}", _gyration),
-    (
-        rf"power of {_F}{_ON}?{_HALF}",
-        lambda world, names, on, part: number(_power(world, world.forces(names, on or "system"), part)),
-    ),
+    (r"kinetic energy of the system relative to its centre of mass", _relative, ""),
+    (r"minus (.+)", _minus, ""),
+    (r"magnitude of (.+)", _magnitude, ""),
+    (r"([xyz]) component of (.+)", _component, ""),
+    (r"rate of (.+)", _rate, ""),
+    (r"(?:speed|velocity) of ([\w]+)", _of_coordinate(1), ""),
+    (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
+    (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
+    (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
+    (rf"acceleration of {_P}", _of_point(2), ""),
+    (rf"angular velocity of {_B}", lambda world, name: axial(world.body(name).omega), ""),
+    (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha), ""),
+    (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING)), ""),
+    (rf"moment of inertia of {_B}{_ABOUT}", _moment, "moment of inertia of BODY about O"),
+    (rf"linear momentum of {_B}", _momentum, ""),
+    (rf"angular momentum of {_B}{_ABOUT}{_PART}", _angular_momentum, "angular momentum of BODY about O"),
+    (rf"(net|external) force{_ON}", _force, ""),
+    (rf"forces? {_F}{_ON}", _force, ""),
+    (rf"(net|external) torque{_ON}{_ABOUT}", _torque, "net torque on BODY about O"),
+    (rf"torque of {_F}{_ON}{_ABOUT}", _torque, ""),
+    (rf"couple of {_F}{_ON}", _couple, ""),
+    (rf"(net|external) work{_ON}{_HALF}", _work, ""),
+    (rf"(net|external) work{_ON} about {_P}", _axis_work, ""),
+    (rf"work of {_F}{_ON}? about {_P}", _axis_work, ""),
+    (rf"work of {_F}{_ON}?{_HALF}", _work, "work of FORCE on BODY, translational"),
+    (rf"kinetic energy(?: of {_B})?{_HALF}", _kinetic, "kinetic energy of BODY"),
+    (rf"potential energy(?: of {_B})?", _potential, ""),
+    (r"energy(, up to a constant)?", _energy, "energy"),
+    (r"Lagrangian", _lagrangian, ""),
+    (rf"radius of gyration of {_B}{_ABOUT}", _gyration, ""),
+    (rf"power of {_F}{_ON}?{_HALF}", _power, ""),
 )
-EXAMPLES = (
-    "velocity of BODY.cm",
-    "acceleration of COORDINATE",
-    "angular momentum of BODY about O",
-    "net torque on BODY about O",
-    "work of FORCE on BODY, translational",
-    "kinetic energy of BODY",
-    "energy",
-    "moment of inertia of BODY about O",
-    "position of BODY.cm",
-    *AT_MOMENTS,
-    "a constant",
-    "unknown",
-    "defined here",
-)
+EXAMPLES = (*(example for *_, example in PHRASES if example), "a constant", "unknown", "defined here")

@@ -110,7 +110,7 @@ class ProblemWorld:
         text = " ".join(phrase.split())
         if text in KINDS:
             return Bound(kind=KINDS[text])
-        for pattern, resolve in PHRASES:
+        for pattern, resolve, _ in PHRASES:
             found = re.fullmatch(pattern, text)
             if found:
                 return resolve(self, *found.groups())

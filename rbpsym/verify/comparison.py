@@ -5,7 +5,7 @@ Parameters of the same name are the same quantities.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, root, substitute
@@ -16,13 +16,14 @@ from rbpsym.algebra.present import present, present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
-from rbpsym.derivation.step import STANDARD, BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
+from rbpsym.derivation.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.source import did_you_mean
@@ -153,44 +154,50 @@ class _Context:
 
 @dataclass(frozen=True)
 class _Pair:
-    first: Study
-    second: Study
+    studies: tuple[Study, Study]
     context: _Context
     compared: Compared
     steps: list[Step] = field(default_factory=list)
 
-    def add(self, id: str, statement: t.Node, phrase: str, check=c.identity, is_result: bool = False, **slots) -> None:
-        """Adds a checked step."""
-        step = Step(id, check.__name__, statement, "comparison", phrase, slots, (), STANDARD, is_result)
-        verdict = c.guarded(lambda: check(self.context, step))
-        self.steps.append(told(replace(step, certificate=Certificate((check.__name__,), verdict))))
+    def add(
+        self,
+        id: str,
+        statement: t.Node,
+        phrase: str,
+        *premises: str,
+        scalars: Mapping[str, Scalar] | None = None,
+        check: str = c.identity.__name__,
+        **slots: object,
+    ) -> None:
+        """Adds a checked step, which may know other values than those of the whole comparison."""
+        rule = "inequality" if phrase.startswith("order.") else c.identity.__name__
+        step = Step(id, rule, statement, "comparison", f"comparison.{phrase}", slots, premises)
+        context = self.context if scalars is None else replace(self.context, scalars=dict(scalars))
+        verdict = c.guarded(lambda: c.identity(context, step))
+        self.steps.append(told(replace(step, certificate=Certificate((check,), verdict))))
+
+    def rows(self, letters: Iterable[t.Node], values: Iterable[Scalar]) -> t.System:
+        """Each letter with its value in the one problem and in the other."""
+        given = zip(letters, values, self.studies, strict=True)
+        return t.System(tuple(t.equation(one, present(value, study.style, factor=True)) for one, value, study in given))
 
 
 def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
     """The lesson. Raises StatementError if the problems have nothing that `part` can compare."""
-    found = compared(first, second, part)
-    pair = _Pair(first, second, _Context(_common(first, second), found.scalars()), found)
-    for k, (study, letter, shown) in enumerate(zip((first, second), found.letters(), found.shown, strict=True), 1):
-        pair.add(
-            f"frequency.{k}",
-            t.equation(letter, shown),
-            f"comparison.{found.of}",
-            title=dict(study.problem.title),
-            problem=study.problem.name,
-        )
+    found, problems = compared(first, second, part), (first.problem, second.problem)
+    pair = _Pair((first, second), _Context(_common(first, second), found.scalars()), found)
+    for k, (problem, letter, shown) in enumerate(zip(problems, found.letters(), found.shown, strict=True), 1):
+        title = dict(problem.title)
+        pair.add(f"frequency.{k}", t.equation(letter, shown), found.of, title=title, problem=problem.name)
     _order(pair)
     _ratio(pair)
     _moments(pair)
     _reasons(pair)
     if part.limit:
         _limit(pair, part)
-    return Lesson(
-        "comparison",
-        f"{first.problem.name}-{second.problem.name}",
-        tuple(pair.steps),
-        {"first": dict(first.problem.title), "second": dict(second.problem.title)},
-        first.problem.notation,
-    )
+    titles = {name: dict(problem.title) for name, problem in zip(("first", "second"), problems, strict=True)}
+    name = "-".join(problem.name for problem in problems)
+    return Lesson("comparison", name, tuple(pair.steps), titles, first.problem.notation)
 
 
 def _common(first: Study, second: Study) -> Assumptions:
@@ -207,120 +214,83 @@ def _order(pair: _Pair) -> None:
     op = {"positive": "<", "negative": ">", "zero": "=", "nonnegative": "<=", "nonpositive": ">="}.get(found)
     if op is None:
         return
-    letters = [t.Sym(name) for name in pair.compared.names]
-    step = Step(
+    first, second = (t.neg(t.Sym(name)) if turned else t.Sym(name) for name in pair.compared.names)
+    both = ("frequency.1", "frequency.2")
+    pair.add(
         "order",
-        "inequality",
-        t.relation(*((t.neg(letters[0]), op, t.neg(letters[1])) if turned else (letters[0], op, letters[1]))),
-        "comparison",
-        f"comparison.order.{NAMES[op]}",
-        {"sources": [StepRef("frequency.1"), StepRef("frequency.2")], "faster": _titles(pair, op)},
-        ("frequency.1", "frequency.2"),
-        STANDARD,
-        True,
+        t.relation(first, op, second),
+        f"order.{NAMES[op]}",
+        *both,
+        scalars=dict(zip(pair.compared.names, values, strict=True)),
+        check="squares of positive numbers" if pair.compared.power == 2 else c.identity.__name__,
+        sources=list(map(StepRef, both)),
+        faster=dict(pair.studies[op in ("<", "<=")].problem.title),
     )
-    context = replace(pair.context, scalars=dict(zip(pair.compared.names, values, strict=True)))
-    verdict = c.guarded(lambda: c.identity(context, step))
-    checks = ("squares of positive numbers",) if pair.compared.power == 2 else (c.identity.__name__,)
-    pair.steps.append(told(replace(step, certificate=Certificate(checks, verdict))))
 
 
 NAMES = {"<": "less", ">": "greater", "=": "equal", "<=": "less", ">=": "greater"}
 
 
-def _titles(pair: _Pair, op: str) -> dict:
-    faster = pair.second if op in ("<", "<=") else pair.first
-    return dict(faster.problem.title)
-
-
 def _ratio(pair: _Pair) -> None:
     """(ϑ₂/ϑ₁)² = 1 + what makes the difference."""
-    from rbpsym.algebra.present import present
-
     first, second = pair.compared.values
     if is_zero(second - first):
         return
     letters = pair.compared.letters()
-    ratio, style = short(second / first), pair.first.style
+    ratio, style = short(second / first), pair.studies[0].style
     one_more = t.add(t.ONE, present(short(ratio - 1), style, factor=True))
-    plain = present(ratio, style, factor=True)
-    shown = one_more if pair.compared.of == "oscillation" else plain
-    phrase = "comparison.ratio.squares" if pair.compared.power == 2 else "comparison.ratio.plain"
+    shown = one_more if pair.compared.of == "oscillation" else present(ratio, style, factor=True)
+    phrase = "ratio.squares" if pair.compared.power == 2 else "ratio.plain"
     pair.add("ratio", t.equation(t.Div(letters[1], letters[0]), shown), phrase)
+
+
+def _common_bodies(pair: _Pair) -> Iterator[tuple[str, list[BodyState]]]:
+    """The bodies of one name, in the one problem and in the other."""
+    first, second = (study.system.bodies for study in pair.studies)
+    yield from ((name, [first[name], second[name]]) for name in first if name in second)
 
 
 def _moments(pair: _Pair) -> None:
     """Bodies of one name that differ in their moments of inertia."""
-    from rbpsym.algebra.present import present
-
-    for name in pair.first.system.bodies:
-        other = pair.second.system.bodies.get(name)
-        own = pair.first.system.bodies[name].moment
-        if other is None or not own or not other.moment or is_zero(own - other.moment):
-            continue
-        names = [f"I_{name}_{k}" for k in (1, 2)]
-        pair.context.scalars.update(zip(names, (own, other.moment), strict=True))
-        rows = [
-            t.equation(t.Sym(letter), present(value, study.style, factor=True))
-            for letter, value, study in zip(names, (own, other.moment), (pair.first, pair.second), strict=True)
-        ]
-        pair.add(f"moments.{name}", t.System(tuple(rows)), "comparison.moments", body=BodyRef(name))
+    for name, states in _common_bodies(pair):
+        own, other = moments = [state.moment for state in states]
+        if own and other and not is_zero(own - other):
+            names = [f"I_{name}_{k}" for k in (1, 2)]
+            pair.context.scalars.update(zip(names, moments, strict=True))
+            pair.add(f"moments.{name}", pair.rows(map(t.Sym, names), moments), "moments", body=BodyRef(name))
 
 
 def _reasons(pair: _Pair) -> None:
     """Bodies whose spin part of L changes in one problem and not in the other."""
-    for name in pair.first.system.bodies:
-        if name not in pair.second.system.bodies:
-            continue
-        kept = [_spin_is_kept(study, name) for study in (pair.first, pair.second)]
-        if kept[0] == kept[1]:
-            continue
-        study = pair.second if kept[1] else pair.first
-        other = pair.first if kept[1] else pair.second
-        _spin_steps(pair, name, study, other)
+    for name, states in _common_bodies(pair):
+        both = list(zip(pair.studies, states, strict=True))
+        kept = [bool(state.moment) and is_zero(study.on_motion(state.moment * state.alpha)) for study, state in both]
+        if kept[0] != kept[1]:
+            _spin_steps(pair, name, both[::-1] if kept[0] else both)
 
 
-def _spin_is_kept(study: Study, name: str) -> bool:
-    state = study.system.bodies[name]
-    return bool(state.moment) and is_zero(study.on_motion(state.moment * state.alpha))
-
-
-def _spin_steps(pair: _Pair, name: str, free: Study, bound: Study) -> None:
+def _spin_steps(pair: _Pair, name: str, bound_and_free: Sequence[tuple[Study, BodyState]]) -> None:
     """d(I ω)/dt = τ_cm in both problems."""
-    from rbpsym.algebra.present import present
-
-    for study, word in ((bound, "bound"), (free, "free")):
-        state = study.system.bodies[name]
+    for (study, state), word in zip(bound_and_free, ("bound", "free"), strict=True):
         torque = sum((torque_about_center(f, state) for f in study.system.on(name)), NOTHING)
         rate = study.on_motion(state.moment * state.alpha)
-        letter = t.Vec(f"omega_{name}")
-        moment = t.Sym(f"I_{name}")
-        pair.context.scalars[f"rate_{name}_{word}"] = rate
-        context = replace(pair.context, scalars={f"tau_cm_{name}": study.on_motion(torque)})
-        statement = t.equation(t.Sym(f"tau_cm_{name}"), present(rate, study.style, factor=True))
-        step = Step(
+        letter = f"tau_cm_{name}"
+        pair.add(
             f"spin.{word}.{name}",
-            "identity",
-            statement,
-            "comparison",
-            f"comparison.spin.{word}",
-            {
-                "body": BodyRef(name),
-                "spin": t.mul(moment, letter),
-                "title": dict(study.problem.title),
-                "silent": PhraseRef("comparison.because", {}),
-            },
-            ("order",),
+            t.equation(t.Sym(letter), present(rate, study.style, factor=True)),
+            f"spin.{word}",
+            "order",
+            scalars={letter: study.on_motion(torque)},
+            body=BodyRef(name),
+            spin=t.mul(t.Sym(f"I_{name}"), t.Vec(f"omega_{name}")),
+            title=dict(study.problem.title),
+            silent=PhraseRef("comparison.because", {}),
         )
-        verdict = c.guarded(lambda context=context, step=step: c.identity(context, step))
-        pair.steps.append(told(replace(step, certificate=Certificate(("identity",), verdict))))
 
 
 def _limit(pair: _Pair, part: CoursePart) -> None:
     """What both tend to when the parameter tends to zero (both are continuous there)."""
-    from rbpsym.algebra.present import present
-
-    known = {q.name for study in (pair.first, pair.second) for q in study.problem.parameters}
+    known = {q.name for study in pair.studies for q in study.problem.parameters}
     if part.limit not in known:
         raise part.error("limit", f"no parameter is called “{part.limit}”", did_you_mean(part.limit, known))
     try:
@@ -328,12 +298,8 @@ def _limit(pair: _Pair, part: CoursePart) -> None:
     except ZeroDivisionError:
         what = f"what is compared has no limit where “{part.limit}” tends to zero"
         raise part.error("limit", what, "name another parameter, or leave the limit out.") from None
-    rows = [
-        t.equation(t.Limit(letter, part.limit, t.ZERO), present(end, pair.first.style, factor=True))
-        for letter, end in zip(pair.compared.letters(), ends, strict=True)
-    ]
-    phrase = f"comparison.limit.{_limit_kind(pair, ends, part.limit)}"
-    pair.add("limit", t.System(tuple(rows)), phrase, parameter=t.Sym(part.limit))
+    rows = pair.rows((t.Limit(letter, part.limit, t.ZERO) for letter in pair.compared.letters()), ends)
+    pair.add("limit", rows, f"limit.{_limit_kind(pair, ends, part.limit)}", parameter=t.Sym(part.limit))
 
 
 def _limit_kind(pair: _Pair, ends: list[Scalar], name: str) -> str:
@@ -341,6 +307,6 @@ def _limit_kind(pair: _Pair, ends: list[Scalar], name: str) -> str:
     if not is_zero(ends[0] - ends[1]):
         return "differ"
     told = [step.id.rpartition(".")[2] for step in pair.steps if step.id.startswith("spin.")]
-    states = [study.system.bodies[body] for body in told for study in (pair.first, pair.second)]
+    states = [study.system.bodies[body] for body in told for study in pair.studies]
     gone = all(is_zero(substitute(state.moment, {name: NOTHING})) for state in states)
     return "agree_without_spin" if states and gone else "agree"

@@ -19,6 +19,7 @@ from rbpsym.document.figures.svg import SCALE, number, to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.statement.shapes import SHAPES
+from tests.document.collisions import collisions
 from tests.document.gallery import GALLERY
 from tests.document.samples import SKETCHES, ladder, pendulum
 
@@ -33,12 +34,12 @@ POSES = [pendulum(n / 5) for n in range(-12, 13)] + [
 
 @pytest.mark.parametrize("name", SCENES)
 def test_no_label_collides(name: str) -> None:
-    assert placing.collisions(placing.placed(SCENES[name])) == []
+    assert collisions(placing.placed(SCENES[name])) == []
 
 
 def test_no_label_lies_on_another_in_any_pose() -> None:
     for sketch in POSES:
-        found = placing.collisions(placing.placed(schematic(sketch)))
+        found = collisions(placing.placed(schematic(sketch)))
         assert not [pair for pair in found if isinstance(pair[1], Label)]
 
 
@@ -46,9 +47,9 @@ def test_a_collision_is_found() -> None:
     line = Line(((-1, 0), (1, 0)))
     here = Label("x", (0, 0), place=(0.0, 0.0), size=(0.2, 0.2))
     aside = Label("x", (0, 0), place=(0.0, 0.3), size=(0.2, 0.2))
-    assert placing.collisions(Scene((line,), (here,)))
-    assert not placing.collisions(Scene((line,), (aside,)))
-    assert placing.collisions(Scene((), (here, here)))
+    assert collisions(Scene((line,), (here,)))
+    assert not collisions(Scene((line,), (aside,)))
+    assert collisions(Scene((), (here, here)))
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 
 from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
-from rbpsym.document.figures.placing import collisions, placed
+from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Scene
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch
@@ -23,6 +23,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.library import problem_files
 from tests.architecture.source import ROOT
+from tests.document.collisions import collisions
 from tests.library.derived import derived_from
 
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*/*.toml"))

@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 
-from rbpsym.document.figures.placing import collisions, placed
+from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Label, Line
 from rbpsym.document.notes import notation_of
 from rbpsym.document.plots.motion import Motion, motion
@@ -15,6 +15,7 @@ from rbpsym.document.plots.panel import Panel, scene
 from rbpsym.document.plots.sampling import turns
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.statement.library import problem_files
+from tests.document.collisions import collisions
 from tests.library.derived import derived
 
 MOVING = [name for name, path in problem_files().items() if "[coordinates" in path.read_text(encoding="utf-8")]

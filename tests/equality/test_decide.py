@@ -11,9 +11,9 @@ import pytest
 from rbpsym.algebra.evaluate import Scope
 from rbpsym.algebra.scalar import PI, generator_of, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.algebra.vector import EX, EY, Space
+from rbpsym.algebra.vector import EX, Space
 from rbpsym.equality.assumptions import Assumptions, positive
-from rbpsym.equality.decide import compare, equal, scalars_equal, vectors_equal
+from rbpsym.equality.decide import compare, equal, scalars_equal
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, all_of, proved, undecided
 from rbpsym.errors import ReadError
 from rbpsym.notation import tree as t
@@ -65,7 +65,7 @@ def test_obligations_of_a_formula(left: str, assuming: str, open_ones: int) -> N
 
 def test_witness_is_small_and_readable() -> None:
     verdict = decide("sin(2*theta)", "sin(theta)")
-    assert verdict.witness.is_exact
+    assert isinstance(verdict.witness.left, Fraction) and isinstance(verdict.witness.right, Fraction)
     assert str(verdict) == "REFUTED: at cos(theta) = 4/5, sin(theta) = 3/5: left = 24/25, right = 3/5"
 
 
@@ -117,13 +117,6 @@ def test_a_vector_is_no_scalar() -> None:
     with pytest.raises(ReadError):
         equal(t.Unit("x"), t.ONE)
     assert equal(t.Add((t.Unit("x"), t.Neg(t.Unit("x")))), t.ZERO).is_proved
-
-
-def test_vectors_equal() -> None:
-    a = symbol("a")
-    turned = Space(EX * cosine(a) + EY * sine(a))
-    assert vectors_equal(turned, turned).is_proved
-    assert vectors_equal(turned, Space(EX * cosine(a) - EY * sine(a))).is_refuted
 
 
 def test_a_point_that_satisfies_a_relation_between_ranges() -> None:

@@ -3,7 +3,7 @@
 import pytest
 
 from rbpsym.notation.infix import read_infix
-from rbpsym.notation.latex import to_latex, to_latex_rows
+from rbpsym.notation.latex import to_latex
 from rbpsym.notation.text import to_text
 from tests.notation.samples import CALCULUS, RELATIONS, SCALARS, VECTORS
 
@@ -81,10 +81,8 @@ def test_vectors_are_set():
 
 
 def test_a_chain_is_set_in_rows():
-    assert to_latex_rows(RELATIONS["alpha"]) == (
-        r"\alpha &= \frac{d^2\theta}{dt^2}",
-        r"&= -\frac{3 g}{4 \ell} \cos\theta",
-    )
+    rows = (r"\alpha &= \frac{d^2\theta}{dt^2}", r"&= -\frac{3 g}{4 \ell} \cos\theta")
+    assert to_latex(RELATIONS["alpha"], aligned=True) == rf"\begin{{aligned}} {rows[0]} \\ {rows[1]} \end{{aligned}}"
 
 
 def test_the_ladder_in_one_line_of_text():

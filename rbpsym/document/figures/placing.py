@@ -124,13 +124,3 @@ def crosses(stroke: Stroke, box: Box) -> bool:
         one, two = sorted((near / step, far / step))
         low, high = max(low, one), min(high, two)
     return low < high
-
-
-def collisions(scene: s.Scene) -> list[tuple[s.Label, object]]:
-    """Each label that lies on another one or on a line, with what it lies on."""
-    strokes = tuple(strokes_of(scene))
-    found: list[tuple[s.Label, object]] = []
-    for place, label in enumerate(scene.labels):
-        found += [(label, other) for other in scene.labels[:place] if overlap(label.box, other.box)]
-        found += [(label, stroke) for stroke in strokes if crosses(stroke, label.box)]
-    return found

@@ -1,0 +1,16 @@
+"""What lies on what in a drawing whose labels have their places."""
+
+from __future__ import annotations
+
+from rbpsym.document.figures.placing import crosses, overlap, strokes_of
+from rbpsym.document.figures.scene import Label, Scene
+
+
+def collisions(scene: Scene) -> list[tuple[Label, object]]:
+    """Pairs of a label and another label or a stroke that lies on it."""
+    strokes = tuple(strokes_of(scene))
+    found: list[tuple[Label, object]] = []
+    for place, label in enumerate(scene.labels):
+        found += [(label, other) for other in scene.labels[:place] if overlap(label.box, other.box)]
+        found += [(label, stroke) for stroke in strokes if crosses(stroke, label.box)]
+    return found
