@@ -8,7 +8,7 @@
 # make lint    style, by ruff
 # make bench   how fast, as ratios
 # make library the table of the library: steps, proofs, seconds; also in build/library.txt
-# make docs    write the reference pages of docs/ anew
+# make docs    write the reference pages of docs/ anew and build the site, with the gallery, in build/docs
 # make clean   remove what was written, but for .venv
 #
 # Needs python3 (3.11 or newer, with venv) and make; the rest is put into .venv.
@@ -70,8 +70,11 @@ library: $(VENV)/run.stamp
 	@mkdir -p $(OUT)
 	@$(BIN)/python benchmarks/library.py > $(OUT)/library.txt; found=$$?; cat $(OUT)/library.txt; exit $$found
 
-docs: $(VENV)/run.stamp
+docs: $(VENV)/docs.stamp
 	$(BIN)/python docs/build.py
+	$(BIN)/python docs/gallery.py $(OUT)/gallery
+	$(BIN)/python -m sphinx -q -W --keep-going -D html_extra_path=$(abspath $(OUT)/gallery) docs $(OUT)/docs
+	@echo $(OUT)/docs/index.html
 
 clean:
 	rm -rf $(OUT) dist .pytest_cache .ruff_cache .hypothesis
@@ -89,3 +92,7 @@ $(VENV)/run.stamp: pyproject.toml | $(BIN)/python
 $(VENV)/dev.stamp: pyproject.toml | $(BIN)/python
 	$(PIP) install --editable '.[dev]'
 	@touch $@ $(VENV)/run.stamp
+
+$(VENV)/docs.stamp: pyproject.toml | $(BIN)/python
+	$(PIP) install --editable '.[docs]'
+	@touch $@

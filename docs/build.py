@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -189,8 +190,73 @@ def solve_page() -> str:
     return f"{intro('solve')}\n\n```json\n{json.dumps(answer, indent=2, ensure_ascii=False)}\n```\n"
 
 
+# --- cli.md, api.md
+
+
+def commands_page() -> str:
+    """Each command as its --help tells it."""
+    import click
+
+    from rbpsym.cli import COMMANDS, main
+
+    parts = ["# The command line\n", "Every command tells the same with `--help`.\n"]
+    for name in COMMANDS:
+        command = main.get_command(click.Context(main), name)
+        context = click.Context(command, info_name=f"rbpsym {name}", max_content_width=100, terminal_width=100)
+        parts += [f"## `rbpsym {name}`\n", f"```text\n{command.get_help(context)}\n```\n"]
+    return "\n".join(parts)
+
+
+def api_page() -> str:
+    """The public names with their signatures and docstrings; those that make parts of a problem by what they make."""
+    import rbpsym
+    from rbpsym.statement import build as makers
+
+    parts = ["# The public names\n", "All of them are names of the package `rbpsym`.\n", "## Functions and classes\n"]
+    parts += [api_part(name, getattr(rbpsym, name)) for name in rbpsym.__all__ if name != "__version__"]
+    parts += ["## Parts of a problem\n", "A function for each kind; the keys are those of [the statement](statement.md).\n"]
+    parts += [api_part(name, getattr(makers, name)) for name in makers.__all__]
+    return "\n".join(parts)
+
+
+def api_part(name: str, found: Callable) -> str:
+    """One public name: its signature, what its docstring says, its members."""
+    signature = f"class rbpsym.{name}" if isinstance(found, type) else f"rbpsym.{name}{shape(found)}"
+    code = re.sub(r"((?:^>>> .*\n?(?:^(?!>>> |$).*\n?)*)+)", r"```python\n\1\n```\n", inspect.getdoc(found) or "", flags=re.M)
+    text = f"### `{name}`\n\n```text\n{signature}\n```\n\n{code}\n"
+    return text + "".join(["\n", *map(api_member, members(found))]) if isinstance(found, type) else text
+
+
+def shape(function: Callable) -> str:
+    """The parameters of a function with their types, as one would write them."""
+    found = inspect.signature(function)
+    parts = [re.sub(r": '([^']*)'", r": \1", re.sub(r"<function .*>", "...", str(each))) for each in found.parameters.values()]
+    named = [each.kind is each.KEYWORD_ONLY for each in found.parameters.values()]
+    if any(named):
+        parts.insert(named.index(True), "*")
+    inside = ", ".join(parts) if sum(map(len, parts)) < 70 else "\n    " + ",\n    ".join(parts) + ",\n"
+    result = "" if found.return_annotation is found.empty else f" -> {found.return_annotation}"
+    return f"({inside}){result}"
+
+
+def members(found: type) -> Iterator[tuple[str, object]]:
+    """The public methods and properties of a class that say what they are, from the package alone."""
+    for name in dir(found):
+        member = inspect.getattr_static(found, name)
+        function = getattr(member, "fget", None) or getattr(member, "func", None) or getattr(member, "__func__", member)
+        if not name.startswith("_") and inspect.isfunction(function) and function.__module__.startswith("rbpsym."):
+            yield name, function
+
+
+def api_member(entry: tuple[str, Callable]) -> str:
+    """One line for a member of a class."""
+    name, function = entry
+    return f"- `.{name}`: {' '.join((inspect.getdoc(function) or '').split(chr(10) * 2)[0].split())}\n"
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
-    "statement.md": statement_page, "errors.md": errors_page, "solve.md": solve_page,
+    "statement.md": statement_page, "errors.md": errors_page, "solve.md": solve_page, "cli.md": commands_page,
+    "api.md": api_page,
 }  # fmt: skip
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ def build():
     return module
 
 
-@pytest.mark.parametrize("name", ["statement.md", "errors.md", "solve.md"])
+@pytest.mark.parametrize("name", build().PAGES)
 def test_pages_are_up_to_date(name: str) -> None:
     assert (DOCS / name).read_text(encoding="utf-8") == build().PAGES[name](), "run make docs"
 
@@ -85,8 +85,8 @@ def test_the_page_of_the_answer_tells_every_key() -> None:
 # --- README
 
 
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"^```{language}\n(.*?)^```", README, re.S | re.M)
+def blocks(language: str, text: str = README) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.S | re.M)
 
 
 def test_readme_opens_with_two_commands() -> None:
@@ -114,7 +114,8 @@ def test_readme_problem_is_derived(text: str) -> None:
 
 def told() -> list[tuple[str, str]]:
     """(command, output) of the console blocks, where an output is shown."""
-    pieces = [piece for block in blocks("console") for piece in re.split(r"^\$ ", block, flags=re.M) if piece]
+    shown = [*blocks("console"), *blocks("console", (DOCS / "tutorial.md").read_text(encoding="utf-8"))]
+    pieces = [piece for block in shown for piece in re.split(r"^\$ ", block, flags=re.M) if piece]
     pairs = [piece.partition("\n") for piece in pieces]
     return [(command.split("  #")[0], output) for command, _, output in pairs if output.strip()]
 
@@ -144,3 +145,43 @@ def test_what_proved_means_says_so() -> None:
     page = (DOCS / "proved.md").read_text(encoding="utf-8")
     step = derive(load_problem("sliding-ladder"), simulation=False).step("theorem.T.ladder")
     assert f"step.premises  # {step.premises}" in page
+
+
+# --- the site
+
+
+def test_every_page_is_in_the_site() -> None:
+    pages = {page.stem for page in DOCS.glob("*.md") if not page.name.endswith(".intro.md")} - {"index"}
+    listed = re.findall(r"^([\w/-]+)$", (DOCS / "index.md").read_text(encoding="utf-8"), re.M)
+    assert sorted(listed) == sorted(pages | {"gallery/index"})
+
+
+def commands_in(page: Path) -> list[str]:
+    """The command lines of a page, those that go on in the next line joined."""
+    text = page.read_text(encoding="utf-8")
+    shown = re.findall(r"^```(?:sh|console)\n(.*?)^```", text, re.S | re.M)
+    lines = [line for block in shown for line in block.replace("\\\n", " ").splitlines()]
+    return [line.removeprefix("$ ") for line in lines if re.match(r"(\$ )?rbpsym ", line)]
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+def test_options_in_pages_exist(page: Path) -> None:
+    for line in commands_in(page):
+        _, name, *words = shlex.split(line, comments=True)
+        command = main.get_command(None, name)
+        assert command is not None, line
+        known = {option for param in command.params for option in (*param.opts, *param.secondary_opts)} | {"--help"}
+        assert {word.split("=")[0] for word in words if word.startswith("-")} <= known, line
+
+
+def test_the_ten_minutes_are_true(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each file of the tutorial is written under the name that the text before it says, each command after it runs."""
+    monkeypatch.chdir(tmp_path)
+    text = (DOCS / "tutorial.md").read_text(encoding="utf-8")
+    for said, content in re.findall(r"`([\w-]+\.toml)`[^`]*?:\n\n```toml\n(.*?)```", text, re.S):
+        (tmp_path / said).write_text(content, encoding="utf-8")
+    lines = commands_in(DOCS / "tutorial.md")
+    assert len(lines) >= 6
+    for line in lines:
+        found = CliRunner().invoke(main, shlex.split(line)[1:], env={"COLUMNS": "100"})
+        assert found.exit_code == 0, (line, found.output)

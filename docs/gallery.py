@@ -1,0 +1,73 @@
+"""Writes the gallery: for each problem of the library a page with its figure, statement and results, beside it the
+notes and the page in which it moves. `make docs` runs it; nothing that it writes is committed.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from itertools import groupby
+from pathlib import Path
+
+import click
+
+from rbpsym.commands.listing import place
+from rbpsym.commands.shelf import Entry, shelf
+from rbpsym.commands.solve import lines
+from rbpsym.derivation.step import Derivation
+from rbpsym.derive import derive
+from rbpsym.document.explorer.page import explorer
+from rbpsym.document.notes import notes
+from rbpsym.document.numbering import numbered
+from rbpsym.document.pictures import drawings, figures_of
+from rbpsym.document.writers import writer
+from rbpsym.solve import results
+from rbpsym.statement.loader import load_problem
+
+HERE = Path(__file__).parent
+
+
+def write(pages: Path, extra: Path) -> None:
+    """All pages into `pages`, what they lead to into `extra`."""
+    problems = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
+    (extra / "problems").mkdir(parents=True, exist_ok=True)
+    pages.mkdir(exist_ok=True)
+    for entry in problems:
+        derivation = derive(load_problem(entry.path), simulation=False)
+        document = numbered(notes(derivation))
+        figure, notation = figures_of(document)[0]
+        [drawn] = drawings([(figure.scenes, notation)], "svg", 0)
+        (pages / f"{entry.name}.svg").write_bytes(drawn)
+        (extra / "problems" / f"{entry.name}.html").write_text(writer("html")(document), encoding="utf-8")
+        (extra / "problems" / f"{entry.name}-explorer.html").write_text(explorer((derivation.study.problem,)), encoding="utf-8")
+        (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt)), encoding="utf-8")
+    (pages / "index.md").write_text("\n".join(index(problems)), encoding="utf-8")
+
+
+def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
+    """The page of a problem."""
+    problem = derivation.study.problem
+    answer = results(derivation.study) | {"verdicts": derivation.summary()}
+    title, *told = (click.unstyle(line) for line in lines(answer, problem))
+    yield f"# {title}\n"
+    yield f"```{{image}} {entry.name}.svg\n:alt: {' '.join(alt.split())}\n:width: 24em\n```\n"
+    notes_, moves = (f"../problems/{entry.name}{end}.html" for end in ("", "-explorer"))
+    yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a> · <a href="{moves}">See it move</a></p>\n```\n'
+    yield f"Source: {problem.source}.\n" if problem.source else ""
+    yield "## Results\n\n```text\n" + "\n".join(told) + "\n```\n"
+    yield f"## Statement\n\n```toml\n{problem.text.rstrip()}\n```\n"
+    yield f"In the terminal: `rbpsym derive {entry.name}`.\n"
+
+
+def index(problems: list[Entry]) -> Iterator[str]:
+    """The page that leads to all of them, by topic and from easy to hard."""
+    yield "# Gallery\n"
+    yield "Every problem that ships: its figure, statement, results, its derivation, and a page in which it moves.\n"
+    for topic, group in groupby(problems, key=lambda entry: entry.topic()):
+        yield f"## {topic[:1].upper()}{topic[1:]}\n\n```{{toctree}}\n:maxdepth: 1\n"
+        yield from (entry.name for entry in group)
+        yield "```\n"
+
+
+if __name__ == "__main__":
+    write(HERE / "gallery", Path(sys.argv[1]))
