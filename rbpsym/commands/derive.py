@@ -29,7 +29,8 @@ CHAPTERS = {
 @click.option("--method", type=click.Choice(METHODS), default="all", show_default=True, help="Only one road.")
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the sentences.")
 @click.option("--simulation/--no-simulation", default=False, show_default=True, help="Run the numerical oracle too.")
-def command(name: str, detail: str, method: str, lang: str, simulation: bool) -> int:
+@click.option("--why", metavar="STEP", help="Only what the verdict of one step, (10) or motion.theta say, rests on.")
+def command(name: str, detail: str, method: str, lang: str, simulation: bool, why: str | None) -> int:
     """Show the derivation of a problem, step by step, each with its verdict.
 
     \b
@@ -37,6 +38,7 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool) ->
       rbpsym derive sliding-ladder
       rbpsym derive rod-and-disk-free --method torque
       rbpsym derive my-problem.toml --detail full
+      rbpsym derive sliding-ladder --why 10
 
     The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided.
     """
@@ -49,7 +51,12 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool) ->
     _, path = found(name, ("problem",))
     with Progress(f"deriving {name}"):
         derivation = derive(load_problem(path), simulation=simulation)
-    click.echo("\n".join(lines(derivation, detail, method, lang)))
+    if why:
+        from rbpsym.commands.why import why as traced
+
+        click.echo("\n".join(traced(derivation, why, document_of(derivation, detail, method, lang), lang)))
+    else:
+        click.echo("\n".join(lines(derivation, detail, method, lang)))
     return exit_code(derivation.summary())
 
 
