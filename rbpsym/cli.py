@@ -32,6 +32,7 @@ COMMANDS: dict[str, str] = {
     "worksheet": "rbpsym.commands.worksheet",
     "grade": "rbpsym.commands.grade",
     "new": "rbpsym.commands.new",
+    "doctor": "rbpsym.commands.doctor",
 }
 
 
