@@ -30,7 +30,7 @@ def command() -> None:
     """Say what is found on this machine, and what each thing gives or would give.
 
     \b
-    Example:
+    Examples:
       rbpsym doctor
 
     Nothing here is needed for more than what is said beside it.
