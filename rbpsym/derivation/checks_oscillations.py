@@ -54,16 +54,16 @@ def forces_at_rest(context: Context, step: Step) -> Verdict:
 
 
 def force_vanishes(context: Context, step: Step) -> Verdict:
-    """What is said to be equal differs by the force at rest in the named place, but for a factor that does not vanish.
-
-    `data`: "balance". The factor does not vanish in the range.
+    """What is said to be equal differs by the force at rest in the named place, but for a factor that does not vanish in
+    the range; where the place is not said to be the only one, it is enough that the factor has a value (`data`: "balance").
     """
     item, [force] = step.data["balance"], _forces_at_rest(context)
     [(left, _, right)] = list(relations(step.statement))
     stated = context.value(right) - context.value(left)
     there = substitute(force, {item.name: symbol(item.place)})
-    factor = short(there / stated)
-    if not sign(substitute(factor, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
+    factor = short(_plain(there, context.assumptions) / _plain(stated, context.assumptions))
+    asked = Scalar(factor.den) if item.stable is None else factor
+    if not sign(substitute(asked, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
         return same(context, stated, there)
     return same(context, stated * factor, there)
 
@@ -184,8 +184,12 @@ def given(context: Context, step: Step) -> Assumptions:
 def positive(context: Context, step: Step, value: Scalar) -> Verdict:
     """Whether it is, for all that is `given`; √(h²) is h where h is positive, which is proved."""
     known = given(context, step)
-    plain = tidied(value, lambda name: known.sign_of(name) == "positive", lambda total: False)
+    plain = _plain(value, known)
     return weakest([same(context, plain, value), compare(NOTHING, plain, known, strict=True)])
+
+
+def _plain(value: Scalar, known: Assumptions) -> Scalar:
+    return tidied(value, lambda name: known.sign_of(name) == "positive", lambda total: False)
 
 
 def _leibniz(matrix: Matrix) -> Scalar:

@@ -21,6 +21,7 @@ from rbpsym.derivation.facts import facts_of
 from rbpsym.derivation.letters import introduce
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
@@ -176,6 +177,10 @@ class Draft:
     def is_single(self) -> bool:
         """Whether the system is one body."""
         return len(self.study.system.bodies) == 1
+
+    def asked(self, demands: Iterable[Demand]) -> tuple[t.Node, ...]:
+        """Conditions on parameters as obligations of a step."""
+        return tuple(t.relation(self.show(item.value, factor=True), item.op, t.ZERO) for item in demands)
 
     def of_body(self, letter: str, body: str) -> str:
         """Name of a body's quantity: R_rod; for the only body R_cm."""

@@ -68,19 +68,23 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
         values = [*forces, *(condition.value for condition in system.implicit)]
         stated = [at for at in _stated(system, system.coordinates) if _balances(values, at, given)] if tied else []
         kept = [(at, valid) for at in stated if (valid := _demands(system, dynamics, at, given)) is not None]
-        return Rest(tuple(kept), None, reason)
+        return Rest(tuple(place for place in kept if not _doubt(system, dynamics, place[0], given)), None, reason)
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return Rest((), True, "the forces are the same everywhere")
     found = common_zeros(forces, names, spread=lambda *root: _all_turns(given, *root))
     candidates = [*found.found, *(at for at in _stated(system, names) if _balances(forces, at, given))]
     places: list[tuple[At, tuple[Demand, ...]]] = []
+    doubts: list[str] = []
     for at in candidates:
         valid = _demands(system, dynamics, at, given)
         if valid is not None and not any(_is_one_place(at, old, given) for old, _ in places):
-            places.append((at, valid))
+            doubt = _doubt(system, dynamics, at, given)
+            places += [] if doubt else [(at, valid)]
+            doubts += [doubt] if doubt else []
     open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
-    return Rest(tuple(places), None if open_ else True, "an equation has no solution in closed form" * bool(open_), open_)
+    doubts += ["an equation was not solved in closed form"] if open_ else []
+    return Rest(tuple(places), None if doubts else True, "; ".join(dict.fromkeys(doubts)), open_)
 
 
 def _stated(system: System, names: Sequence[str]) -> Iterator[At]:
@@ -96,6 +100,25 @@ def _balances(forces: Iterable[Scalar], at: At, given: Assumptions) -> bool:
         return all(is_zero(rooted(substitute(force, at), given)) for force in forces)
     except ZeroDivisionError:
         return False
+
+
+def _doubt(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> str:
+    """Why the linear equations close to a place would not tell the motion there; "" if they do."""
+    still = dict.fromkeys(system.speeds, NOTHING)
+
+    def here(value: Scalar) -> Scalar:
+        return rooted(substitute(substitute(value, still), at), given)
+
+    if any(is_zero(here(demand.value)) for force in dynamics.forcing for demand in existence(force)):
+        return "where the forces balance, they have no slope"
+    slope = here(derivative(dynamics.forcing[0], system.independent[0]))
+    if len(system.independent) == 1 and sign(slope, given).kind == "positive":
+        return ""  # it is driven away to both sides, and to one of them the contact pushes
+    sided = [dynamics.reactions[name] for element in system.problem.constraints for name in pushes(element)]
+    names = (*system.coordinates, *system.speeds)
+    if any(is_zero(here(value)) and any(not is_zero(here(derivative(value, n))) for n in names) for value in sided):
+        return "where the forces balance, a contact or a string is about to let go"
+    return ""
 
 
 def _is_one_place(first: At, second: At, given: Assumptions) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import UNITY, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -27,7 +28,7 @@ def stable_where(matrix: Matrix, assumptions: Assumptions) -> Scalar | None:
     """What is positive where the place is stable and negative where it is not, as short as it gets; None if more than
     one condition would be needed."""
     open_ones = [minor for minor in _minors(matrix) if sign(minor, assumptions).kind != "positive"]
-    if len(open_ones) != 1:
+    if len(open_ones) != 1 or is_zero(open_ones[0]):
         return None
     return essential(open_ones[0], assumptions)
 

@@ -55,7 +55,7 @@ def _slides(draft: Draft, element: Element, value: Scalar) -> None:
         premises=ground(draft, *draft.study.system.coordinates),
         force=t.Sym(element.name),
         letter=letter,
-        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in valid),
+        obligations=draft.asked(valid),
     )
 
 
@@ -179,7 +179,7 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         force=t.Sym(loss.force),
         is_result=True,
         coordinate=t.Sym(loss.coordinate),
-        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in loss.valid),
+        obligations=draft.asked(loss.valid),
         data={"force": loss.force, "at": dict(loss.at), "factor": loss.factor, "name": loss.coordinate},
     )
     if place is None:

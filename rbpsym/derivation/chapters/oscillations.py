@@ -52,7 +52,8 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         f"equilibrium.{place}",
         "equilibrium",
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
-        f"oscillations.{NATURES[proved]}" + (among if proved == "asymptotic" else ""),
+        f"oscillations.{NATURES[proved] if proved != 'open' or _is_told(item) else 'undecided'}"
+        + (among if proved == "asymptotic" else ""),
         level=FULL,
         premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
         names=[t.Sym(name) for name in item.at],
@@ -61,12 +62,17 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
         place=rows,
         told=linear,
         data={**item.facts, "proved": proved, "factors": item.linear.factors},
-        obligations=tuple(t.relation(draft.show(d.value, factor=True), d.op, t.ZERO) for d in item.valid),
+        obligations=draft.asked(item.valid),
     )
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)
     elif item.stable or (item.linear.is_damped and proved == "open"):
         modes.write(draft, item, place)
+
+
+def _is_told(item: Equilibrium) -> bool:
+    """Whether a condition on the parameters tells if it is stable."""
+    return item.where is not None or bool(item.nature.conditions)
 
 
 NATURES = {"minimum": "stable", "asymptotic": "asymptotic", "unstable": "unstable", "open": "unclear"}
