@@ -303,6 +303,8 @@ def _phase(stage) -> dict[str, Any]:
         "impulses": _table(began.impulses, study),
         "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
         "energy_taken": text(began.energy_taken, study),
+        "start_valid_where": _demands((*began.asked, *_begins(study)), study),
+        "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),
         "reactions": _table(study.dynamics.reactions, study),
     }

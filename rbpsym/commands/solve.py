@@ -74,7 +74,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
     accelerations = {f"{name}_ddot": value for name, value in (answer["accelerations"] or {}).items()}
     energies = {"K": answer["kinetic_energy"]["total"], "U": answer["potential_energy"]}
     for title, values in (
-        ("moments of inertia", {f"I_{name}": value for name, value in answer["moments_of_inertia"].items()}),
+        ("moments of inertia", {f"I__{name}": value for name, value in answer["moments_of_inertia"].items()}),
         ("accelerations", accelerations),
         ("squares of speeds", speeds),
         ("unknown forces", answer["reactions"]),
@@ -82,8 +82,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         ("energy", energies),
     ):
         yield from table(title, values, drawn)
-    if answer["start_valid_where"]:
-        yield f"the motion begins so only{_valid({'valid_where': answer['start_valid_where']}, drawn)}"
+    yield from _begins(answer, drawn)
     yield from _equilibria(answer, drawn)
     yield from _balance(answer["balance"], drawn)
     yield from _conditions(answer, drawn)
@@ -105,6 +104,15 @@ class Drawn:
         """The problem's title."""
         return self.problem.title.get("en") or self.problem.name
 
+    def name(self, text: str) -> str:
+        """The name of a quantity, or the square of one."""
+        from rbpsym.notation import tree as t
+        from rbpsym.notation.glyphs import Notation
+        from rbpsym.notation.text import to_text
+
+        name, square, _ = text.partition("**2")
+        return to_text(t.Pow(t.Sym(name), t.TWO) if square else t.Sym(name), Notation(self.problem.notation))
+
     def formula(self, text: str) -> str:
         """A formula in Unicode; text that our reader does not know stays as it is, what nobody reads is left out."""
         from rbpsym.errors import RbpsymError
@@ -123,7 +131,7 @@ class Drawn:
 
 def table(title: str, values: Mapping[str, str | None] | None, drawn: Drawn) -> Iterator[str]:
     """One group of results."""
-    known = {drawn.formula(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
+    known = {drawn.name(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
     width = max(map(columns, known), default=0)
     if known:
         yield click.style(title, dim=True)
@@ -137,6 +145,11 @@ def _places(values: Mapping[str, str], drawn: Drawn) -> str:
 LONGEST = 800
 SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
+
+
+def _begins(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+    if answer["start_valid_where"]:
+        yield f"the motion begins so only{_valid({'valid_where': answer['start_valid_where']}, drawn)}"
 
 
 def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
@@ -169,7 +182,7 @@ def _not_all(what: str, found: Mapping[str, Any]) -> Iterator[str]:
 def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
     if item is None:
         return
-    yield click.style("equilibrium (no closed form)", dim=True)
+    yield click.style("equilibrium (no formula found)", dim=True)
     square = item["frequency_squared"]
     told = f"; square of the frequency there: {drawn.formula(square)}" if square else ""
     yield f"  where {drawn.formula(item['vanishes'])} = 0: {STABLE[item['stable']]}{told}"
@@ -210,6 +223,7 @@ def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     values = {"t": phase["time"], **(phase["at"] or {})}
     if phase["valid_where"]:
         yield f"  the motion comes there only{_valid(phase, drawn)}"
+    yield from (f"  {line}" for line in _begins(phase, drawn))
     speeds = {f"{name}_dot": value for name, value in (phase["speeds"] or {}).items()}
     yield from table("begins at", values, drawn)
     yield from table("with the speeds", speeds, drawn)
@@ -221,6 +235,7 @@ def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     accelerations = {f"{name}_ddot": value for name, value in (phase["accelerations"] or {}).items()}
     yield from table("accelerations", accelerations, drawn)
     yield from table("unknown forces", phase["reactions"], drawn)
+    yield from _friction(phase, drawn)
 
 
 def verdict_line(verdicts: Mapping[str, Any]) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
+from rbpsym.document.owing import owed_by
 from rbpsym.document.telling import Teller, by_kind
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
@@ -79,7 +80,8 @@ def _motion_again(derivation: Derivation, own: Words) -> Iterator[Block]:
 
 def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
     """How the steps by which a phase begins are spoken of."""
-    return replace(said, prefix=prefix, shown=frozenset(step.id for step in phase.begins), same={})
+    shown = frozenset(step.id for step in phase.begins)
+    return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown))
 
 
 def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iterator[tuple[Words, tuple[Step, ...]]]:

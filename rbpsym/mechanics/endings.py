@@ -91,7 +91,8 @@ def slip_ends(study: Study, phase: Phase) -> State:
             instead="check the start speeds and the sense of the slip.",
             place=element.place,
         )
-    return _after(study, phase, start, short(-(first / gain)))
+    asked = [Demand(-(first * gain))]
+    return _after(study, phase, start, short(-(first / gain)), asked)
 
 
 def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
@@ -102,7 +103,7 @@ def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
     place = _next(study, name, zeros(study.squares[name], name))
     if place is None:
         raise _no_closed_form(f"the place where “{phase.subject}” stops slipping")
-    return _at_place(study, name, place)
+    return _met(study, phase, name, place)
 
 
 def contact_lost(study: Study, phase: Phase) -> State:
@@ -126,16 +127,15 @@ def value_reached(study: Study, phase: Phase) -> State:
     """The moment or the place at which a coordinate has a value."""
     value = scalar(phase.value)
     if _are_uniform(study):
-        return _after(study, phase, at_start(study), _time_until(study, phase, value))
+        return _after(study, phase, at_start(study), *_time_until(study, phase, value))
     name = _mover(study)
     if name is None:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
     gap = _of(study, phase.subject)[0] - value
     place = _next(study, name, zeros(gap, name))
-    valid = None if place is None else _comes(study, name, place)
-    if valid is None:
+    if place is None:
         raise _never(study, phase)
-    return replace(_at_place(study, name, place), valid=valid)
+    return _met(study, phase, name, place, Demand(short(substitute(study.squares[name], {name: place}))))
 
 
 def grip_ends(study: Study, phase: Phase) -> State:
@@ -154,7 +154,7 @@ def grip_ends(study: Study, phase: Phase) -> State:
     place = _next(study, name, [zero for gap in (grip - limit, grip + limit) for zero in zeros(gap, name)])
     if place is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
-    return _at_place(study, name, place)
+    return _met(study, phase, name, place)
 
 
 ENDINGS = {
@@ -191,15 +191,19 @@ def _gain(study: Study, phase: Phase, name: str) -> Scalar:
     return substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
 
 
-def _after(study: Study, phase: Phase, start: State, time: Scalar) -> State:
-    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t."""
+def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
+    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t. Raises StatementError if what is asked is never met."""
+    valid = settle(asked, study.assumptions)
+    if valid is None:
+        raise _never(study, phase)
     gains = {name: _gain(study, phase, name) for name in start.places}
     places = {n: short(q + start.speeds[n] * time + gains[n] * time * time / 2) for n, q in start.places.items()}
-    return State(time, places, {n: short(v + gains[n] * time) for n, v in start.speeds.items()})
+    return State(time, places, {n: short(v + gains[n] * time) for n, v in start.speeds.items()}, valid)
 
 
-def _time_until(study: Study, phase: Phase, value: Scalar) -> Scalar:
-    """The first t > 0 with q + q̇ t + ½ q̈ t² = value."""
+def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list[Demand]]:
+    """The first t > 0 with q + q̇ t + ½ q̈ t² = value for the sample numbers, and where it is the first: the roots have
+    the product -2 way/q̈ and the sum -2 q̇/q̈."""
     start, gain = at_start(study), _gain(study, phase, phase.subject)
     way, speed = short(value - start.places[phase.subject]), start.speeds[phase.subject]
     if is_zero(gain):
@@ -210,7 +214,14 @@ def _time_until(study: Study, phase: Phase, value: Scalar) -> Scalar:
     ahead = [(t, time) for time in times if (t := _float(study, time)) > EDGE]
     if not ahead:
         raise _never(study, phase)
-    return min(ahead, key=lambda item: item[0])[1]
+    first = min(ahead, key=lambda item: item[0])[1]
+    if is_zero(gain):
+        return first, [Demand(way * speed)]
+    sense = 1 if _float(study, gain) > 0 else -1
+    if len(ahead) == 1 and not is_zero(way):
+        return first, [Demand(gain * sense), Demand(way * sense)]
+    back = [] if is_zero(way) else [Demand(-(way * sense))]
+    return first, [*existence(first), Demand(gain * sense), Demand(-(speed * sense)), *back]
 
 
 # --- one degree of freedom with a first integral
@@ -236,10 +247,22 @@ def _at_place(study: Study, name: str, place: Scalar) -> State:
     return State(None, places, speeds)
 
 
-def _comes(study: Study, name: str, place: Scalar) -> tuple[Demand, ...] | None:
-    """Under which conditions the motion comes to a place, the square of its speed being positive there; None: under none."""
-    asked = [*existence(place), Demand(short(substitute(study.squares[name], {name: place})))]
-    return settle(asked, study.assumptions)
+def _met(study: Study, phase: Phase, name: str, place: Scalar, *asked: Demand) -> State:
+    """The state at a place, under the conditions that it exists and lies ahead, in the sense in which the motion sets out
+    for the sample numbers. Raises StatementError if they are never met."""
+    way, drive = _way(study, name, place), _drive(study, name)
+    ahead = (Demand(value * way) for value in (place - study.system.scope.start[name], drive) if not is_zero(value))
+    valid = settle([*existence(place), *ahead, *asked], study.assumptions)
+    if valid is None:
+        raise _never(study, phase)
+    return replace(_at_place(study, name, place), valid=valid)
+
+
+def _drive(study: Study, name: str) -> Scalar:
+    """The speed at the start, or the acceleration from rest."""
+    start = study.system.scope.start
+    speed = start.get(f"{name}_dot", NOTHING)
+    return speed if not is_zero(speed) else substitute((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING), start)
 
 
 def _root(study: Study, value: Scalar) -> Scalar:
@@ -255,10 +278,7 @@ def _way(study: Study, name: str, place: Scalar) -> int:
 def _next(study: Study, name: str, places: Iterable[Scalar]) -> Scalar | None:
     """The first of the places on the way from the start, as far as sample numbers tell."""
     start = study.system.scope.start
-    first = start.get(f"{name}_dot", NOTHING)
-    if is_zero(first):
-        first = substitute((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING), start)
-    sense = -1 if _float(study, first) < 0 else 1
+    sense = -1 if _float(study, _drive(study, name)) < 0 else 1
     ahead = [(sense * _float(study, place - start[name]), place) for place in places if not depends_on(place, name)]
     ahead = [item for item in ahead if item[0] > EDGE]
     return min(ahead, key=lambda item: item[0])[1] if ahead else None

@@ -20,6 +20,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import Style
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.impulse import Struck, strike
@@ -83,7 +84,8 @@ def _later(value: object, later: Mapping[str, Node]) -> object:
 @dataclass(frozen=True)
 class HandOver:
     """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost in the
-    blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential)."""
+    blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential); what is
+    `asked` of coefficients of restitution, so that no energy is gained."""
 
     before: State
     speeds: Mapping[str, Scalar]
@@ -91,6 +93,7 @@ class HandOver:
     energy_lost: Scalar
     energy_taken: Scalar | None = None
     is_blow: bool = True
+    asked: tuple[Demand, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -136,7 +139,9 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
     is_blow = bool(phase.impulses) or any(not is_zero(value) for value in (lost, *impulses.values()))
     taken = _taken(study, before)
-    began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow)
+    factors = [scalar(item["restitution"]) for item in phase.impulses if item.kind == "collision"]
+    asked = settle((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions) or ()
+    began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow, asked)
     return Stage(phase.name, Study(after), began, clock)
 
 

@@ -104,7 +104,7 @@ def _moment(draft: Draft, ending: Ending) -> None:
         letter=letter,
         coordinate=t.Sym(ending.phase.subject or ""),
         is_result=True,
-        obligations=(t.relation(letter, ">", t.ZERO),),
+        obligations=draft.asked(ending.state.valid),
         data={"ending": ending, "time": time},
     )
 
@@ -126,6 +126,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         force=t.Sym(ending.phase.subject or ""),
         coordinate=t.Sym(name),
         is_result=True,
+        obligations=draft.asked(ending.state.valid),
         data={"ending": ending, "name": name, "value": value},
     )
 
