@@ -162,10 +162,44 @@ def _condition(node: Node, op: str, scope: Scope) -> Condition:
     return Condition(node, op, scalar(node, scope))
 
 
+def _bare(node: Node) -> Node:
+    """A product without the positive numbers in it, which do not change its sign."""
+    if not isinstance(node, t.Mul):
+        return node
+    kept = tuple(factor for factor in node.factors if not (isinstance(factor, t.Num) and factor.value > 0))
+    return kept[0] if len(kept) == 1 else replace(node, factors=kept) if kept else node
+
+
+def _nonzero(node: Node, scope: Scope) -> Iterator[Condition]:
+    """A product or power is not zero where none of its factors is; a number is none."""
+    factors = FACTORS.get(type(node), lambda node: (node,))(node)
+    if factors == (node,):
+        yield _condition(node, "!=", scope)
+        return
+    for factor in factors:
+        yield from _nonzero(factor, scope)
+
+
+def _base(node: t.Pow) -> tuple[Node, ...]:
+    """What must not vanish for a power not to."""
+    return (node.base,) if isinstance(node.exponent, t.Num) and node.exponent.value > 0 else (node,)
+
+
+FACTORS: dict[type, Callable[[Any], tuple[Node, ...]]] = {
+    t.Mul: lambda node: node.factors,
+    t.Div: lambda node: (node.num,),
+    t.Pow: _base,
+    t.Sqrt: lambda node: (node.arg,),
+    t.Neg: lambda node: (node.arg,),
+    t.Group: lambda node: (node.arg,),
+    t.Num: lambda node: () if node.value else (node,),
+}
+
+
 def _of_power(node: t.Pow, scope: Scope) -> Iterator[Condition]:
     exponent = scalar(node.exponent, scope).number()
     if exponent is not None and exponent < 0:
-        yield _condition(node.base, "!=", scope)
+        yield from _nonzero(node.base, scope)
     if exponent is not None and exponent.denominator != 1:
         yield _condition(node.base, ">=", scope)
 
@@ -191,9 +225,9 @@ FUNCTIONS = {
 }
 
 RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
-    t.Div: lambda node, scope: iter([_condition(node.den, "!=", scope)]),
+    t.Div: lambda node, scope: _nonzero(node.den, scope),
     t.Pow: _of_power,
-    t.Sqrt: lambda node, scope: iter([_condition(node.arg, ">=", scope)]),
+    t.Sqrt: lambda node, scope: iter([_condition(_bare(node.arg), ">=", scope)]),
     t.Fn: _of_function,
 }
 

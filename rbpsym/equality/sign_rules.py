@@ -54,17 +54,17 @@ def _by_content(study: Study, poly: Poly) -> int:
 
 
 def _by_quadratic(study: Study, poly: Poly) -> int:
-    """A x² + B x + C without real zeros, for some generator x."""
+    """A y² + B y + C without real zeros, y being some power of a generator."""
     mask = ANY
     for index in poly.atoms():
         parts = poly.by_power(index)
-        if set(parts) <= {0, 1, 2} and 2 in parts:
-            mask &= _quadratic(study, parts)
+        half = max(parts) // 2
+        if half > 0 and set(parts) <= {0, half, 2 * half} and 2 * half in parts:
+            mask &= _quadratic(study, *(parts.get(k * half, ZERO_POLY) for k in (2, 1, 0)))
     return mask
 
 
-def _quadratic(study: Study, parts: dict[int, Poly]) -> int:
-    a, linear, constant = parts[2], parts.get(1, Poly({})), parts.get(0, Poly({}))
+def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
     inner = linear * linear - (a * constant).scaled(4)
     if study.samples.seen(Scalar(inner)) & PLUS or study.samples.has_both_signs(a):
         return ANY

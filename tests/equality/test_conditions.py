@@ -31,6 +31,10 @@ def left(text: str, assuming: str = "") -> dict[str, bool]:
         ("tan(x)", {"cos(x) != 0": False}),
         ("cot(x)", {"sin(x) != 0": False}),
         ("ln(x)", {"x > 0": False}),
+        ("1/(2*x*(x - y)**2) + 1/(3*(x - y)*z)", {"x != 0": False, "x - y != 0": False, "z != 0": False}),
+        ("x/(y/(2*z))", {"y != 0": False, "z != 0": False}),
+        ("sqrt(2*(x - y))", {"x - y >= 0": False}),
+        ("sqrt(2*x*y)", {"x*y >= 0": False}),
     ],
 )
 def test_what_a_formula_asks(text, wanted):
