@@ -11,6 +11,8 @@ from rbpsym.notation import boxes as b
 INDENT = 2.0  # em, of a line that goes on with the sum of the line above
 SIGNS = frozenset("+−-")
 
+ONE = b.Letter("1", "number")
+
 
 def opened(box: b.Box, room: float) -> tuple[b.Row, ...]:
     """The terms of a sum; one that is too wide is cut within its longest parentheses, and so on."""
@@ -56,7 +58,7 @@ def half(opening: str, body: b.Row, closing: str, tall: bool) -> tuple[b.Box, ..
 def spelled(item: b.Box) -> tuple[b.Box, ...]:
     """A long sum over a denominator as one over the denominator times the sum."""
     if isinstance(item, b.Fraction) and len(terms(item.num)) > 2:
-        one = b.Fraction(b.Letter("1", "number"), item.den)
+        one = b.Fraction(ONE, item.den)
         return one, b.Times(), b.Fence("(", item.num, ")", b.is_tall(item.num))
     return (item,)
 
@@ -69,7 +71,10 @@ def with_slash(term: b.Row, room: float) -> b.Row:
             sign = k if all(isinstance(other, b.Operator) for other in items[:k]) else 0
             above = (b.Fence("(", item.num, ")", b.is_tall(item.num)),) if len(terms(item.num)) > 1 else (item.num,)
             below = b.Fence("(", item.den, ")", b.is_tall(item.den))
-            factors = tuple(flat(b.Row((*items[sign:k], *above, *items[k + 1 :]))))
+            behind = items[k + 1 :]
+            if item.num == ONE and behind:  # one over something, times what follows it
+                above, behind = (), behind[isinstance(behind[0], b.Times) :]
+            factors = tuple(flat(b.Row((*items[sign:k], *above, *behind))))
             if isinstance(factors[-1], b.Applied):  # what the slash divides is not the argument
                 factors = (b.Fence("[", b.Row(factors), "]", b.is_tall(b.Row(factors))),)
             return b.Row((*items[:sign], *factors, b.Operator("/", "mark"), below))

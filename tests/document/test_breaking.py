@@ -33,3 +33,11 @@ def test_a_left_side_of_one_piece_keeps_its_end_below() -> None:
     column = breaking.node_width(product) + 0.5
     found = breaking.lines(equation(product, ZERO), DEFAULT, column)
     assert [latex.render(line.right).strip().startswith("=") for line in found] == [False, True]
+
+
+def test_one_over_a_wide_sum_is_no_factor_of_what_it_multiplies() -> None:
+    """Written with a slash, “(a + b) sin θ / (…)” has no 1 before it."""
+    wide = Add(tuple(Sym(f"x_{n}") for n in range(20, 29)))
+    node = equation(Sym("y"), Mul((Div(Num(1), wide), Add((Sym("a"), Sym("b"))), SIN)))
+    shown = "".join(latex.render(line.right) for line in breaking.lines(node, DEFAULT, 16.0))
+    assert "= [(a + b)" in shown and "]/(" in shown and shown.count("(") == shown.count(")")
