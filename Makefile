@@ -46,7 +46,9 @@ bare: $(VENV)/dev.stamp
 	PATH="$(abspath $(BIN))" RBPSYM_REQUIRE_TOOLS= $(BIN)/python -m pytest $(TESTS) --one-of-each -rs $(BARE)
 
 thorough: $(VENV)/dev.stamp
+	rm -f $(OUT)/systems.jsonl
 	$(BIN)/python -m pytest $(TESTS) -m thorough
+	$(BIN)/python -m tests.oracles.random_run 0 2000 $(OUT)/systems.jsonl
 	RBPSYM_COVERING=$(OUT)/covering.json $(BIN)/python -m pytest -p no:xdist -p tests.thorough.covering tests > /dev/null
 	$(BIN)/python -m tests.thorough.mutants $(OUT)/covering.json
 

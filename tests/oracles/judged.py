@@ -2,52 +2,53 @@
 
 from __future__ import annotations
 
-import signal
 from dataclasses import dataclass, field
-from types import FrameType
 from zlib import crc32
 
 from rbpsym.derive import derive
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.statement.loader import load_text
 from tests.oracles.compare import each, findings
+from tests.oracles.work import TooHeavy, at_most
 
+OUTCOMES = ("proved", "undecided", "refused", "too heavy", "false")
 SETS, LONGEST = 2, 6.0
 CLOSE = 1e-6
 
 
 @dataclass
 class Judged:
-    """`wrong`: false verdicts and crashes; `refused`: the sentence of a refusal; `open_`: what was not decided."""
+    """`wrong`: false verdicts and crashes; `refused`: the sentence of a refusal; `open_`: what was not decided.
+
+    What is too heavy was not ended.
+    """
 
     text: str
     wrong: list[str] = field(default_factory=list)
     refused: str = ""
+    is_too_heavy: bool = False
     open_: list[str] = field(default_factory=list)
     sets: int = 0
     compared: int = 0
 
-
-MOST = 40.0  # seconds of the processor for one system; what takes longer is counted as refused
-AGAIN = 1.0  # an exception that is raised where none can be is lost: it is raised again after so long
-
-
-def _late(number: int, frame: FrameType | None) -> None:
-    if frame is None or "hypothesis" not in frame.f_code.co_filename:  # it counts what the garbage collector takes
-        raise TimeoutError
+    @property
+    def outcome(self) -> str:
+        """One of OUTCOMES."""
+        if self.wrong or self.is_too_heavy:
+            return "false" if self.wrong else "too heavy"
+        return "refused" if self.refused else "undecided" if self.open_ else "proved"
 
 
-def judged(text: str, most: float = MOST) -> Judged:
+MOST = 600_000  # of work (see tests.oracles.work): some seconds
+
+
+def judged(text: str, most: int = MOST) -> Judged:
     """What is wrong with the derivation of a statement."""
-    before = signal.signal(signal.SIGPROF, _late)
-    signal.setitimer(signal.ITIMER_PROF, most, AGAIN)
     try:
-        return _judged(text)
-    except TimeoutError:
-        return Judged(text, refused=f"more than {most:g} s")
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-        signal.signal(signal.SIGPROF, before)
+        with at_most(most):
+            return _judged(text)
+    except TooHeavy:
+        return Judged(text, is_too_heavy=True)
 
 
 def _judged(text: str) -> Judged:
@@ -60,8 +61,6 @@ def _judged(text: str) -> Judged:
     except RbpsymError as error:
         found.refused = error.what
         return found
-    except TimeoutError:
-        raise
     except Exception as error:  # whatever it is: a refusal has a sentence
         found.wrong.append(f"crash: {type(error).__name__}: {error}")
         return found
@@ -84,8 +83,6 @@ def _judged(text: str) -> Judged:
     except RbpsymError as error:
         found.open_.append(error.what)
         return found
-    except TimeoutError:
-        raise
     except Exception as error:
         found.wrong.append(f"crash of the comparison: {type(error).__name__}: {error}")
         return found

@@ -47,7 +47,13 @@ def table(name: str, **entries: str) -> str:
 
 def statement(choose: Choose) -> str:
     """A whole problem; the parameters that do not occur are left out."""
-    return used(FAMILIES[choose(tuple(FAMILIES))](choose))
+    return system(choose)[1]
+
+
+def system(choose: Choose) -> tuple[str, str]:
+    """The name of its family, and the problem."""
+    name = choose(tuple(FAMILIES))
+    return name, used(FAMILIES[name](choose))
 
 
 def used(text: str) -> str:

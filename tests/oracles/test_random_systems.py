@@ -15,7 +15,6 @@ from rbpsym.equality.decide import compare
 from tests.oracles.judged import judged
 from tests.oracles.systems import FAMILIES, statement, used
 
-SHORT = 6.0  # seconds of the processor for one system
 QUIET = settings(
     deadline=None, database=None, suppress_health_check=list(HealthCheck), phases=(Phase.explicit, Phase.generate)
 )  # a system that fails is told as it is: to make it smaller would take minutes
@@ -26,7 +25,7 @@ QUIET = settings(
 @given(st.data())
 def test_nothing_false_is_told_of_a_random_system(data):
     text = statement(lambda entries: data.draw(st.sampled_from(entries)))
-    found = judged(text, SHORT)
+    found = judged(text)
     assert not found.wrong, text
 
 
@@ -36,7 +35,7 @@ SEEDS = {"chain": 8, "ladder": 5, "loop": 8}  # of systems that are small, but h
 @pytest.mark.parametrize("name", FAMILIES)
 def test_each_kind_of_system_is_derived_and_compared(name):
     found = judged(used(FAMILIES[name](random.Random(SEEDS.get(name, 3)).choice)))
-    assert not found.wrong and not found.refused, found.text
+    assert found.outcome in ("proved", "undecided"), found.text
     assert found.sets and found.compared > 5
 
 
