@@ -64,6 +64,13 @@ def test_derivative_is_the_limit_of_differences(p: Scalar, name: str) -> None:
     assert abs((up - down) / (2 * step) - rate) <= 1e-4 * (1 + abs(rate))
 
 
+@pytest.mark.parametrize("kind", ["cos", "sin", "root", "exp", "ln", "atan", "asin", "acos"])
+def test_the_derivative_of_each_function_is_the_limit_of_differences(kind: str) -> None:
+    value, step = generator_of(kind, X * X / 5 + lift(Fraction(1, 7))), 1e-5
+    up, down = (number(value, {"x": 0.8 + h}) for h in (step, -step))
+    assert close((up - down) / (2 * step), number(derivative(value, "x"), {"x": 0.8}))
+
+
 @steady
 @given(st.lists(fractions, min_size=1, max_size=6), fractions)
 def test_exact_difference_of_polynomials(coefficients: list[Fraction], at: Fraction) -> None:

@@ -49,9 +49,27 @@ def test_wide_arguments_give_wide_values() -> None:
     assert e.are_disjoint(wide, Fraction(5, 2))
 
 
+@pytest.mark.parametrize("power", range(-3, 6))
+def test_a_power_holds_all_powers_and_an_even_one_nothing_negative(power) -> None:
+    for low, high in ((-2, -1), (-1, 2), (1, 3)) if power >= 0 else ((-2, -1), (1, 3)):
+        found = e.ends(e.Enclosure(Fraction(low), Fraction(high)) ** power)
+        for k in range(13):
+            assert found[0] <= (low + Fraction((high - low) * k, 12)) ** power <= found[1]
+        assert power % 2 or found[0] >= 0
+        assert max(map(abs, found)) <= max(abs(Fraction(low)), abs(Fraction(high))) ** abs(power)
+
+
 def test_squares_have_exact_roots() -> None:
     assert e.root(Fraction(9, 4)) == Fraction(3, 2)
     assert isinstance(e.root(Fraction(2)), e.Enclosure)
+
+
+def test_what_may_not_be_positive_has_no_logarithm() -> None:
+    for number in (Fraction(0), Fraction(-1), e.Enclosure(Fraction(0), Fraction(1))):
+        with pytest.raises(e.Outside):
+            e.ln(number)
+    low, high = e.ends(e.ln(e.Enclosure(Fraction(1, 3), Fraction(1, 2))))
+    assert low <= Fraction(-109, 100) and high >= Fraction(-70, 100) and high < 0
 
 
 @pytest.mark.parametrize("number", [Fraction(0), e.Enclosure(Fraction(-1), Fraction(1))])

@@ -5,7 +5,7 @@ import time
 import pytest
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
-from rbpsym.notation.infix import read_infix, read_relation
+from rbpsym.notation.infix import read_infix, read_relation, read_ways
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Fn, Group, Mul, Neg, Num, Pow, Sym, walk
 
@@ -198,6 +198,13 @@ def test_the_caret_of_a_text_with_several_lines():
     with pytest.raises(ReadError) as caught:
         read_infix("m +\n thta", SYMBOLS)
     assert (caught.value.place.line, caught.value.place.column, caught.value.place.text) == (2, 2, " thta")
+
+
+@pytest.mark.parametrize(("typed", "parts"), [("x/y m", True), ("x/y sin(m)", False), ("x/y (m + 1)", False), ("x/y(m + 1)", True)])
+def test_what_stands_apart_is_hardly_below_the_bar(typed, parts):
+    found = read_ways(typed, {"x", "y", "m"})
+    assert len(found.trees) == 2
+    assert found.parted == (((False,), (True,)) if parts else ((), ()))
 
 
 @pytest.mark.parametrize("typed", ["sin(x)**2/(2*y)", "x*sin(y)**2/x", "sin(x)**2*y", "sqrt(x)**3/2"])

@@ -1,15 +1,20 @@
 """Small parts of printers and readers, each by what it writes or says: words, thin spaces, limits told with their reason."""
 
+from unicodedata import numeric
+
 import pytest
 
 from rbpsym.document.writers.word_math import fitted
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
+from rbpsym.notation.algebra_layout import VULGAR
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.omml import run
 from rbpsym.notation.speech import to_speech
+from rbpsym.notation.text import to_text
 
 X = t.Sym("x")
 
@@ -29,6 +34,22 @@ X = t.Sym("x")
 )
 def test_words_of_numbers_and_relations(node, said):
     assert to_speech(node) == said
+
+
+@pytest.mark.parametrize("value", VULGAR)
+def test_a_fraction_of_one_character_is_that_character(value):
+    assert to_text(t.Div(t.Num(value.numerator), t.Num(value.denominator))) == VULGAR[value]
+    assert abs(numeric(VULGAR[value]) - value) < 1e-6
+
+
+@pytest.mark.parametrize("right", [t.ZERO, t.TWO, t.Pow(t.ZERO, t.TWO)])
+def test_two_numbers_do_not_run_together(right):
+    assert "·" in to_text(t.Mul((t.TWO, right)))
+
+
+@pytest.mark.parametrize(("accent", "order"), [(r"\dot", 1), (r"\ddot", 2), (r"\dddot", 3)])
+def test_as_many_dots_as_derivatives(accent, order):
+    assert drawn_name(rf"{accent}{{x}}")[0].dots == order
 
 
 THIN = '<mspace width="0.1667em"/>'
