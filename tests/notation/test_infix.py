@@ -7,7 +7,7 @@ import pytest
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.notation.infix import read_infix, read_relation, read_ways
 from rbpsym.notation.machine import to_machine
-from rbpsym.notation.tree import Fn, Group, Mul, Neg, Num, Pow, Sym, walk
+from rbpsym.notation.tree import Abs, Fn, Group, Mul, Neg, Num, Pow, Sym, walk
 
 SYMBOLS = """m M g ell theta theta_0 theta_dot omega omega_1 E I N S Q beta gamma lambda x_dot
     varphi k R theta_1_ddot n mu1""".split()  # fmt: skip
@@ -200,7 +200,17 @@ def test_the_caret_of_a_text_with_several_lines():
     assert (caught.value.place.line, caught.value.place.column, caught.value.place.text) == (2, 2, " thta")
 
 
-@pytest.mark.parametrize(("typed", "parts"), [("x/y m", True), ("x/y sin(m)", False), ("x/y (m + 1)", False), ("x/y(m + 1)", True)])
+def test_bars_and_brackets_may_follow_a_factor():
+    x, y = Sym("x"), Sym("y")
+    assert read_infix("x|y|", {"x", "y"}) == Mul((x, Abs(y)))
+    assert read_infix("|x|y", {"x", "y"}) == Mul((Abs(x), y))
+    assert read_infix("[x + y]", {"x", "y"}) == read_infix("(x + y)", {"x", "y"})
+
+
+BESIDE_A_BAR = {"x/y m": True, "x/y sin(m)": False, "x/y (m + 1)": False, "x/y(m + 1)": True}
+
+
+@pytest.mark.parametrize(("typed", "parts"), BESIDE_A_BAR.items())
 def test_what_stands_apart_is_hardly_below_the_bar(typed, parts):
     found = read_ways(typed, {"x", "y", "m"})
     assert len(found.trees) == 2

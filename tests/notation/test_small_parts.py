@@ -1,5 +1,6 @@
 """Small parts of printers and readers, each by what it writes or says: words, thin spaces, limits told with their reason."""
 
+from fractions import Fraction
 from unicodedata import numeric
 
 import pytest
@@ -11,7 +12,7 @@ from rbpsym.notation.algebra_layout import VULGAR
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import read_latex
-from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.mathml import _SLANTS, to_mathml
 from rbpsym.notation.omml import run
 from rbpsym.notation.speech import to_speech
 from rbpsym.notation.text import to_text
@@ -27,6 +28,10 @@ X = t.Sym("x")
         (t.Div(t.TWO, t.Num(3)), "two thirds"),
         (t.Div(t.ONE, t.Num(4)), "one quarter"),
         (t.Div(t.Num(3), t.Num(4)), "three quarters"),
+        (t.Sym("x_tilde"), "x tilde"),
+        (t.Sym("x_check"), "x check"),
+        (t.Sym("x_hat"), "x hat"),
+        (t.Sym("x_bar"), "x bar"),
         (t.Pow(X, t.TWO), "x squared"),
         (t.Pow(X, t.Num(3)), "x cubed"),
         (t.Pow(X, t.Num(4)), "x to the power 4"),
@@ -50,6 +55,17 @@ def test_two_numbers_do_not_run_together(right):
 @pytest.mark.parametrize(("accent", "order"), [(r"\dot", 1), (r"\ddot", 2), (r"\dddot", 3)])
 def test_as_many_dots_as_derivatives(accent, order):
     assert drawn_name(rf"{accent}{{x}}")[0].dots == order
+
+
+def test_what_is_raised_is_moved_off_a_slanted_arm_by_less_than_half_a_letter():
+    assert all(0 < room < 0.5 for room in _SLANTS.values())
+    assert _SLANTS["V"] == max(_SLANTS.values()) and _SLANTS["M"] > _SLANTS["K"]
+
+
+@pytest.mark.parametrize("half", [t.Div(t.ONE, t.TWO), t.Num(Fraction(1, 2))])
+def test_a_dot_stands_between_a_number_and_a_fraction_of_numbers_only(half):
+    assert "·" in to_text(t.Mul((t.Num(3), half)))
+    assert "·" not in to_text(t.Mul((t.Num(3), t.Div(X, t.TWO))))
 
 
 THIN = '<mspace width="0.1667em"/>'
