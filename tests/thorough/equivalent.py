@@ -13,4 +13,11 @@ EQUIVALENT: dict[str, str] = {
     "equality/factoring.py _factor_list: factor.terms[min(factor.terms)] < 0 -> "
     "factor.terms[min(factor.terms)] <= 0": "no coefficient of a polynomial is 0",
     "algebra/present.py _with_denominator: i[1] > 0 -> i[1] >= 0": "no exponent of a monomial is 0",
+    "algebra/present.py _powers: item[1] > 0 -> item[1] >= 0": "no exponent of a monomial is 0",
+    "algebra/squares.py _squared: total + Scalar(part) * odd * square ** (power // 2) -> "
+    "(total) - (Scalar(part) * odd * square ** (power // 2))": "numerator and denominator both change their sign",
+    "algebra/normal.py _multiple: denominator > 1 -> denominator >= 1": "a number over 1 is that number",
+    "notation/text.py _rows: 0 -> 1": "where there is no row, none is moved to the right",
+    "equality/points.py _pick: k > 0 -> k >= 0": SAMPLE,
+    "equality/points.py points: 0 -> 1": SAMPLE,
 }
