@@ -19,6 +19,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
 from rbpsym.mechanics.rest import Balance
+from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.machine import machine_name, to_machine
 from rbpsym.statement.model import Problem
@@ -81,6 +82,7 @@ def results(study: Study) -> dict[str, Any]:
         "conditions": [_condition(loss, study) for loss in study.losses],
         "conditions_complete": _complete(study.ended)
         | {"open": [_condition(loss, study) for loss in study.ended.open_]},
+        "one_sided": _sides(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "phases": _phases(study),
     }
@@ -213,11 +215,21 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
 
 
 def _valid_where(study: Study) -> list[str]:
-    """What must not vanish for accelerations, forces and squares of speeds to be as they are told."""
+    """What must not vanish for accelerations, forces and squares of speeds to be as they are told; what one-sided forces
+    and static friction ask for."""
     tables = (study.dynamics.accelerations or {}, study.dynamics.reactions, study.squares)
     below = dict.fromkeys(one for table in tables for value in table.values() for one in divisors(value))
     open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
-    return [f"{text(one, study)} != 0" for one in open_]
+    asked = [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
+    return [*(f"{text(one, study)} != 0" for one in open_), *_demands([*asked, *grips(study.friction_needs)], study)]
+
+
+def _sides(study: Study) -> list[dict[str, Any]]:
+    """What becomes of each one-sided force."""
+    return [
+        {"force": s.force, "state": s.state, "until": s.until or None, "valid_where": _demands(s.valid, study)}
+        for s in study.sides
+    ]
 
 
 def _demands(found, study: Study) -> list[str]:
@@ -307,4 +319,5 @@ def _phase(stage) -> dict[str, Any]:
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),
         "reactions": _table(study.dynamics.reactions, study),
+        "one_sided": _sides(study),
     }

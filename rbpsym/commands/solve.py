@@ -203,6 +203,9 @@ def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     for item in answer["conditions"]:
         where = f"at {_places(item['at'], drawn)}" if item["at"] else f"where {drawn.formula(item['vanishes'])} = 0"
         yield f"  {drawn.formula(item['force'])} vanishes {where}{_valid(item, drawn)}"
+    for item in answer["one_sided"]:
+        if item["state"] in ("asked", "open"):
+            yield f"  {drawn.formula(item['force'])} has the sign that it can have only{_valid(item, drawn)}"
     yield from _not_all("losses of contact", answer["conditions_complete"])
 
 

@@ -78,6 +78,8 @@ STEPS: Mapping[str, Entry] = {
     "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
     "contact.along": (g.is_of_position, "contact.known"),
+    "contact.lost.place": (g.nothing_slips, "contact.lost_without_slip.place"),
+    "contact.lost.first": (g.nothing_slips, "contact.lost_without_slip.first"),
     "contact.endless": (g.no_friction_is_enough, "contact.ratio"),
     "phases.slip": (g.touching_body_moves, "phases.slip_between"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),

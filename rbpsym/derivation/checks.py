@@ -299,7 +299,7 @@ def vanishing(context: Context, step: Step) -> Verdict:
     """The force vanishes at the stated place (`data`: "force", "at"), or where the stated factor does ("factor")."""
     value = context.along(symbol(step.data["force"]))
     if not step.data["at"]:
-        return _divides(step.data["factor"], value)
+        return divides(step.data["factor"], value)
     return same(context, substitute(value, step.data["at"]), NOTHING)
 
 
@@ -332,7 +332,7 @@ def first_integral(context: Context, step: Step) -> Verdict:
     return weakest([same(context, begin, NOTHING), agree(context, growth, NOTHING, "along")])
 
 
-def _divides(factor: Scalar, value: Scalar) -> Verdict:
+def divides(factor: Scalar, value: Scalar) -> Verdict:
     """PROVED if the factor divides the numerator, so that both vanish together."""
     from rbpsym.algebra.division import divide
     from rbpsym.algebra.normal import normal

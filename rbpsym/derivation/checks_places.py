@@ -8,12 +8,13 @@ from dataclasses import replace
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.roots import with_image, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.derivation.checks import relations, weakest
+from rbpsym.derivation.checks import along_motion, relations, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.domain import IMPLIED, conditions
 from rbpsym.equality.signs import sign
@@ -28,6 +29,39 @@ def under(context: Context, step: Step) -> Context:
     found = [relation for node in step.obligations for relation in relations(node)]
     demands = [Demand(context.value(left) - context.value(right), op) for left, op, right in found]
     return replace(context, assumed=assuming(context.assumptions, demands)) if demands else context
+
+
+def stays(context: Context, step: Step) -> Verdict:
+    """The stated sign, in each position; else where no square of a speed is negative, nor a force that is lost first, B:
+    the force is a B + c with a not negative and c positive (`data`: "until")."""
+    found, until = along_motion(context, step), step.data["until"]
+    if found.is_proved:
+        return found
+    [(left, _, _)] = relations(step.statement)
+    value = context.along(context.value(left))
+    bounds = [context.along(symbol(until))] if until else context.study.squares.values()
+    if any(_is_kept(value, bound, context.assumptions) for bound in bounds):
+        return Verdict(PROVED, how="it is more than a multiple of what is not negative")
+    return found
+
+
+def _is_kept(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
+    for index in bound.num.atoms():
+        parts = bound.num.by_power(index)
+        if set(parts) == {0, 1}:
+            edge = -(Scalar(parts[0]) / Scalar(parts[1]))
+            rest = with_image(value.num, index, edge) / with_image(value.den, index, edge)
+            more = (value - rest) / bound
+            if sign(rest, given).kind == "positive" and sign(more, given).is_nonnegative:
+                return True
+    return False
+
+
+def has_sign_of_force(context: Context, step: Step) -> Verdict:
+    """What is stated not to be negative is the force, but for a positive factor (`data`: "force")."""
+    [(left, _, _)] = relations(step.statement)
+    force, value = (context.along(v) for v in (symbol(step.data["force"]), context.value(left)))
+    return compare(NOTHING, force / value, context.assumptions)
 
 
 def can_rest(context: Context, step: Step) -> Verdict:

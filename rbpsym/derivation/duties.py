@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.checks import divides
 from rbpsym.derivation.step import Step
 from rbpsym.derivation.view import View
 from rbpsym.equality.domain import Condition, conditions, divisors, obligations
@@ -24,7 +25,14 @@ from rbpsym.notation import tree as t
 def duties(view: View, step: Step) -> tuple[Obligation, ...]:
     """The obligations of a step that was proved, with what discharges them."""
     found: dict[Condition, None] = dict.fromkeys(_conditions(view, step))
-    return tuple(_discharged(view, one) for one in found if one.value.number() is None)
+    firm = [value for one in found if one.op == ">" for value in (one.value, _along(view, one.value)) if value is not None]
+    kept = (one for one in found if one.value.number() is None and not (one.op == "!=" and _is_in(one.value, firm)))
+    return tuple(_discharged(view, one) for one in kept)
+
+
+def _is_in(value: Scalar, others: list[Scalar]) -> bool:
+    """Whether it can't vanish where the others don't: it is one of them, or a factor of one."""
+    return any(value == other or divides(value, other).is_proved for other in others)
 
 
 def _conditions(view: View, step: Step) -> Iterator[Condition]:
@@ -54,8 +62,14 @@ def _discharged(view: View, one: Condition) -> Obligation:
         if not made.is_discharged and (seen := _along(view, one.value)) is not None:
             [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
             made = replace(made, why=other.why)
-        view.rows[key] = made
+        view.rows[key] = made if made.is_discharged else replace(made, why=_told(view, one))
     return replace(view.rows[key], relation=one.relation)
+
+
+def _told(view: View, one: Condition) -> str:
+    """The step before it that says so of the very letter."""
+    said = t.relation(one.node, ">", t.ZERO)
+    return next((id for id, step in view.steps.items() if step.rule == "stays" and step.statement == said), "")
 
 
 def _along(view: View, value: Scalar) -> Scalar | None:

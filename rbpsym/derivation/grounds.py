@@ -138,6 +138,11 @@ def no_friction_is_enough(said: Said) -> bool:
     return any(vanishes_before(way, study.reactions_along_motion, normal, friction, study.assumptions) for way in found)
 
 
+def nothing_slips(said: Said) -> bool:
+    """Nothing is held by static friction, or surely within its limit, or without need of it."""
+    return is_proved(said) and all(need.holds or is_zero(need.ratio) for need in said.study.friction_needs)
+
+
 # --- kinematics
 
 

@@ -348,15 +348,7 @@ def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     return [Claim(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
 
 
-def _may_vanish(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
-    """There the force vanishes, and nowhere else."""
-    [there] = claims
-    force = Claim(t.Sym(step.data["force"]), t.ZERO)
-    return [*_vanishes(source, step, claims), Claim(there.left, there.right, given=(force,))]
-
-
 MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
-    "linearization": _tangent, "vanishing": _vanishes, "may_vanish": _may_vanish,
-    "value_there": _there,
+    "linearization": _tangent, "vanishing": _vanishes, "value_there": _there,
 }  # fmt: skip

@@ -14,7 +14,7 @@ from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest
+from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -208,6 +208,12 @@ class Study:
         """Contacts that end, and whether there are no others."""
         along = self.reactions_along_motion
         return events.losses(self.system, self.dynamics, along, self.squares, self.assumptions)
+
+    @cached_property
+    def sides(self) -> tuple[sides.Side, ...]:
+        """What becomes of each one-sided force."""
+        known = self.reactions_along_motion or self.dynamics.reactions
+        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions)
 
     @cached_property
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

@@ -79,7 +79,7 @@ REFUSALS = (RbpsymError, ZeroDivisionError, KeyError, ValueError, IndexError, St
 
 
 # questions that assert something: the sentence by which the derivation says so (`derivation.assertions`)
-ASSERTED = {"frequency": "oscillations.frequency.", "loss": "contact.lost."}
+ASSERTED = {"frequency": "oscillations.frequency.", "loss": "contact.lost"}
 
 
 def targets(derivation: Derivation) -> tuple[Target, ...]:

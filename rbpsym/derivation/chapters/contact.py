@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.normal import is_zero
@@ -11,12 +11,14 @@ from rbpsym.algebra.present import atom_node
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.draft import Draft, length
-from rbpsym.derivation.step import FULL, STANDARD, StepRef
+from rbpsym.derivation.step import FULL, STANDARD, PhraseRef, StepRef
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.events import Loss, pushes
+from rbpsym.mechanics.events import Loss
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.pushing import asked, start_valid
+from rbpsym.mechanics.sides import Side
+from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 
@@ -29,13 +31,10 @@ def write(draft: Draft) -> None:
     along = draft.study.reactions_along_motion
     if along and draft.study.squares:
         _along(draft, along)
-        for name in _one_sided(draft, along):
-            if not any(loss.force == name for loss in draft.study.losses):
-                _holds(draft, name, along[name])
         for loss in draft.study.losses:
             _loss(draft, loss, along)
-        for force in dict.fromkeys(loss.force for loss in draft.study.ended.open_):
-            _may_end(draft, force, along[force])
+    for side in draft.study.sides:
+        TOLD[side.state](draft, side)
     for need in draft.study.friction_needs:
         _friction(draft, need)
     for element, what, value in asked(draft.study) if draft.study.dynamics.accelerations else ():
@@ -91,25 +90,60 @@ def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
         )
 
 
-def _one_sided(draft: Draft, along: Mapping[str, Scalar]) -> list[str]:
-    """Forces that can only push (or pull)."""
-    return [name for element in draft.study.problem.constraints for name in pushes(element) if name in along]
-
-
-def _holds(draft: Draft, name: str, value: Scalar) -> None:
-    """A force that is positive whatever the position: the contact lasts."""
-    if sign(value, draft.study.assumptions).kind != "positive":
-        return
-    moving = any(depends_on(value, q) for q in (*draft.study.system.coordinates, "t"))
+def _holds(draft: Draft, side: Side) -> None:
+    """A force that is nowhere negative: the contact lasts, if need be up to where another is lost."""
+    moving = any(depends_on(side.value, q) for q in (*draft.study.system.coordinates, "t"))
+    kind = sign(side.value, draft.study.assumptions).kind
+    never = kind in ("nonnegative", "zero")
+    told = "until" if side.until else "never" if never else "holds" if draft.study.system.independent else "stays"
     draft.add(
-        f"holds.{name}",
+        f"holds.{side.force}",
         "stays",
-        t.relation(t.Sym(name), ">", t.ZERO),
-        f"contact.holds.{_manner(draft, name)}",
+        t.relation(t.Sym(side.force), ">=" if never else ">", t.ZERO),
+        f"contact.{told}.{_manner(draft, side.force)}",
         level=STANDARD if moving else FULL,
-        premises=[f"along.{name}"],
-        force=t.Sym(name),
+        premises=_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
+        force=t.Sym(side.force),
+        lost=t.Sym(side.until),
+        data={"until": side.until},
     )
+
+
+def _asks(draft: Draft, side: Side) -> None:
+    """A force that is not negative under a condition only: on the parameters, or on the state."""
+    shown = draft.show(side.value)
+    if length(shown) <= LONGEST:
+        shown = draft.show(essential(side.value, draft.study.assumptions), factor=True)
+    else:
+        shown = t.Sym(side.force)
+    places = [bool(loss.at) for loss in draft.study.ended.open_ if loss.force == side.force]
+    told = "asks" if side.state == "asked" else "open.place" if all(places) else "open.form"
+    draft.add(
+        f"asks.{side.force}",
+        "asked",
+        t.relation(shown, ">=", t.ZERO),
+        f"contact.{told}",
+        premises=_told(draft, side.force),
+        is_result=True,
+        lasts=_lasts(draft, side.force),
+        data={"force": side.force},
+    )
+
+
+def _nothing(draft: Draft, side: Side) -> None:
+    """What is lost is told with its place."""
+
+
+TOLD: Mapping[str, Callable[[Draft, Side], None]] = {"kept": _holds, "lost": _nothing, "asked": _asks, "open": _asks}
+
+
+def _told(draft: Draft, name: str, *more: str) -> tuple[str, ...]:
+    """Where the force was found: along the motion, or in each state of motion."""
+    return draft.those(f"along.{name}", f"reaction.{name}", *more)
+
+
+def _lasts(draft: Draft, name: str) -> PhraseRef:
+    return PhraseRef(f"contact.lasts.{_manner(draft, name)}", {"force": t.Sym(name)})
 
 
 def _manner(draft: Draft, name: str) -> str:
@@ -123,6 +157,7 @@ def _friction(draft: Draft, need: FrictionNeed) -> None:
     slots = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
     forces = (need.friction, need.constraint)
     premises = draft.those(*(f"{kind}.{n}" for n in forces for kind in ("along", "reaction")))
+    slots["obligations"] = (t.relation(normal, ">", t.ZERO),)
     if need.needed is None:
         shown = _with_tangent(draft, need.ratio)
         draft.add(
@@ -174,9 +209,9 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
         f"loss.{loss.force}",
         "vanishing",
         equation,
-        f"contact.{'lost' if place is not None else 'lost_implicitly'}.{_manner(draft, loss.force)}",
+        f"contact.lost.{'first' if place is None else 'place'}",
         premises=[f"along.{loss.force}", *ground(draft, loss.coordinate)],
-        force=t.Sym(loss.force),
+        lasts=_lasts(draft, loss.force),
         is_result=True,
         coordinate=t.Sym(loss.coordinate),
         obligations=draft.asked(loss.valid),
@@ -202,24 +237,6 @@ def _loss(draft: Draft, loss: Loss, along) -> None:
             lost=t.Sym(loss.force),
             data={"of": name, "at": dict(loss.at), "place": f"loss.{loss.force}"},
         )
-
-
-def _may_end(draft: Draft, force: str, value: Scalar) -> None:
-    """What would have to vanish for the force to vanish, where it is not decided whether the motion comes there; the
-    force itself where that is too long."""
-    factor = next(loss.factor for loss in draft.study.ended.open_ if loss.force == force)
-    shown = draft.show(factor, factor=True)
-    if length(shown) > LONGEST:
-        shown, factor = t.Sym(force), value
-    draft.add(
-        f"may_end.{force}",
-        "may_vanish",
-        t.equation(shown, t.ZERO),
-        f"contact.may_end.{_manner(draft, force)}",
-        premises=[f"along.{force}"],
-        force=t.Sym(force),
-        data={"force": force, "at": {}, "factor": factor},
-    )
 
 
 def ground(draft: Draft, *names: str) -> list[str]:

@@ -1,0 +1,58 @@
+"""What becomes of each one-sided force on the motion told, and of each friction that has a limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.events import Losses, pushes
+from rbpsym.mechanics.friction import FrictionNeed
+from rbpsym.statement.model import Element
+
+LARGEST = 400  # terms: conditions on what is longer are left as they stand
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """A one-sided force with its `value` on the motion, and what becomes of it: it is "kept" (up to where the force `until`
+    is lost), "lost", or not negative under the conditions `valid` only ("asked"; "open": whether they are met on the way
+    is not decided, though the value is a function of the position alone)."""
+
+    force: str
+    value: Scalar
+    state: str
+    until: str = ""
+    valid: tuple[Demand, ...] = ()
+
+
+def sides(
+    constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions
+) -> tuple[Side, ...]:
+    """All one-sided forces, from their values along the motion as far as these are known."""
+    names = [name for element in constraints for name in pushes(element) if name in known]
+    return tuple(_side(name, known[name], ended, given) for name in names)
+
+
+def _side(name: str, value: Scalar, ended: Losses, given: Assumptions) -> Side:
+    asked = (Demand(value, ">="),)
+    if len(value.num) * len(value.den) <= LARGEST:
+        asked = asked if (left := settle(asked, given)) is None else left
+    lost = next((loss for loss in ended.found if loss.force == name), None)
+    if lost is not None:
+        return Side(name, value, "lost", "", lost.valid)
+    if not asked:
+        return Side(name, value, "kept")
+    if ended.complete is True:
+        return Side(name, value, "kept", next((loss.force for loss in ended.found), ""))
+    return Side(name, value, "open" if any(loss.force == name for loss in ended.open_) else "asked", "", asked)
+
+
+def grips(needs: tuple[FrictionNeed, ...]) -> Iterator[Demand]:
+    """What friction asks for to stay within the limits that are stated, where it is not sure to do so."""
+    for need in needs:
+        if need.limit is not None and not need.holds:
+            sizes = (need.ratio, -need.ratio) if need.needed is None else (need.needed,)
+            yield from (Demand(need.limit - size, ">=") for size in sizes)
