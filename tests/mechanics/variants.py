@@ -54,7 +54,7 @@ def values(found: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, 
     elif isinstance(found, list):
         for k, part in enumerate(found):
             yield from values(part, (*path, str(k)))
-    elif isinstance(found, str) and path[0] != "conditions_complete" and path[-1] not in ("complete", "reason", "stability"):
+    elif isinstance(found, str) and path[0] != "conditions_complete" and path[-1] not in ("complete", "reason", "stability", "state"):
         yield path, RELATION.split(found)[0]
 
 
