@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import symbol
+from rbpsym.algebra.scalar import NOTHING, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
@@ -79,9 +79,10 @@ def ends_in_zero(said: Said) -> bool:
 
 
 def ends_otherwise(said: Said) -> bool:
-    """What is proved to be equal to something is not zero all the time."""
-    value = said.context.value(said.rows[-1].items[-1])
-    return is_proved(said) and not is_zero(said.study.on_motion(value))
+    """What is proved to be equal to something is not zero all the time, whatever the parameters."""
+    value = said.study.on_motion(said.context.value(said.rows[-1].items[-1]))
+    mild = [{q.name: NOTHING} for q in said.study.problem.parameters if q.sign not in ("positive", "negative")]
+    return is_proved(said) and not any(is_zero(substitute(value, at)) for at in ({}, *mild))
 
 
 def is_identity(said: Said) -> bool:

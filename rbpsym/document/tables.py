@@ -69,8 +69,8 @@ def _by(name: str, said: Words) -> Inlines:
 def _at(label: str, on: str, pose: DrawnPose, said: Words) -> Inlines:
     """Where the force acts on a body, in a word: what touches there may be named by a point of the other body."""
     body, _, point = label.partition(".")
-    if label == "rim":
-        return said.say("point.rim")
+    if label in ("rim", "wound"):
+        return said.say(f"point.{label}")
     names = pose.study.problem.body_names
     if label in names or (body in names and body != on):
         return said.say("point.contact")

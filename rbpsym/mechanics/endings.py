@@ -14,6 +14,7 @@ from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
@@ -21,7 +22,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.roots import factor_zeros, factors_in, zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
 
@@ -100,7 +101,7 @@ def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
     name = _mover(study)
     if name is None or not is_zero(substitute(slip, {f"{name}_dot": NOTHING})):
         _uniform(study, phase)  # says that there is no closed form
-    place = _next(study, name, zeros(study.squares[name], name))
+    place = _next(study, name, study.squares[name])
     if place is None:
         raise _no_closed_form(f"the place where “{phase.subject}” stops slipping")
     return _met(study, phase, name, place)
@@ -132,7 +133,7 @@ def value_reached(study: Study, phase: Phase) -> State:
     if name is None:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
     gap = _of(study, phase.subject)[0] - value
-    place = _next(study, name, zeros(gap, name))
+    place = _next(study, name, gap)
     if place is None:
         raise _never(study, phase)
     return _met(study, phase, name, place, Demand(short(substitute(study.squares[name], {name: place}))))
@@ -151,7 +152,7 @@ def grip_ends(study: Study, phase: Phase) -> State:
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
     grip, limit = along[element["friction"]], along[element.name] * scalar(element["limit"])
-    place = _next(study, name, [zero for gap in (grip - limit, grip + limit) for zero in zeros(gap, name)])
+    place = _next(study, name, grip - limit, grip + limit)
     if place is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
     return _met(study, phase, name, place)
@@ -275,13 +276,19 @@ def _way(study: Study, name: str, place: Scalar) -> int:
     return -1 if _float(study, place - study.system.scope.start[name]) < 0 else 1
 
 
-def _next(study: Study, name: str, places: Iterable[Scalar]) -> Scalar | None:
-    """The first of the places on the way from the start, as far as sample numbers tell."""
-    start = study.system.scope.start
+def _next(study: Study, name: str, *gaps: Scalar) -> Scalar | None:
+    """The first place on the way from the start at which one of the values vanishes, as far as sample numbers tell; None
+    if there is none in closed form, or if it is not sure that none without one comes before."""
+    start, places = study.system.scope.start, [place for gap in gaps for place in zeros(gap, name)]
     sense = -1 if _float(study, _drive(study, name)) < 0 else 1
     ahead = [(sense * _float(study, place - start[name]), place) for place in places if not depends_on(place, name)]
     ahead = [item for item in ahead if item[0] > EDGE]
-    return min(ahead, key=lambda item: item[0])[1] if ahead else None
+    if not ahead:
+        return None
+    place = min(ahead, key=lambda item: item[0])[1]
+    between = study.assumptions.with_range(name, *((start[name], place) if sense > 0 else (place, start[name])))
+    open_ = (factor for gap in gaps for factor in factors_in(gap, name) if not factor_zeros(factor, name))
+    return place if all(sign(factor, between).is_nonzero for factor in open_) else None
 
 
 def _float(study: Study, value: Scalar) -> float:

@@ -45,6 +45,8 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
             lines.append(pattern.sub(lambda m: names[m[1]], line))
     return "\n".join(lines)
 
+WORDS = ("complete", "reason", "stability", "state")
+
 
 def values(found: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], str]]:
     """All expressions of an answer with their places."""
@@ -54,7 +56,7 @@ def values(found: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, 
     elif isinstance(found, list):
         for k, part in enumerate(found):
             yield from values(part, (*path, str(k)))
-    elif isinstance(found, str) and path[0] != "conditions_complete" and path[-1] not in ("complete", "reason", "stability", "state"):
+    elif isinstance(found, str) and path[0] != "conditions_complete" and path[-1] not in WORDS:
         yield path, RELATION.split(found)[0]
 
 

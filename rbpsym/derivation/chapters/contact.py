@@ -75,7 +75,8 @@ def _along(draft: Draft, along: Mapping[str, Scalar]) -> None:
     """Each unknown force with the speed put in."""
     for name, value in along.items():
         shown = draft.show(value, factor=True)
-        level = STANDARD if _is_contact(draft, name) or length(shown) <= LONGEST else FULL
+        constant = not any(depends_on(value, q) for q in (*draft.study.system.coordinates, "t"))
+        level = STANDARD if constant or _is_contact(draft, name) or length(shown) <= LONGEST else FULL
         draft.add(
             f"along.{name}",
             "substitution",

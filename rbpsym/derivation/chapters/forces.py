@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.draft import Draft
@@ -10,6 +12,7 @@ from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
+from rbpsym.statement.paths import round_size
 
 
 def write(draft: Draft) -> None:
@@ -81,7 +84,7 @@ def _entry(draft: Draft, force: Force) -> None:
         f"forces.{force.law}",
         body=BodyRef(force.on),
         by=_party(draft, force),
-        where="rim" if _is_tension(draft, force) and _is_on_rim(draft, force) else force.where,
+        where=_place(draft, force),
         force=node,
         data={"forces": (force,), "origin": state.center, "value": center},
     )
@@ -101,10 +104,14 @@ def _is_tension(draft: Draft, force: Force) -> bool:
     return bool(force.unknowns) and draft.study.system.element(force.name).kind == "string"
 
 
-def _is_on_rim(draft: Draft, force: Force) -> bool:
-    """Does the string leave a round body, and not a point of it?"""
-    path = draft.study.system.element(force.name)["path"]
-    return any(turn.sense and turn.grips and turn.center.label == force.where for turn in path)
+def _place(draft: Draft, force: Force) -> str:
+    """Where it acts: on the rim of a round body that a string leaves, or on what is smaller, on which it is wound."""
+    path = draft.study.system.element(force.name)["path"] if _is_tension(draft, force) else ()
+    turn = next((turn for turn in path if turn.sense and turn.grips and turn.center.label == force.where), None)
+    if turn is None:
+        return force.where
+    size = round_size(draft.study.problem.body(force.on))
+    return "rim" if size is not None and is_zero(scalar(size) - scalar(turn.radius)) else "wound"
 
 
 def _define_vector(draft: Draft, node: t.Node, force: Force) -> None:

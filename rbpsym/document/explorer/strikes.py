@@ -32,7 +32,7 @@ def strikes(stage: Stage, begins: Phase, put: Put, notation: Notation) -> dict[s
         return None
     return {
         "arrows": list(arrows(stage, begins, put, notation)),
-        "parts": [{**label(node, notation), "value": put(value)} for node, value in components(stage.began, begins)],
+        "parts": [{**label(node, notation), "value": put(value)} for node, value in components(stage, begins)],
         "lost": put(stage.began.energy_lost),
     }
 
@@ -50,7 +50,7 @@ def arrows(stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterato
         unknown = any(depends_on(part, n) for part in (vector.x, vector.y, couple) for n in force.unknowns)
         if not unknown and not all(map(is_zero, (vector.x, vector.y, couple))):
             yield {
-                **label(letter(force, begins), notation),
+                **label(letter(force, stage, begins), notation),
                 "on": force.on,
                 "at": [put(point.x), put(point.y)],
                 "vector": [put(vector.x), put(vector.y)],
@@ -65,28 +65,28 @@ def put_in(began: HandOver, value: Vector | Scalar) -> Any:
     return substitute(substitute(value, began.impulses), began.before.places)
 
 
-def letter(force: Force, begins: Phase) -> t.Node:
+def letter(force: Force, stage: Stage, begins: Phase) -> t.Node:
     """A blow as it is given, a collision by its name, the impulse of a constraint with a hat."""
     element = next((e for e in begins.impulses if e.name == force.name), None)
     if element is None:
-        return t.Sym(hat(force.name))
+        return t.Sym(hat(force.name, stage))
     given = [part for part in element["impulse"] if part != t.ZERO] if element.kind == "blow" else []
     return given[0] if len(given) == 1 else t.Sym(element.name)
 
 
-def components(began: HandOver, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
+def components(stage: Stage, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
     """What a table names: the components of blows, then all unknown impulses that are not zero."""
     for element in begins.impulses:
         if element.kind == "blow":
             vector = pair(element["impulse"])
             yield from ((present(part), part) for part in (vector.x, vector.y) if not is_zero(part))
     own = {element.name for element in begins.impulses}
-    for name, value in began.impulses.items():
+    for name, value in stage.began.impulses.items():
         if not is_zero(value):
-            yield t.Sym(name if name in own else hat(name)), value
+            yield t.Sym(name if name in own else hat(name, stage)), value
 
 
-def hat(name: str) -> str:
+def hat(name: str, stage: Stage) -> str:
     """P̂_x for the impulse of the force P_x."""
     first, _, rest = name.partition("_")
-    return f"{first}_hat_{rest}" if rest else f"{first}_hat"
+    return stage.study.letters.free(f"{first}_hat_{rest}" if rest else f"{first}_hat")
