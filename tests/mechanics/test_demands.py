@@ -1,0 +1,119 @@
+"""What is left of conditions says the same as they do together: at any numbers both hold, or neither."""
+
+import math
+import random
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.mechanics.demands import Demand, assuming, existence, settle
+from rbpsym.mechanics.numbers import number
+from rbpsym.notation.infix import read_infix
+
+GIVEN = Assumptions(
+    dict.fromkeys(("m", "M", "k", "L", "mu"), "positive"),
+    {"theta": (-scalar(read_infix("pi", ())), scalar(read_infix("pi", ())))},
+)
+NAMES = ("m", "M", "k", "L", "mu", "x", "theta")
+HOLDS = {">": lambda value: value > 0, ">=": lambda value: value >= 0, "!=": lambda value: value != 0}
+
+
+def demands(texts) -> list[Demand]:
+    """ "m - M > 0" and the like, as demands."""
+    parts = [text.split(" ") for text in texts]
+    return [Demand(scalar(read_infix(" ".join(words[:-2]), NAMES)), words[-2]) for words in parts]
+
+
+def samples(count: int = 60):
+    source = random.Random(7)
+    for _ in range(count):
+        found = {name: 9 ** source.uniform(-1, 1) for name in NAMES[:-2]}
+        yield found | {"x": source.uniform(-3, 3), "theta": source.uniform(-math.pi, math.pi)}
+
+
+def hold(items, at) -> bool:
+    try:
+        return all(HOLDS[item.op](number(item.value, at)) for item in items)
+    except (ValueError, ZeroDivisionError):
+        return False
+
+
+SETS = {
+    "twice": ["m - M > 0", "2*m - 2*M > 0"],
+    "one of the other": ["m - M > 0", "m*k - M*k > 0"],
+    "implied": ["m + M > 0", "m - M != 0"],
+    "against each other": ["m - M > 0", "M - m > 0"],
+    "never": ["-m > 0"],
+    "never or equal": ["-m - M >= 0"],
+    "zero": ["m - m != 0"],
+    "product": ["(m - M)*(k - L) > 0", "m - M > 0"],
+    "both": ["m - M > 0", "m - M != 0"],
+    "or equal": ["m - M >= 0", "k - L > 0"],
+    "quotient": ["(m - M)/(k + L) > 0"],
+    "quotient of either sign": ["(m - M)/(k - L) > 0"],
+    "square": ["m**2 - M*k > 0"],
+    "squares": ["m**2 - M*k > 0", "m - 2*M > 0", "k - L > 0"],
+    "chain": ["m - M > 0", "M - k > 0", "m - k > 0"],
+    "root": ["m - M*sqrt(k) > 0"],
+    "root above": ["M*sqrt(k) - m > 0"],
+    "root or equal": ["m - sqrt(M**2 + k) >= 0"],
+    "two roots": ["m - L*sqrt(k) > 0", "m - k > 0"],
+    "asin": ["asin(mu) - pi/6 > 0", "1 - mu**2 > 0"],
+    "minus asin": ["pi/3 - asin(mu) > 0", "1 - mu**2 > 0"],
+    "asin beyond": ["asin(mu) + pi > 0", "1 - mu**2 > 0"],
+    "asin never": ["asin(mu) - pi > 0", "1 - mu**2 > 0"],
+    "acos": ["acos(mu) - pi/3 > 0", "1 - mu**2 > 0"],
+    "minus acos": ["pi/4 - acos(mu) > 0", "1 - mu**2 > 0"],
+    "atan": ["2*atan(mu) - pi/2 > 0"],
+    "atan beyond": ["pi - atan(mu) > 0"],
+    "waves": ["sin(theta) > 0"],
+    "falling": ["-sin(theta) > 0", "m > 0"],
+    "rising": ["cos(theta) > 0", "1 - mu > 0"],
+    "wave and its square": ["cos(theta) > 0", "cos(theta) - cos(theta)**2 > 0"],
+}
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_what_is_left_says_the_same(name):
+    asked = demands(SETS[name])
+    left = settle(asked, GIVEN)
+    for at in samples():
+        assert hold(asked, at) == (left is not None and hold(left, at)), at
+    if left is not None:
+        assert len(left) <= len(asked) + any("root" in name for _ in left)
+
+
+def test_what_contradicts_itself_is_never_met():
+    assert {name for name in SETS if settle(demands(SETS[name]), GIVEN) is None} == {
+        "against each other", "never", "never or equal", "zero", "asin never",
+    }  # fmt: skip
+    assert settle(demands(SETS["implied"]), GIVEN) == tuple(demands(["m - M != 0"]))
+    assert settle(demands(SETS["twice"]), GIVEN) == tuple(demands(["m - M > 0"]))
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_ranges_that_follow_hold_where_the_conditions_do(name):
+    asked = demands(SETS[name])
+    known = assuming(GIVEN, asked)
+    for at in samples():
+        if hold(asked, at):
+            for quantity in NAMES:
+                low, high = known.range_of(quantity)
+                assert low is None or number(low, at) <= at[quantity] + 1e-12
+                assert high is None or number(high, at) >= at[quantity] - 1e-12
+
+
+FORMULAS = ("sqrt(x - 1)", "asin(x)", "ln(x)/(x - 2)", "acos(x/m)*sqrt(1 - x**2)", "m/x", "atan(x) + 1/(x - mu)")
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_a_formula_has_a_value_where_its_conditions_hold(text):
+    value = scalar(read_infix(text, NAMES))
+    asked = existence(value)
+    for at in samples():
+        try:
+            found = math.isfinite(number(value, at))
+        except (ValueError, ZeroDivisionError):
+            found = False
+        assert hold(asked, at) == found
