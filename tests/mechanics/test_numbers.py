@@ -1,0 +1,79 @@
+"""Sample numbers keep what is declared; lines have unit normals; a motion goes ahead in its sense."""
+
+import math
+import random
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import lift, symbol
+from rbpsym.equality.assumptions import NONE
+from rbpsym.mechanics.events import Way
+from rbpsym.mechanics.geometry import components
+from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
+from rbpsym.mechanics.roots import zeros
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.model import Line
+from tests.library.derived import NAMES, problem
+
+
+def bounds(quantity, at):
+    for node in (quantity.lower, quantity.upper):
+        try:
+            yield None if node is None else number(scalar(node), at)
+        except NoNumber:
+            yield None
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_sample_numbers_keep_what_is_declared(name):
+    stated = problem(name)
+    for at in samples(stated, 5):
+        for quantity in (*stated.parameters, *stated.coordinates):
+            low, high = bounds(quantity, at)
+            assert low is None or at[quantity.name] > low - 1e-12, quantity
+            assert high is None or at[quantity.name] < high + 1e-12, quantity
+        assert all(at[q.name] > 0 for q in stated.parameters if q.sign == "positive")
+    assert sample(stated) == next(samples(stated))
+    others = list(samples(stated, 4))
+    assert not stated.parameters or all(one != other for one, other in zip(others, others[1:], strict=False))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_line_has_a_unit_normal_and_its_distances(seed):
+    source = random.Random(seed)
+    a, b, c = (source.randint(1, 9) * source.choice((-1, 1)) for _ in range(3))
+    x, y, z = (number(part, {}) for part in components(Line("", t.Num(a), t.Num(b), t.Num(c))))
+    assert math.isclose(math.hypot(x, y), 1.0)
+    assert math.isclose(x * b, y * a) and math.isclose(x * c, z * a)
+
+
+def test_a_slope_has_its_angle():
+    beta = t.Sym("beta")
+    x, y, z = components(Line("", t.Fn("tan", beta), t.ONE, t.ZERO))
+    assert [number(part, {"beta": 0.3}) for part in (x, y, z)] == pytest.approx([math.sin(0.3), math.cos(0.3), 0])
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_what_lies_ahead(sense):
+    start, place = symbol("a"), symbol("b")
+    way = Way("x", start, sense, lift(1))
+    assert way.ahead(start + sense * place) == place
+    known = way.until(place, NONE).range_of("x")
+    assert known == ((start, place) if sense > 0 else (place, start))
+
+
+WAVES = (
+    "a*sin(theta) + b", "a*cos(theta) + b", "a*cos(2*theta + c) - b", "sin(theta)", "cos(3*theta)",
+    "a*sin(theta/2) - b*cos(theta/2)",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("text", WAVES)
+def test_zeros_of_waves_are_two_and_zeros(text):
+    value, at = scalar(read_infix(text, ("a", "b", "c", "theta"))), {"a": 2.0, "b": 1.1, "c": 0.4}
+    found = [number(place, at) for place in zeros(value, "theta")]
+    assert len({round(place, 9) for place in found}) == 2
+    for place in found:
+        assert abs(number(value, {**at, "theta": place})) < 1e-12
