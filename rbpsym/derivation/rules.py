@@ -1,6 +1,6 @@
 """The rules by which steps are made, and for each the checks that a step must pass.
 
-A check shares no code with the maker of the step. A new rule is a new entry.
+A check shares nothing but formulas and arithmetic with the maker of the step. A new rule is a new entry.
 """
 
 from __future__ import annotations

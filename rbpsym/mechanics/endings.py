@@ -7,12 +7,12 @@ integral; the time is known in the first case only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root
+from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
@@ -21,50 +21,13 @@ from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.numbers import Numbers, number, sample, samples
 from rbpsym.mechanics.roots import factor_zeros, factors_in, zeros
+from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
 
 EDGE = 1e-9
-
-
-@dataclass(frozen=True)
-class State:
-    """Time since the start of the phase (None: no closed form), coordinates and speeds of all that the problem has; the
-    conditions under which the motion comes there."""
-
-    time: Scalar | None
-    places: Mapping[str, Scalar]
-    speeds: Mapping[str, Scalar]
-    valid: tuple[Demand, ...] = ()
-
-
-def at_start(study: Study, phase: Phase | None = None) -> State:
-    """Coordinates and speeds of the declared start, dependent ones too."""
-    start, places, speeds = study.system.scope.start, {}, {}
-    for coordinate in study.problem.coordinates:
-        name = coordinate.name
-        value, rate = _of(study, name)
-        places[name], speeds[name] = (short(substitute(part, start)) for part in (value, rate))
-        _require_start(study, name, places[name], speeds[name])
-    return State(NOTHING, places, speeds)
-
-
-def _of(study: Study, name: str) -> tuple[Scalar, Scalar]:
-    """A coordinate and its speed in the independent ones."""
-    value, rate = study.system.dependent.get(name, symbol(name)), study.system.scope.rates.get(name)
-    return value, time_derivative(value, study.system.scope) if rate is None else rate
-
-
-def _require_start(study: Study, name: str, *values: Scalar) -> None:
-    names = {n for c in study.problem.coordinates for n in (c.name, f"{c.name}_dot")}
-    if any(derivative(value, other) for value in values for other in names):
-        raise StatementError(
-            f"the phases need to know where “{name}” starts and how fast",
-            instead=f'give [coordinates.{name}] a start = "..." and a speed = "...".',
-            place=next(c.place for c in study.problem.coordinates if c.name == name),
-        )
 
 
 # --- events
@@ -86,12 +49,8 @@ def slip_ends(study: Study, phase: Phase) -> State:
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
     start = at_start(study)
     first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
-    if is_zero(gain) or _float(study, -(first / gain)) < 0:
-        raise StatementError(
-            f"the phase “{phase.name}” is never reached: “{phase.subject}” does not stop slipping",
-            instead="check the start speeds and the sense of the slip.",
-            place=element.place,
-        )
+    if is_zero(gain) or all(_float(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
+        raise _never(study, phase, what="does not stop slipping")
     asked = [Demand(-(first * gain))]
     return _after(study, phase, start, short(-(first / gain)), asked)
 
@@ -132,10 +91,10 @@ def value_reached(study: Study, phase: Phase) -> State:
     name = _mover(study)
     if name is None:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
-    gap = _of(study, phase.subject)[0] - value
+    gap = of_coordinate(study, phase.subject)[0] - value
     place = _next(study, name, gap)
     if place is None:
-        raise _never(study, phase)
+        raise _never(study, phase, UNKNOWN)
     return _met(study, phase, name, place, Demand(short(substitute(study.squares[name], {name: place}))))
 
 
@@ -188,7 +147,7 @@ def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
 
 def _gain(study: Study, phase: Phase, name: str) -> Scalar:
     """The acceleration of any coordinate."""
-    rate = _of(study, name)[1]
+    rate = of_coordinate(study, name)[1]
     return substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
 
 
@@ -198,13 +157,14 @@ def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterab
     if valid is None:
         raise _never(study, phase)
     gains = {name: _gain(study, phase, name) for name in start.places}
-    places = {n: short(q + start.speeds[n] * time + gains[n] * time * time / 2) for n, q in start.places.items()}
+    moved = {n: q + start.speeds[n] * time + gains[n] * time * time / 2 for n, q in start.places.items()}
+    places = {n: short(without_even_roots(q)) for n, q in moved.items()}
     return State(time, places, {n: short(v + gains[n] * time) for n, v in start.speeds.items()}, valid)
 
 
 def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list[Demand]]:
-    """The first t > 0 with q + q̇ t + ½ q̈ t² = value for the sample numbers, and where it is the first: the roots have
-    the product -2 way/q̈ and the sum -2 q̇/q̈."""
+    """The first t > 0 with q + q̇ t + ½ q̈ t² = value at the first sample numbers at which there is one, and where it is
+    the first: the roots have the product -2 way/q̈ and the sum -2 q̇/q̈."""
     start, gain = at_start(study), _gain(study, phase, phase.subject)
     way, speed = short(value - start.places[phase.subject]), start.speeds[phase.subject]
     if is_zero(gain):
@@ -212,13 +172,14 @@ def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list
     else:
         spread = _root(study, speed * speed + way * gain * 2)
         times = [short((spread * side - speed) / gain) for side in (1, -1)]
-    ahead = [(t, time) for time in times if (t := _float(study, time)) > EDGE]
+    tried = ((numbers, [time for time in times if _float(time, numbers) > EDGE]) for numbers in samples(study.problem))
+    numbers, ahead = next((item for item in tried if item[1]), ({}, []))
     if not ahead:
-        raise _never(study, phase)
-    first = min(ahead, key=lambda item: item[0])[1]
+        raise _never(study, phase, UNKNOWN)
+    first = min(ahead, key=lambda time: _float(time, numbers))
     if is_zero(gain):
         return first, [Demand(way * speed)]
-    sense = 1 if _float(study, gain) > 0 else -1
+    sense = 1 if _float(gain, numbers) > 0 else -1
     if len(ahead) == 1 and not is_zero(way):
         return first, [Demand(gain * sense), Demand(way * sense)]
     back = [] if is_zero(way) else [Demand(-(way * sense))]
@@ -243,7 +204,7 @@ def _at_place(study: Study, name: str, place: Scalar) -> State:
     """All coordinates and speeds where the one that changes has a value, its speed from the first integral."""
     speed = _root(study, substitute(study.squares[name], {name: place})) * _way(study, name, place)
     here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
-    values = {c.name: _of(study, c.name) for c in study.problem.coordinates}
+    values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
     return State(None, places, speeds)
 
@@ -273,17 +234,21 @@ def _root(study: Study, value: Scalar) -> Scalar:
 
 def _way(study: Study, name: str, place: Scalar) -> int:
     """The sense in which it moves there: away from the start."""
-    return -1 if _float(study, place - study.system.scope.start[name]) < 0 else 1
+    return -1 if _float(place - study.system.scope.start[name], sample(study.problem)) < 0 else 1
 
 
 def _next(study: Study, name: str, *gaps: Scalar) -> Scalar | None:
-    """The first place on the way from the start at which one of the values vanishes, as far as sample numbers tell; None
-    if there is none in closed form, or if it is not sure that none without one comes before."""
+    """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
+    there is one; None if there is none in closed form, or if it is not sure that none without one comes before."""
     start, places = study.system.scope.start, [place for gap in gaps for place in zeros(gap, name)]
-    sense = -1 if _float(study, _drive(study, name)) < 0 else 1
-    ahead = [(sense * _float(study, place - start[name]), place) for place in places if not depends_on(place, name)]
-    ahead = [item for item in ahead if item[0] > EDGE]
-    if not ahead:
+    known = [place for place in places if not depends_on(place, name)]
+    for numbers in samples(study.problem):
+        sense = -1 if _float(_drive(study, name), numbers) < 0 else 1
+        ahead = [(sense * _float(place - start[name], numbers), place) for place in known]
+        ahead = [item for item in ahead if item[0] > EDGE]
+        if ahead:
+            break
+    else:
         return None
     place = min(ahead, key=lambda item: item[0])[1]
     between = study.assumptions.with_range(name, *((start[name], place) if sense > 0 else (place, start[name])))
@@ -291,20 +256,25 @@ def _next(study: Study, name: str, *gaps: Scalar) -> Scalar | None:
     return place if all(sign(factor, between).is_nonzero for factor in open_) else None
 
 
-def _float(study: Study, value: Scalar) -> float:
-    """A sample number; not a number where it is not real."""
+
+def _float(value: Scalar, numbers: Numbers) -> float:
+    """The value at these numbers; not a number where it is not real."""
     try:
-        found = number(value, sample(study.problem))
+        found = number(value, numbers)
     except NoNumber:
         return float("nan")
     return 0.0 if abs(found) < 1e-12 else found
 
 
-def _never(study: Study, phase: Phase) -> StatementError:
+UNKNOWN = "not reached at any of the numbers that were tried"
+
+
+def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "does not come to its value") -> StatementError:
+    stated = (*study.problem.coordinates, *study.problem.constraints)
     return StatementError(
-        f"the phase “{phase.name}” is never reached: “{phase.subject}” does not come to its value",
-        instead="check the start, the start speed and the value.",
-        place=next((c.place for c in study.problem.coordinates if c.name == phase.subject), None),
+        f"the phase “{phase.name}” is {how}: “{phase.subject}” {what}",
+        instead="check the start, the start speeds, the value, and the sense of a slip.",
+        place=next((one.place for one in stated if one.name == phase.subject), None),
     )
 
 

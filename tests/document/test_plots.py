@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import rbpsym
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.cli import main
-from rbpsym.document.figures.placing import collisions, placed
+from rbpsym.document.figures.placing import placed
 from rbpsym.document.model import FigureBlock, Math
 from rbpsym.document.notes import notation_of, notes
 from rbpsym.document.notes_plots import plots_section
@@ -31,6 +31,7 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
 from rbpsym.statement.loader import load_text
+from tests.document.collisions import collisions
 from tests.library.derived import unsimulated
 
 PLAIN = """
