@@ -19,6 +19,7 @@ from rbpsym.derivation.view import View
 from rbpsym.equality.domain import Condition, conditions, divisors, obligations
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 
 
@@ -62,8 +63,16 @@ def _discharged(view: View, one: Condition) -> Obligation:
         if not made.is_discharged and (seen := _along(view, one.value)) is not None:
             [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
             made = replace(made, why=other.why)
-        view.rows[key] = made if made.is_discharged else replace(made, why=_told(view, one))
-    return replace(view.rows[key], relation=one.relation)
+        made = made if made.is_discharged else replace(made, why=_told(view, one))
+        view.rows[key] = made, None if made.is_discharged else _shorter(view, one)
+    made, shorter = view.rows[key]
+    return replace(made, relation=one.relation if shorter is None else t.relation(shorter, one.op, t.ZERO))
+
+
+def _shorter(view: View, one: Condition) -> t.Node | None:
+    """What must not vanish without the factors that do not, if there are some."""
+    left = essential(one.value, view.whole.assumptions) if one.op == "!=" else one.value
+    return present(left, view.whole.style, factor=True) if len(left.num) < len(one.value.num) else None
 
 
 def _told(view: View, one: Condition) -> str:

@@ -11,15 +11,8 @@ from rbpsym.notation.tree import Node
 def owed_by(steps: Iterable[Step], shown: Set[str]) -> Mapping[str, tuple[Node, ...]]:
     """For each shown step what is open of it; for a result also what is open of the hidden steps that it rests on."""
     by_id = {step.id: step for step in steps}
-    found = {id: _strongest(_open(by_id, by_id[id], shown)) for id in shown if id in by_id}
+    found = {id: tuple(dict.fromkeys(_open(by_id, by_id[id], shown))) for id in shown if id in by_id}
     return {id: nodes for id, nodes in found.items() if nodes}
-
-
-def _strongest(nodes: Iterable[Node]) -> tuple[Node, ...]:
-    """Each once; what is not zero because it is positive is not told again."""
-    found = tuple(dict.fromkeys(nodes))
-    positive = {node.items for node in found if node.ops == (">",)}
-    return tuple(node for node in found if node.ops != ("!=",) or node.items not in positive)
 
 
 def _open(by_id: Mapping[str, Step], step: Step, shown: Set[str]) -> list[Node]:
