@@ -175,7 +175,8 @@ def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list
     tried = ((numbers, [time for time in times if _float(time, numbers) > EDGE]) for numbers in samples(study.problem))
     numbers, ahead = next((item for item in tried if item[1]), ({}, []))
     if not ahead:
-        raise _never(study, phase, UNKNOWN)
+        may_be = any(settle(existence(time), study.assumptions) is not None for time in times)
+        raise _never(study, phase, UNKNOWN) if may_be else _never(study, phase)
     first = min(ahead, key=lambda time: _float(time, numbers))
     if is_zero(gain):
         return first, [Demand(way * speed)]
