@@ -2,18 +2,21 @@
 
 import math
 import random
+from fractions import Fraction
 
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import lift, symbol
-from rbpsym.equality.assumptions import NONE
+from rbpsym.algebra.scalar import PI, lift, symbol
+from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
+from rbpsym.mechanics.rest import _all_turns
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
+from rbpsym.statement.loader import load_text
 from rbpsym.statement.model import Line
 from tests.library.derived import NAMES, problem
 
@@ -77,3 +80,60 @@ def test_zeros_of_waves_are_two_and_zeros(text):
     assert len({round(place, 9) for place in found}) == 2
     for place in found:
         assert abs(number(value, {**at, "theta": place})) < 1e-12
+
+
+PENDULUM = """
+[parameters]
+m = "mass"
+ell = "length"
+g = "acceleration"
+mu = "number"
+[coordinates.theta]
+meaning = "angle"
+start = "theta_0"
+[bodies.rod]
+shape = "rod"
+mass = "m"
+length = "ell"
+angle = "theta - pi/2"
+[interactions.W]
+type = "gravity"
+[constraints.A]
+type = "pivot"
+point = "rod.start"
+at = "O"
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "value"),
+    [("ell", "25 cm", 0.25), ("ell", "3", 3.0), ("mu", "0.3", 0.3), ("theta_0", "60 deg", math.pi / 3), ("m", "2 kg", 2.0)],
+)
+def test_the_authors_own_numbers_are_read_with_their_units(name, text, value):
+    assert math.isclose(sample(load_text(PENDULUM), {name: text})[name], value)
+
+
+@pytest.mark.parametrize(("example", "side"), [("", 1), ("20 deg", 1), ("-20 deg", -1)])
+def test_an_example_says_on_which_side_it_starts(example, side):
+    own = f'[example]\ntheta_0 = "{example}"\n' if example else ""
+    assert sample(load_text(PENDULUM + own))["theta_0"] * side > 0
+
+
+TURNS = [(None, None), (0, None), (None, 1), (0, 1), (-2, 3), (Fraction(1, 2), 4)]
+
+
+@pytest.mark.parametrize(("low", "high"), TURNS)
+@pytest.mark.parametrize("period", [1, 2, Fraction(2, 3), 4])
+@pytest.mark.parametrize("root", [0, Fraction(1, 4), -1])
+def test_a_zero_stands_for_all_its_turns_within_the_range(low, high, period, root):
+    """All in units of π; without bounds a range is one turn, or one period where that is longer."""
+    ends = tuple(None if end is None else PI * end for end in (low, high))
+    given = Assumptions({}, {} if ends == (None, None) else {"x": ends})
+    found = [number(place, {}) / math.pi for place in _all_turns(given, "x", PI * root, PI * period)]
+    turn = max(2, period)
+    if low is None and high is None:
+        low, high = -turn / 2, turn / 2
+    low, high = (high - turn if low is None else low), (low + turn if high is None else high)
+    wanted = [float(root + period * k) for k in range(-20, 21) if low < root + period * k < high]
+    assert [place for place in found if low + 1e-9 < place < high - 1e-9] == pytest.approx(wanted)
+    assert len(found) <= len(wanted) + 1
