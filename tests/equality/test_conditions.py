@@ -4,7 +4,7 @@ import pytest
 
 from rbpsym.algebra.evaluate import BARE
 from rbpsym.equality.assumptions import NONE
-from rbpsym.equality.domain import conditions, obligations
+from rbpsym.equality.domain import _is_plainly_positive, conditions, obligations
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Fn, Sym
@@ -54,3 +54,16 @@ def test_an_inverse_function_asks_for_its_domain(name):
 def test_squares_are_told_as_the_reason():
     found = conditions(read_infix("sqrt(x**4 + y**2)", {"x", "y"}), BARE)
     assert [duty.why for duty in obligations(found, NONE)] == ["a sum of squares and of what is not negative"]
+
+
+@pytest.mark.parametrize(
+    ("text", "assuming", "is_plain"),
+    [
+        ("m + x**2", "positive m", True), ("x**2 + 1", "", True), ("sqrt(x) + m", "positive m", True),
+        ("x**2 + y**2", "", False), ("m + x**2", "", False), ("x**2 - 1", "", False), ("m*x**2", "positive m", False),
+        ("m + x**2", "nonnegative m", False), ("m + x", "positive m", False), ("x**2 + 0", "", False),
+    ],
+)  # fmt: skip
+def test_a_sum_is_plainly_positive_where_one_term_is(text, assuming, is_plain):
+    names = names_in(text)
+    assert _is_plainly_positive(read_infix(text, names), read_assumptions(assuming, names)) is is_plain

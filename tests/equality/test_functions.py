@@ -65,3 +65,16 @@ def test_what_a_value_is_a_product_of(value: Scalar) -> None:
         while (shorter := rest / factor).den.terms == lift(1).num.terms and len(shorter.num) < len(rest.num):
             rest = shorter
     assert len(rest.num) == 1
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "without_signs"),
+    [
+        (generator_of("ln", X) + generator_of("ln", Y), generator_of("ln", X * Y), True),
+        (root(X) * root(Y), root(X * Y), True),
+        (root(X * X * Y), X * root(Y), False),
+    ],
+)
+def test_what_holds_wherever_both_have_a_value_is_proved(left: Scalar, right: Scalar, without_signs: bool) -> None:
+    assert proved(left, right)
+    assert scalars_equal(left, right).is_proved is without_signs

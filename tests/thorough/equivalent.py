@@ -20,4 +20,7 @@ EQUIVALENT: dict[str, str] = {
     "notation/text.py _rows: 0 -> 1": "where there is no row, none is moved to the right",
     "equality/points.py _pick: k > 0 -> k >= 0": SAMPLE,
     "equality/points.py points: 0 -> 1": SAMPLE,
+    "algebra/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",
+    "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": "a sign is its own inverse",
+    "mechanics/endings.py _time_until: speed * sense -> (speed) / (sense)": "a sign is its own inverse",
 }
