@@ -144,3 +144,43 @@ def test_works_cancel_as_points_move_together(name, cancel, monkeypatch):
     forces = [force(on=str(k), point=point) for k, (*_, point) in enumerate(places)]
     said = Told(step=step(), forces=forces, system=Told(bodies=bodies))
     assert w.works_cancel_as_points_move_together(said) is (told and cancel)
+
+
+@pytest.mark.parametrize("moves", [True, False])
+def test_the_point_of_torques_moves(moves, monkeypatch):
+    monkeypatch.setattr(g, "vector_rate", lambda origin, scope: cartesian(X, NOTHING) if moves else ORIGIN)
+    for proved in (True, False):
+        said = Told(step=step(proved, data={"origin": ORIGIN}), system=Told(scope=None))
+        assert g.point_moves(said) is (moves and proved)
+
+
+def test_a_chain_is_an_identity_where_its_ends_are_the_same_by_form():
+    a, b, both = t.Sym("a"), t.Sym("b"), t.add(t.Sym("b"), t.Sym("a"))
+    for items, told in (((a, a), True), ((a, b), False), ((t.add(a, b), a, both), True), ((a, a, b), False)):
+        assert g.is_identity(Told(rows=[t.Chain(items, ("=",) * (len(items) - 1))])) is told
+
+
+METHODS = {"torque": "PROVED", "newton": "PROVED"}
+
+
+@pytest.mark.parametrize(
+    ("summary", "agree", "confirmed"),
+    [
+        ({"methods": METHODS, "methods_agree": True, "lagrange": "UNDECIDED", "simulation": None}, True, True),
+        ({"methods": METHODS, "methods_agree": False, "lagrange": "UNDECIDED", "simulation": None}, False, False),
+        ({"methods": {"torque": "PROVED"}, "methods_agree": True, "lagrange": "PROVED", "simulation": None}, False, True),
+        ({"methods": {**METHODS, "newton": "UNDECIDED"}, "methods_agree": True, "lagrange": "", "simulation": None}, False, False),
+        ({"methods": {}, "methods_agree": True, "lagrange": "", "simulation": {"max_relative_error": 1e-9}}, False, True),
+        ({"methods": {}, "methods_agree": True, "lagrange": "", "simulation": {"max_relative_error": 1e-3}}, False, False),
+    ],
+)
+def test_what_confirms_a_derivation(summary, agree, confirmed):
+    said = Told(summary=summary)
+    assert w.methods_agree(said) is agree
+    assert w.is_confirmed(said) is confirmed
+
+
+@pytest.mark.parametrize(("checks", "told"), [((2, 2, 1), True), ((2, 1), False), ((1, 1, 3), False)])
+def test_most_steps_are_checked_twice(checks, told):
+    said = Told(steps=[Told(certificate=Told(checks=("",) * count)) for count in checks])
+    assert w.most_are_checked_twice(said) is told
