@@ -83,7 +83,7 @@ def remarks(moving: Motion, name: str, panels: Panels, is_first: bool) -> Iterat
     if omitted := sum(panel.omitted for panel in panels):
         yield "omitted", {"count": omitted}
     if "forces" in name and moving.loss:
-        yield kind_of_loss(moving), {"force": t.Sym(moving.loss[0])}
+        yield kind_of_loss(moving), {"force": t.Sym(moving.loss[1])}
     if any(curve.style == "curve thin" for curve in all_curves):
         yield "small", {}
     if is_first and len(moving.whole.legs) > 1:
@@ -94,7 +94,7 @@ def remarks(moving: Motion, name: str, panels: Panels, is_first: bool) -> Iterat
 
 def kind_of_loss(moving: Motion) -> str:
     """Whether a string goes slack or a contact is lost."""
-    element = moving.way.legs[-1].study.system.element(moving.loss[0])
+    element = moving.way.legs[-1].study.system.element(moving.loss[1])
     return "slack" if element.kind == "string" else "lost"
 
 

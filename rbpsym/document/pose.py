@@ -11,7 +11,6 @@ from rbpsym.algebra.calculus import derivative
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.document.plots.integrator import solved
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.placing import locator
@@ -123,18 +122,15 @@ def shown_time(system: System, numbers: Mapping[str, float]) -> float:
 
 def fitted(system: System, numbers: dict[str, float]) -> dict[str, float]:
     """The nearest numbers with which the conditions that stay as equations hold (Newton's method); what depends follows."""
+    import numpy as np
+
     free = [name for name in system.coordinates if name not in system.independent] or list(system.coordinates)
     rows = [(one.value, [derivative(one.value, name) for name in free]) for one in system.implicit]
     for _ in range(ROUNDS):
-        gaps = [number(value, numbers) for value, _ in rows]
-        slopes = [[number(slope, numbers) for slope in all_] for _, all_ in rows]
-        square = [[sum(a * b for a, b in zip(one, two, strict=True)) for two in slopes] for one in slopes]
-        try:
-            shares = solved(square, gaps)
-        except ZeroDivisionError:
-            return numbers
-        for k, name in enumerate(free):
-            numbers[name] -= sum(row[k] * share for row, share in zip(slopes, shares, strict=True))
+        gaps = np.array([number(value, numbers) for value, _ in rows])
+        slopes = np.array([[number(slope, numbers) for slope in all_] for _, all_ in rows])
+        moves = np.linalg.pinv(slopes) @ gaps
+        numbers |= {name: float(numbers[name] - move) for name, move in zip(free, moves, strict=True)}
         numbers |= {n: number(v, numbers) for n, v in system.dependent.items()}
     return numbers
 

@@ -1,7 +1,7 @@
 """Accelerations as a compiled function of numbers, for those who want to integrate the motion themselves.
 
-M q̈ = f is never solved in symbols: the entries of M and f, which stay short, are compiled with
-their common subexpressions evaluated once, and the small linear system is solved at each call.
+M q̈ = f is never solved in symbols: the entries of M and f, which stay short, are compiled,
+and the small linear system is solved at each call.
 """
 
 from __future__ import annotations
@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.sympy_bridge import lambdified
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
@@ -50,25 +48,25 @@ def compiled_accelerations(problem: Problem | Study, numbers: Mapping[str, float
     """
     import numpy as np
 
+    from rbpsym.numeric.formulas import compiled
+
     study = problem if isinstance(problem, Study) else Study(problem)
     system, dynamics = study.system, study.dynamics
-    entries = [value for row in dynamics.mass_matrix for value in row] + list(dynamics.forcing)
-    arguments = [*system.coordinates, *system.speeds]
-    _check_numbers(entries, {*arguments, "t", *numbers}, study.problem)
-    evaluate, size = lambdified(entries, ["t", *arguments, *numbers]), len(system.speeds)
-    values = [float(value) for value in numbers.values()]
+    evaluate = compiled([*(value for row in dynamics.mass_matrix for value in row), *dynamics.forcing])
+    arguments, size = (*system.coordinates, *system.speeds), len(system.speeds)
+    _check_numbers(set(evaluate.names) - {*arguments, "t", "pi", *numbers}, study.problem)
 
     def accelerations(t: float, q: Sequence[float], u: Sequence[float]):
-        found = np.array(evaluate(t, *q, *u, *values), dtype=float)
+        found = evaluate({**numbers, "t": t, **dict(zip(arguments, (*q, *u), strict=True))})
         return np.linalg.solve(found[: size * size].reshape(size, size), found[size * size :])
 
     return accelerations
 
 
-def _check_numbers(entries, known: set[str], problem: Problem) -> None:
-    missing = sorted(set().union(*(names_in(value) for value in entries)) - known - {"pi"})
+def _check_numbers(missing: set[str], problem: Problem) -> None:
     if missing:
+        told = ", ".join(f'"{name}": 1.0' for name in sorted(missing))
         raise StatementError(
-            f"the accelerations of “{problem.name}” need a number for {', '.join(missing)}",
-            instead="give every parameter a value: {" + ", ".join(f'"{name}": 1.0' for name in missing) + "}.",
+            f"the accelerations of “{problem.name}” need a number for {', '.join(sorted(missing))}",
+            instead=f"give every parameter a value: {{{told}}}.",
         )

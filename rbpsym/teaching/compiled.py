@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.document.plots.evaluation import Evaluator
+from rbpsym.numeric import formulas
 
 
 def compiled(values: Sequence[Scalar]) -> Callable[[Mapping[str, float]], list[float]]:
     """A function of numbers that gives all values; nan where one has none (a root of a negative number)."""
-    evaluate = Evaluator(dict(enumerate(values)))
-    return lambda numbers: list(evaluate(numbers).values())
+    evaluate = formulas.compiled(values)
+    return lambda numbers: evaluate(numbers).tolist()

@@ -1,23 +1,22 @@
-"""The equations of a mechanism in maximal coordinates, and its motion by extrapolation.
+"""The equations of a mechanism in maximal coordinates, and its motion.
 
 M A = F + Gᵀ λ with G A = -bias: the conditions are differentiated twice (index one), their
-unknown forces are the multipliers λ. Nothing of the symbolic solution is used. The integrator is Gragg's midpoint
-rule, extrapolated (Bulirsch and Stoer; Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.9). It
-needs numpy alone: importing scipy.integrate takes longer than all else that a derivation is made of.
+unknown forces are the multipliers λ. Nothing of the symbolic solution is used.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from rbpsym.errors import NotApplicable
+from rbpsym.numeric.integration import Rate, followed
 from rbpsym.verify.simulation_bodies import Law, Load, Mechanism, State
 from rbpsym.verify.simulation_joints import Kept, Row
 
-STEPS = 20
+STEPS = 10  # at least
 
 
 @dataclass(frozen=True)
@@ -121,60 +120,9 @@ def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:
     return min(2.0, 0.8 / (speed + (speed * speed + 0.8 * gain) ** 0.5))
 
 
-def trajectory(rate: Callable[[float, np.ndarray], np.ndarray], start: np.ndarray, time: float) -> list[np.ndarray]:
-    """The states at the ends of equal steps, the start first. Raises NotApplicable at a singularity."""
-    found = [start]
-    for k in range(STEPS):
-        found.append(over(rate, k * time / STEPS, found[-1], time / STEPS))
-    return found
-
-
-Rate = Callable[[float, np.ndarray], np.ndarray]
-
-RTOL, ATOL = 1e-12, 1e-14
-COLUMNS = 9  # of the table: an error of order 2 × COLUMNS at most
-HALVINGS = 14
-
-
-def over(rate: Rate, time: float, state: np.ndarray, step: float, halvings: int = HALVINGS) -> np.ndarray:
-    """The state after a step, which is halved where the table does not settle.
-
-    Raises NotApplicable where even the smallest part of it does not: the motion has come to a singularity.
-    """
-    try:
-        with np.errstate(all="ignore"):  # close to a singularity numbers overflow, and the step is halved
-            found = extrapolated(rate, time, state, step)
-    except OverflowError:
-        found = None
-    if found is not None:
-        return found
-    if not halvings:
-        raise NotApplicable(f"the simulation did not get beyond the time {time:.3g}")
-    middle = over(rate, time, state, step / 2, halvings - 1)
-    return over(rate, time + step / 2, middle, step / 2, halvings - 1)
-
-
-def extrapolated(rate: Rate, time: float, state: np.ndarray, step: float) -> np.ndarray | None:
-    """The corner of Aitken and Neville's table in h²; None if its last two entries differ too much."""
-    first, row = rate(time, state), []
-    for k in range(1, COLUMNS + 1):
-        before, row = row, [midpoint(rate, time, state, first, step, 2 * k)]
-        for j, known in enumerate(before, 1):
-            row.append(row[-1] + (row[-1] - known) / ((k / (k - j)) ** 2 - 1))
-        if k > 2 and is_settled(row[-1], row[-2]):
-            return row[-1]
-    return None
-
-
-def midpoint(rate: Rate, time: float, state: np.ndarray, first: np.ndarray, step: float, count: int) -> np.ndarray:
-    """Gragg's smoothed midpoint rule with an even number of parts; `first` is the rate at the beginning."""
-    part = step / count
-    last, now = state, state + part * first
-    for k in range(1, count):
-        last, now = now, last + 2 * part * rate(time + k * part, now)
-    return (last + now + part * rate(time + step, now)) / 2
-
-
-def is_settled(one: np.ndarray, other: np.ndarray) -> bool:
-    """Are two entries the same up to the tolerance? (Not where one is no number.)"""
-    return bool(np.all(np.abs(one - other) <= ATOL + RTOL * np.maximum(np.abs(one), np.abs(other))))
+def trajectory(rate: Rate, start: np.ndarray, time: float) -> list[np.ndarray]:
+    """The states along a motion, the start first. Raises NotApplicable at a singularity."""
+    path = followed(rate, start, time, longest=time / STEPS)
+    if path.times[-1] < time:
+        raise NotApplicable(f"the simulation did not get beyond the time {path.times[-1]:.3g}")
+    return path.states

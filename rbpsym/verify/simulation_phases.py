@@ -18,6 +18,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
+from rbpsym.numeric import integration
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.verify.simulation import Bench, Derived, Errors, SimulationReport, simulate_study
 from rbpsym.verify.simulation_bodies import placed
@@ -25,7 +26,6 @@ from rbpsym.verify.simulation_contacts import slipping
 from rbpsym.verify.simulation_placement import dotted
 
 LONGEST = 200.0  # lengths of the usual motion in which an event must have come
-SMALL = 1e-9  # what counts as nothing at the start of a phase
 Watch = Callable[[np.ndarray, np.ndarray], float]
 
 
@@ -145,29 +145,16 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
 
 
 def _seen(bench: Bench, start, watch: Watch) -> _End:
-    """The first change of sign along the motion, found between two steps by a root of the dense output."""
-    from scipy.integrate import DOP853
-    from scipy.optimize import brentq
-
-    size = bench.equations.size
+    """The first change of sign along the motion."""
+    size, step = bench.equations.size, bench.usual_time(start)
+    event = integration.Event(lambda time, state: watch(state[:size], state[size : 2 * size]))
     first = np.concatenate([start.where, start.speed, [0.0]])
-    step = bench.usual_time(start)
-    solver = DOP853(bench.rate(), 0.0, first, LONGEST * step, rtol=1e-12, atol=1e-13, max_step=step / 10)
-
-    def value(state: np.ndarray) -> float:
-        return watch(state[:size], state[size : 2 * size])
-
-    last = value(first)
-    while solver.status == "running":
-        solver.step()
-        now = value(solver.y)
-        if last * now <= 0 and abs(last) > SMALL:
-            dense = solver.dense_output()
-            time = brentq(lambda t, at=dense: value(at(t)), solver.t_old, solver.t, xtol=1e-14, rtol=1e-14)
-            state = dense(time)
-            return _End(float(time), state[:size], state[size : 2 * size])
-        last = now
-    raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
+    path = integration.followed(bench.rate(), first, LONGEST * step, events=(event,), longest=step / 10)
+    if not path.seen[0]:
+        raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
+    [time] = path.seen[0]
+    state = path.at(time)
+    return _End(time, state[:size], state[size : 2 * size])
 
 
 def _watch_slip(bench: Bench, phase: Phase, start) -> Watch:

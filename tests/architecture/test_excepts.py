@@ -22,8 +22,6 @@ ALLOWED = {
     "algebra/modular.py": "pow(x, -1, p) at a pole",
     "derivation/view.py": "pow(x, -1, p) at a pole",
     "kernel/claims.py": "data of a rule for which the exporter has no words: the step is told as not certified",
-    "document/plots/evaluation.py": FLOATS,
-    "document/plots/subjects.py": "a leg whose phase has no such quantity",
     "document/writers/page.py": "one look-up in a table, told as a DocumentError",
     "equality/domain.py": "a name that the point does not have",
     "equality/samples.py": FLOATS,

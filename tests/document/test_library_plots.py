@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from functools import cache
 
 import pytest
@@ -12,7 +13,6 @@ from rbpsym.document.figures.scene import Label, Line
 from rbpsym.document.notes import notation_of
 from rbpsym.document.plots.motion import Motion, motion
 from rbpsym.document.plots.panel import Panel, scene
-from rbpsym.document.plots.sampling import turns
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.statement.library import problem_files
 from tests.document.collisions import collisions
@@ -58,6 +58,14 @@ def test_no_label_collides(name: str) -> None:
         assert drawing.bounds[2] - drawing.bounds[0] < 11
 
 
+def turns(points: Sequence[tuple[float, float]]) -> Iterator[tuple[int, float]]:
+    """How much a broken line turns at each of its inner points."""
+    for place in range(1, len(points) - 1):
+        (a, b), (c, d), (e, f) = points[place - 1 : place + 2]
+        turn = math.atan2((c - a) * (f - d) - (d - b) * (e - c), (c - a) * (e - c) + (d - b) * (f - d))
+        yield place, abs(turn)
+
+
 @by_name
 def test_curves_are_smooth(name: str) -> None:
     """Between pieces of more than a millimetre a curve turns by less than 15°."""
@@ -76,6 +84,6 @@ def test_the_energy_of_a_conservative_motion_stays(name: str) -> None:
     moving, _ = drawn(name)
     for leg in moving.whole.legs:
         if leg.study.first_integral is not None and not leg.study.system.has_clock:
-            values = leg.moments.values(leg.study.first_integral)
-            size = max(map(abs, leg.moments.values(sum(leg.study.kinetic)))) or 1.0
+            values = leg.values(leg.study.first_integral)
+            size = max(map(abs, leg.values(sum(leg.study.kinetic)))) or 1.0
             assert max(values) - min(values) < 1e-4 * size

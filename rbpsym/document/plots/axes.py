@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 TICKS = 4  # about as many steps on an axis
 NEAR = 5e-3  # of a step: so little beyond the end a tick still stands
 DEGREES = (5, 10, 15, 30, 45, 60, 90, 180, 360)
@@ -27,8 +29,8 @@ class Axis:
 
 def axis(values: Sequence[float], *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
     """The axis that holds all values; a `tight` one ends with them, else it ends at ticks or a little beyond."""
-    known = [value for value in values if math.isfinite(value)] or [0.0]
-    low, high = min(known), max(known)
+    known = np.asarray(values)[np.isfinite(values)]
+    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
     if high - low < 1e-9 * max(abs(high), abs(low), 1e-9):
         low, high = low - max(abs(low), 1.0) * 0.5, high + max(abs(high), 1.0) * 0.5
     if not tight:

@@ -1,33 +1,278 @@
-"""The motion of a system in numbers, or why there is none that can be followed."""
+"""The motion of a system in numbers, from the accelerations that were derived; or why there is none to be followed.
+
+Conditions that stay as equations hold at the start and are kept by the rates.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
 
-from rbpsym.document.plots.running import REST, Run, Stop
-from rbpsym.document.plots.trajectory import Numbers, Trajectory
-from rbpsym.errors import NotApplicable
+import numpy as np
+
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.step import Derivation
+from rbpsym.document.pose import fitted
+from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.mechanics.compiled import compiled_accelerations
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.study import Study
+from rbpsym.numeric.formulas import compiled
+from rbpsym.numeric.integration import Event, followed
+from rbpsym.quantities import LENGTH, NUMBER
+
+PACES = 60  # of the start, at most
+PARTS = 16  # moments in a step of the integration
+MOST = 600  # steps
+PUSH = 0.02  # of its size is what rests at an unstable place displaced by
+TURNINGS = 4  # of the first coordinate, after which an oscillation has been seen: two periods
+SHAKEN = 20  # the same where a given motion drives it
+SEVERAL = 8  # the same where several coordinates oscillate
+FAR = 2 * math.pi  # how many sizes of its own a coordinate may move; twice as many where it is driven
+STILL = 1e-9
+EDGE = 1e-8  # what starts so near to the end of its range may go so far beyond it
+SOON = 1e-4
+TOLERANCES = 1e-9, 1e-11
 
 REASONS = {  # why there is no motion that can be followed
     "statics": "nothing moves: it is a problem of statics",
     "tied": "the speeds are tied by a condition that is no condition on the places",
     "no_start": "the statement does not say where the motion starts",
-    "rest": REST,
+    "rest": "nothing moves",
 }
 
+Numbers = Mapping[str, float | np.ndarray]
+State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
+Stop = Callable[[Numbers], float]  # its sign changes where the motion is to end
 
-def trajectory(
-    study: Study, numbers: Numbers, end: float = math.inf, stop: Stop | None = None, *, displaced: bool = True
-) -> Trajectory:
-    """The motion from the start up to the time `end`, or to where `stop` changes its sign.
 
-    What rests where it could move is `displaced` a little. Raises NotApplicable where the start or the
-    accelerations are not known, or nothing moves.
+def at(value: Scalar, numbers: Numbers) -> float:
+    """A quantity at one moment; not a number where it has none."""
+    try:
+        return float(number(value, numbers))
+    except NoNumber:
+        return math.nan
+
+
+@dataclass(frozen=True)
+class Flow:
+    """A system with numbers for its parameters: how its state changes, and all numbers of a state (or of many)."""
+
+    study: Study
+    given: Mapping[str, float]
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What a state consists of."""
+        return (*self.study.system.coordinates, *self.study.system.speeds, "t")
+
+    @cached_property
+    def shown(self) -> tuple[str, ...]:
+        """The coordinates that are shown: the independent ones, or all where everything is driven."""
+        return tuple(self.study.system.independent) or tuple(c.name for c in self.study.problem.coordinates)
+
+    @cached_property
+    def sizes(self) -> dict[str, float]:
+        """What a far way is for each coordinate: a radian, or a length of the problem."""
+        lengths = [q.name for q in self.study.problem.parameters if q.dimension == LENGTH and self.given.get(q.name)]
+        length = abs(self.given[lengths[0]]) if lengths else 1.0
+        kinds = {c.name: c.quantity.dimension for c in self.study.problem.coordinates}
+        return {name: 1.0 if kind == NUMBER else length for name, kind in kinds.items()}
+
+    @cached_property
+    def others(self) -> dict[str, Scalar]:
+        """The dependent coordinates, and the speed of each coordinate that is not independent."""
+        system, found = self.study.system, dict(self.study.system.dependent)
+        for name in (c.name for c in self.study.problem.coordinates):
+            if f"{name}_dot" not in system.speeds:
+                rate = system.scope.rates.get(name)
+                closed = system.dependent.get(name, NOTHING)
+                found[f"{name}_dot"] = time_derivative(closed, system.scope) if rate is None else rate
+        return found
+
+    @cached_property
+    def _dependent(self) -> Callable[[Numbers], np.ndarray]:
+        return compiled(self.others.values(), self.others)
+
+    @cached_property
+    def _accelerations(self) -> Callable[..., np.ndarray]:
+        return compiled_accelerations(self.study, self.given)
+
+    def numbers(self, state: State) -> dict[str, float | np.ndarray]:
+        """All numbers of a state, or of many as columns."""
+        found = {**self.given, **dict(zip(self.names, state, strict=True))}
+        return found | dict(zip(self.others, self._dependent(found), strict=True))
+
+    def rate(self, _: float, state: State) -> State:
+        """Speeds and accelerations."""
+        numbers, names = self.numbers(state), self.study.system.coordinates
+        speeds = [numbers[f"{name}_dot"] for name in names]
+        gains = self._accelerations(state[-1], state[: len(names)], state[len(names) : -1])
+        return np.array([*speeds, *gains, 1.0])
+
+    def start(self) -> State:
+        """Where the motion starts; what the author left open is where the conditions that stay want it."""
+        scope = self.study.system.scope.start
+        found = {**sample(self.study.problem), **self.given, "t": 0.0}
+        found |= {name: at(scope[name], self.given) if name in scope else 0.0 for name in self.study.system.speeds}
+        found |= {name: at(scope[name], self.given) for name in self.study.system.coordinates if name in scope}
+        if self.study.system.implicit:
+            found = fitted(self.study.system, found)
+        state = np.array([found[name] for name in self.names])
+        if not np.isfinite(state).all():
+            raise NotApplicable("the start has no numbers")
+        return state
+
+    def pace(self, state: State) -> float:
+        """The time in which the fastest coordinate moves by its size; infinite if nothing moves."""
+        now, soon = self.numbers(state), self.numbers(state + SOON * self.rate(0.0, state))
+        paces = [math.inf]
+        for name in self.shown:
+            speed = now[f"{name}_dot"] / self.sizes[name]
+            gain = (soon[f"{name}_dot"] - now[f"{name}_dot"]) / SOON / self.sizes[name]
+            paces += [1 / abs(speed)] if abs(speed) > STILL else []
+            paces += [math.sqrt(1 / abs(gain))] if abs(gain) > STILL else []
+        return min(paces)
+
+    def room(self, state: State) -> float:
+        """How far the coordinates are from the ends of their declared ranges, the least of all; negative outside."""
+        numbers = self.numbers(state)
+        ends = [(end, sign, c.name) for c in self.study.problem.coordinates for end, sign in ((c.lower, -1), (c.upper, 1))]
+        limits = [(bound(end, numbers), sign, name) for end, sign, name in ends]
+        return min((sign * (limit - numbers[name]) for limit, sign, name in limits if limit is not None), default=math.inf)
+
+    def pushed(self, state: State) -> State:
+        """The start; what rests where the forces balance is displaced a little. Raises NotApplicable if it stays."""
+        if math.isfinite(self.pace(state)):
+            return state
+        free = [name in self.study.system.independent for name in self.names]
+        sizes = np.array([self.sizes.get(name, 0.0) for name in self.names])
+        for after in (state + PUSH * sizes * free, state - PUSH * sizes * free):
+            if self.room(after) >= 0 and math.isfinite(self.pace(after)):
+                return after
+        raise NotApplicable(REASONS["rest"])
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A phase of the motion: what was derived of it, all numbers at its moments, when it begins, what it is called.
+
+    `turns` are the moments at which the first coordinate turned back, `lost` those at which a force that can only
+    push (or pull) comes to nothing, with its name. `is_stopped`: did it come to where it was to stop? The first leg
+    has no name.
     """
+
+    derivation: Derivation
+    flow: Flow
+    moments: np.ndarray
+    numbers: Numbers
+    turns: tuple[int, ...] = ()
+    lost: tuple[tuple[int, str], ...] = ()
+    is_stopped: bool = False
+    began: float = 0.0
+    name: str = ""
+
+    @property
+    def study(self) -> Study:
+        """The mechanics of the phase."""
+        return self.derivation.study
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The coordinates that are shown."""
+        return self.flow.shown
+
+    @property
+    def times(self) -> np.ndarray:
+        """The time since the very start."""
+        return self.began + self.moments
+
+    def at(self, moment: int) -> dict[str, float]:
+        """All numbers of a moment."""
+        return {name: float(value[moment] if np.ndim(value) else value) for name, value in self.numbers.items()}
+
+    def values(self, value: Scalar) -> np.ndarray:
+        """A quantity at all moments; not a number where it has none."""
+        return np.broadcast_to(compiled([value])(self.numbers)[0], self.moments.shape)
+
+    def part(self, count: int) -> Leg:
+        """The first moments."""
+        numbers = {name: value[:count] if np.ndim(value) else value for name, value in self.numbers.items()}
+        return replace(self, moments=self.moments[:count], numbers=numbers)
+
+
+def reactions(study: Study) -> dict[str, Scalar]:
+    """The unknown forces: along the motion where they are known so, else as functions of the state."""
+    return {**study.dynamics.reactions, **(study.reactions_along_motion or {})}
+
+
+def leg(derivation: Derivation, given: Mapping[str, float], end: float = math.inf, stop: Stop | None = None, **told) -> Leg:
+    """The motion from the start up to the time `end`, or to where `stop` changes its sign; else as long as it is worth.
+
+    What rests where it could move is displaced a little, if neither is given. `told`: of the leg.
+    Raises NotApplicable where the start or the accelerations are not known, or nothing moves.
+    """
+    study = derivation.study
     require_motion(study)
-    run = Run(study, dict(numbers), end, stop)
-    return run.all(run.pushed(run.start()) if displaced else run.start())
+    flow = Flow(study, given)
+    is_open = stop is None and not math.isfinite(end)
+    start = flow.pushed(flow.start()) if is_open else flow.start()
+    if end == 0:
+        return Leg(derivation, flow, np.zeros(1), with_forces(flow, start[:, None]), **told)
+    pace = flow.pace(start)
+    end = end if math.isfinite(end) else PACES * pace
+    events = dict(watched(flow, start, is_open))
+    if stop:
+        events["stop"] = Event(lambda _, state: stop(flow.numbers(state)))
+    longest = pace / 2 if is_open else min(pace / 2, end / 5)
+    path = followed(
+        flow.rate, start, end, events=tuple(events.values()), longest=longest, most=MOST, tolerances=TOLERANCES
+    )
+    breaks = sorted({*path.times, *(time for times in path.seen for time in times)})
+    moments = np.unique(np.concatenate([np.linspace(*ends, PARTS + 1) for ends in pairwise(breaks)]))
+    numbers = with_forces(flow, path.at(moments))
+    seen = {name: tuple(np.searchsorted(moments, times)) for name, times in zip(events, path.seen, strict=True)}
+    lost = [(k, name) for name in one_sided(study) for k in seen[name] if numbers[name][k - 1] > 0]
+    return Leg(derivation, flow, moments, numbers, seen.get("turn", ()), tuple(lost), bool(seen.get("stop")), **told)
+
+
+def with_forces(flow: Flow, states: State) -> Numbers:
+    """All numbers of some states, those of the unknown forces too."""
+    numbers, forces = flow.numbers(states), reactions(flow.study)
+    return numbers | dict(zip(forces, compiled(forces.values())(numbers), strict=True))
+
+
+def one_sided(study: Study) -> list[str]:
+    """The unknown forces that can only push (or pull)."""
+    known = reactions(study)
+    return [name for element in study.problem.constraints for name in pushes(element) if name in known]
+
+
+def watched(flow: Flow, start: State, is_open: bool) -> Iterator[tuple[str, Event]]:
+    """What ends a motion or happens on its way: a range ends, it is far, it turns back, a contact is lost."""
+    study = flow.study
+    edge = 0.0 if flow.room(start) > EDGE else EDGE
+    yield "end", Event(lambda _, state: flow.room(state) + edge)
+    if is_open:
+        begin, far = flow.numbers(start), FAR if study.system.independent else 2 * FAR
+
+        def left(_: float, state: State) -> float:
+            now = flow.numbers(state)
+            return far - max(abs(now[name] - begin[name]) / flow.sizes[name] for name in flow.shown)
+
+        yield "far", Event(left)
+    if study.system.independent:
+        place, is_shaken = len(study.system.coordinates), study.system.has_clock and not study.squares
+        enough = SHAKEN if is_shaken else TURNINGS if len(flow.shown) == 1 else SEVERAL
+        yield "turn", Event(lambda _, state: state[place], enough if is_open else math.inf)
+    for name in one_sided(study):
+        value = compiled([reactions(study)[name]])
+        yield name, Event(lambda _, state, value=value: float(value(flow.numbers(state))[0]), math.inf)
 
 
 def require_motion(study: Study) -> None:

@@ -6,11 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from rbpsym.document.breaking import node_height, node_width
 from rbpsym.document.figures.placing import grown, label_size, overlap
 from rbpsym.document.figures.scene import EM, STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis
-from rbpsym.document.plots.naming import Named, around, places
+from rbpsym.document.plots.naming import Named, around, lengths, places
 from rbpsym.document.plots.scales import Scale
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -21,14 +23,15 @@ LOOKS = ("curve 1", "curve 2", "curve 3", "curve 4", "curve 5", "curve 6")
 SAME = 1e-6  # of the height: curves that are no farther apart are one
 JUMP = 0.015  # of the height: what is more is a jump
 RING = 0.06
+NEAR = 0.035  # cm
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Curve:
     """Values at the places of a panel: what it is called, and its style."""
 
     name: t.Node | str
-    values: Sequence[float]
+    values: np.ndarray
     style: str = ""
 
 
@@ -41,7 +44,7 @@ class Mark:
     has_dot: bool = False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Panel:
     """Curves over common places. Values are in units of the scales already.
 
@@ -50,7 +53,7 @@ class Panel:
     """
 
     across: t.Node
-    places: Sequence[float]
+    places: np.ndarray
     curves: tuple[Curve, ...]
     across_scale: Scale
     up_scale: Scale
@@ -66,22 +69,22 @@ def scene(panel: Panel, notation: Notation) -> Scene:
     styled = sorted(styled, key=lambda curve: curve.style != "curve sum")
     axes = [*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y))]
     rings = [item for curve in styled for item in jumps(curve, panel.places, x, y)]
-    outside = [*tick_labels(x, y), *axis_labels(panel, y, notation)]
+    outside = [*tick_labels(x, y), *axis_labels(panel, notation)]
     outside += mark_labels(panel, x, outside, notation)
-    drawn = tuple(item for curve in styled for item in pieces(curve, panel.places, x, y))
+    drawn = [Line(tuple(map(tuple, p.tolist())), c.style) for c in styled for p in pieces(c, panel.places, x, y)]
     names = named(together(styled, y), panel.places, x, y, Scene((*axes, *rings), tuple(outside)), notation)
     return Scene((*axes, *drawn, *rings, *names.items), (*outside, *names.labels))
 
 
 def axes_of(panel: Panel, decimal: str = ".") -> tuple[Axis, Axis]:
     """Both axes; the vertical one holds the height 0."""
-    heights = [value for curve in panel.curves for value in curve.values] + [0.0]
+    heights = np.concatenate([[0.0], *(curve.values for curve in panel.curves)])
     across = axis(panel.places, sign=panel.across_scale.sign, decimal=decimal, tight=True)
     return across, axis(heights, sign=panel.up_scale.sign, decimal=decimal)
 
 
 def together(curves: Sequence[Curve], y: Axis) -> list[Curve]:
-    """The curves, those that lie on each other as one with an equation for a name."""
+    """The curves, those that lie on each other as one with an equation for a name; one on the axis says so."""
     found: list[Curve] = []
     for curve in curves:
         like = next((k for k, one in enumerate(found) if are_same(one, curve, y)), None)
@@ -89,27 +92,26 @@ def together(curves: Sequence[Curve], y: Axis) -> list[Curve]:
             found.append(curve)
         else:
             one = found[like]
-            items = (*(one.name.items if isinstance(one.name, t.Chain) else (one.name,)), curve.name)
             style = one.style if one.style == "curve sum" else curve.style
-            found[like] = Curve(t.equation(*items), one.values, style)
-    return [with_zero(curve, y) for curve in found]
+            found[like] = Curve(t.equation(*names_of(one), curve.name), one.values, style)
+    return [replace(one, name=t.equation(*names_of(one), t.ZERO)) if is_nothing(one, y) else one for one in found]
+
+
+def names_of(curve: Curve) -> Sequence[t.Node]:
+    """The names of a curve that has several."""
+    return curve.name.items if isinstance(curve.name, t.Chain) else (curve.name,)
+
+
+def is_nothing(curve: Curve, y: Axis) -> bool:
+    """Does a curve with a formula for a name lie on the axis?"""
+    return not isinstance(curve.name, str) and np.nanmax(np.abs(curve.values)) <= SAME * (y.high - y.low)
 
 
 def are_same(one: Curve, other: Curve, y: Axis) -> bool:
     """Do two curves with formulas for names lie on each other?"""
-    if isinstance(one.name, str) or isinstance(other.name, str):
-        return False
-    pairs = zip(one.values, other.values, strict=True)
-    return all((math.isnan(a) and math.isnan(b)) or abs(a - b) < SAME * (y.high - y.low) for a, b in pairs)
-
-
-def with_zero(curve: Curve, y: Axis) -> Curve:
-    """A curve on the axis says so."""
-    known = [value for value in curve.values if math.isfinite(value)]
-    if isinstance(curve.name, str) or any(abs(value) > 1e-6 * (y.high - y.low) for value in known):
-        return curve
-    items = curve.name.items if isinstance(curve.name, t.Chain) else (curve.name,)
-    return replace(curve, name=t.equation(*items, t.ZERO))
+    has_words = isinstance(one.name, str) or isinstance(other.name, str)
+    near = SAME * (y.high - y.low)
+    return not has_words and np.allclose(one.values, other.values, rtol=0.0, atol=near, equal_nan=True)
 
 
 def frame(x: Axis, y: Axis) -> Iterator[Item]:
@@ -132,7 +134,7 @@ def mark(one: Mark, x: Axis, y: Axis) -> Iterator[Item]:
 
 def mark_labels(panel: Panel, x: Axis, taken: Sequence[Label], notation: Notation) -> list[Label]:
     """What happens at the marks, above their lines; one above the other where they are close together."""
-    boxes, found = [sized(one, notation).box for one in taken], []
+    boxes, found = [replace(one, size=label_size(one, notation)).box for one in taken], []
     for one in (one for one in panel.marks if one.name):
         name = notation.names.get(one.name, one.name) if isinstance(one.name, str) else one.name
         wide, high = label_size(fixed(name, (0.0, 0.0), "soft"), notation)
@@ -145,18 +147,14 @@ def mark_labels(panel: Panel, x: Axis, taken: Sequence[Label], notation: Notatio
     return found
 
 
-def sized(label: Label, notation: Notation) -> Label:
-    """The label with its size."""
-    return replace(label, size=label_size(label, notation))
-
-
-def jumps(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[Item]:
+def jumps(curve: Curve, across: np.ndarray, x: Axis, y: Axis) -> Iterator[Item]:
     """An open circle where a curve ends and a full one where it goes on elsewhere at the same place."""
-    values = curve.values
-    for k in range(1, len(values) - 1):
-        if math.isnan(across[k]) and abs(values[k + 1] - values[k - 1]) > JUMP * (y.high - y.low):
-            yield Circle((WIDE * x.share(across[k - 1]), HIGH * y.share(values[k - 1])), RING, "joint")
-            yield Circle((WIDE * x.share(across[k + 1]), HIGH * y.share(values[k + 1])), 0.0, "dot")
+    points = in_panel(curve, across, x, y)
+    for k in np.flatnonzero(np.isnan(across)):
+        (_, before), (_, after) = ends = points[k - 1], points[k + 1]
+        if abs(after - before) > JUMP * HIGH:
+            yield Circle(tuple(ends[0].tolist()), RING, "joint")
+            yield Circle(tuple(ends[1].tolist()), 0.0, "dot")
 
 
 def has_jump(panel: Panel) -> bool:
@@ -165,41 +163,28 @@ def has_jump(panel: Panel) -> bool:
     return any(next(jumps(curve, panel.places, x, y), None) for curve in panel.curves)
 
 
-def pieces(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[Item]:
-    """A curve in as many pieces as it has."""
-    for piece in runs(curve, across, x, y):
-        yield Line(tuple(thinned(piece)), curve.style)
+def in_panel(curve: Curve, across: np.ndarray, x: Axis, y: Axis) -> np.ndarray:
+    """The points of a curve as rows, in cm."""
+    return np.stack([WIDE * x.share(across), HIGH * y.share(curve.values)], axis=1)
 
 
-def runs(curve: Curve, across: Sequence[float], x: Axis, y: Axis) -> Iterator[list[Point]]:
-    """The points of each piece of a curve, in cm."""
-    piece: list[Point] = []
-    for place, value in zip([*across, math.nan], [*curve.values, math.nan], strict=True):
-        if math.isfinite(value) and math.isfinite(place):
-            piece.append((WIDE * x.share(place), HIGH * y.share(value)))
-        else:
-            if len(piece) > 1:
-                yield piece
-            piece = []
+def pieces(curve: Curve, across: np.ndarray, x: Axis, y: Axis) -> Iterator[np.ndarray]:
+    """The points of each piece of a curve, about a third of a millimetre apart, in cm."""
+    points = in_panel(curve, across, x, y)
+    is_known = np.isfinite(points).all(axis=1)
+    for piece in np.split(points, np.flatnonzero(np.diff(is_known)) + 1):
+        if len(piece) > 1 and np.isfinite(piece).all():
+            steps = np.diff(np.floor(lengths(piece) / NEAR), prepend=-1.0) > 0
+            steps[-1] = True
+            yield piece[steps]
 
 
-def thinned(points: list[Point]) -> Iterator[Point]:
-    """Points at least a third of a millimetre apart, and the ends."""
-    last = points[0]
-    yield last
-    for point in points[1:-1]:
-        if math.dist(point, last) > 0.035:
-            last = point
-            yield point
-    yield points[-1]
-
-
-def named(curves: Sequence[Curve], across: Sequence[float], x: Axis, y: Axis, rest: Scene, notation: Notation) -> Scene:
+def named(curves: Sequence[Curve], across: np.ndarray, x: Axis, y: Axis, rest: Scene, notation: Notation) -> Scene:
     """A name beside each curve, in its colour; for those that have no room a line in a legend."""
     labels = [fixed(curve.name, (0.0, 0.0), STYLES[curve.style].stroke) for curve in curves]
     sizes = [label_size(label, notation) for label in labels]
-    shapes = [Named(tuple(tuple(p) for p in runs(c, across, x, y)), s) for c, s in zip(curves, sizes, strict=True)]
-    taken = [sized(one, notation).box for one in rest.labels]
+    shapes = [Named(tuple(pieces(c, across, x, y)), size) for c, size in zip(curves, sizes, strict=True)]
+    taken = [replace(one, size=label_size(one, notation)).box for one in rest.labels]
     lines = [
         piece for item in rest.items for piece in (item.pieces if isinstance(item, Strokes) else [points_of(item)])
     ]
@@ -213,18 +198,13 @@ def named(curves: Sequence[Curve], across: Sequence[float], x: Axis, y: Axis, re
 
 def legend(left: Sequence[tuple[Curve, tuple[float, float]]], start: float) -> Iterator[tuple[Item, Label]]:
     """A line and a name for each of some curves, from the highest end to the lowest."""
-    order = sorted(left, key=lambda pair: -final(pair[0].values))
+    order = sorted(left, key=lambda pair: -pair[0].values[np.isfinite(pair[0].values)][-1])
     step = max((size[1] for _, size in left), default=0.0) + 0.04
     top = max(HIGH / 2 + step * (len(order) - 1) / 2 + 0.2, 0.9 + step * (len(order) - 1))
     for row, (curve, size) in enumerate(order):
         height = top - step * row
         line = Line(((start + 0.2, height), (start + 0.75, height)), curve.style)
         yield line, fixed(curve.name, (start + 0.9 + size[0] / 2, height), STYLES[curve.style].stroke)
-
-
-def final(values: Sequence[float]) -> float:
-    """The last value that is a number."""
-    return next((value for value in reversed(values) if math.isfinite(value)), 0.0)
 
 
 def tick_labels(x: Axis, y: Axis) -> Iterator[Label]:
@@ -244,7 +224,7 @@ def text_width(text: str) -> float:
     return EM * (0.5 * len(text) + 0.25)
 
 
-def axis_labels(panel: Panel, y: Axis, notation: Notation) -> Iterator[Label]:
+def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:
     """What the axes count: at the right end below, and above the vertical axis."""
     across = in_units(panel.across, panel.across_scale)
     wide, high = (EM * measure(across, notation) for measure in (node_width, node_height))

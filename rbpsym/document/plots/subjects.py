@@ -5,14 +5,16 @@ Works without a closed form, and those of later phases, are the power of the for
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.step import Step
-from rbpsym.document.plots.motion import Journey, Leg, Motion
+from rbpsym.document.plots.following import Leg
+from rbpsym.document.plots.motion import Journey, Motion
 from rbpsym.document.plots.oscillation import small_oscillations
 from rbpsym.document.plots.panel import Curve, Mark, Panel
 from rbpsym.document.plots.power import work_done
@@ -26,7 +28,7 @@ MOST = 6  # curves in a panel
 Chosen = Callable[[Leg], Iterable[Step]]
 
 
-def across(moving: Motion, way: Journey) -> tuple[t.Node, list[float], Scale]:
+def across(moving: Motion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
     """What the curves are drawn over: the coordinate of a system whose speed it determines, else the time."""
     if not moving.is_over_place:
         return over_time(moving, way)
@@ -35,10 +37,10 @@ def across(moving: Motion, way: Journey) -> tuple[t.Node, list[float], Scale]:
     return t.Sym(name), column(way, name, scale), scale
 
 
-def over_time(moving: Motion, way: Journey) -> tuple[t.Node, list[float], Scale]:
+def over_time(moving: Motion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
     """The time as what curves are drawn over."""
     scale = moving.scales.of(TIME)
-    return t.Sym("t"), [time / scale.size for time in way.times], scale
+    return t.Sym("t"), way.times / scale.size, scale
 
 
 def dimension_of(moving: Motion, name: str) -> Dimension:
@@ -46,9 +48,9 @@ def dimension_of(moving: Motion, name: str) -> Dimension:
     return next(c.quantity.dimension for c in moving.derivation.study.problem.coordinates if c.name == name)
 
 
-def column(way: Journey, name: str, scale: Scale) -> list[float]:
+def column(way: Journey, name: str, scale: Scale) -> np.ndarray:
     """The numbers of a coordinate or speed."""
-    return way.joined(lambda leg: [state[name] / scale.size for state in leg.moments.states])
+    return way.values(symbol(name)) / scale.size
 
 
 def stated(step: Step) -> tuple[t.Node, Scalar] | None:
@@ -65,18 +67,13 @@ def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[Curve]:
     """A curve for each name that steps state, where it has numbers along most of the way."""
     tables = {id(leg): dict(filter(None, map(stated, chosen(leg)))) for leg in way.legs}
     for name in dict.fromkeys(name for table in tables.values() for name in table):
-        values = way.joined(lambda leg, name=name: numbers_of(leg, tables[id(leg)].get(name), scale))
-        count = sum(len(leg.moments.times) for leg in way.legs if name in tables[id(leg)])
-        if sum(map(math.isfinite, values)) > count / 2:
+        values = way.joined(lambda leg, name=name: leg.values(tables[id(leg)].get(name, NOWHERE))) / scale.size
+        count = sum(len(leg.moments) for leg in way.legs if name in tables[id(leg)])
+        if np.isfinite(values).sum() > count / 2:
             yield Curve(name, values)
 
 
-def numbers_of(leg: Leg, value: Scalar | None, scale: Scale) -> list[float]:
-    """A quantity along a leg; not numbers where it has none there."""
-    try:
-        return [number / scale.size for number in leg.moments.values(value)]
-    except (KeyError, AttributeError):
-        return [math.nan] * len(leg.moments.times)
+NOWHERE = symbol("[nowhere]")  # a quantity without a number
 
 
 # --- works
@@ -86,18 +83,23 @@ def works(moving: Motion) -> Iterator[Panel]:
     """Translational works with their sum, and rotational works with theirs."""
     scale = moving.scales.of(ENERGY)
     for half in ("T", "theta"):
-        found = [curve for curve in halves(moving, half, scale) if any(abs(v) > 1e-9 for v in curve.values)]
+        found = [curve for curve in halves(moving, half, scale) if largest_value(curve) > 1e-9]
         if not found:
             continue
-        whole = [Curve(t.Sym(f"cal_W_{half}"), summed(found), "curve sum")] if len(found) > 1 else []
+        whole = [Curve(t.Sym(f"cal_W_{half}"), sum(one.values for one in found), "curve sum")] if len(found) > 1 else []
         shown = largest(found)
         yield replace(panel(moving, moving.real, (*shown, *whole), scale), omitted=len(found) - len(shown))
 
 
 def largest(found: Sequence[Curve]) -> list[Curve]:
     """As many curves as a panel can hold, the largest ones, in their order."""
-    by_size = sorted(found, key=lambda curve: -max((abs(v) for v in curve.values if math.isfinite(v)), default=0.0))
-    return [curve for curve in found if curve in by_size[:MOST]]
+    shown = sorted(found, key=largest_value, reverse=True)[:MOST]
+    return [curve for curve in found if curve in shown]
+
+
+def largest_value(curve: Curve) -> float:
+    """The largest size of a value."""
+    return np.nanmax(np.abs(curve.values), initial=0.0)
 
 
 def halves(moving: Motion, half: str, scale: Scale) -> Iterator[Curve]:
@@ -107,7 +109,7 @@ def halves(moving: Motion, half: str, scale: Scale) -> Iterator[Curve]:
         if moving.is_over_place and name in closed:
             yield from curves(lambda _, step=closed[name]: [step], moving.real, scale)
         else:
-            yield Curve(name, [value / scale.size for value in work_done(moving.real, force, body, half)])
+            yield Curve(name, work_done(moving.real, force, body, half) / scale.size)
 
 
 def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]]:
@@ -120,11 +122,6 @@ def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]
                 if row.items[0].name.startswith(f"cal_W_{half}"):
                     found[row.items[0]] = force, body
     return found
-
-
-def summed(found: Sequence[Curve]) -> list[float]:
-    """The sum of curves place by place."""
-    return [sum(values) for values in zip(*(curve.values for curve in found), strict=True)]
 
 
 def panel(moving: Motion, way: Journey, found: tuple[Curve, ...], scale: Scale, marks: tuple[Mark, ...] = ()) -> Panel:
@@ -151,7 +148,7 @@ def energies(moving: Motion) -> Iterator[Panel]:
     if potential and spread(kinetic) < HARDLY * spread(parts):
         parts, total = list(map(since_start, parts)), t.Delta(total)
     if parts:
-        whole = [Curve(total, summed(parts), "curve sum")] if len(parts) > 1 else []
+        whole = [Curve(total, sum(one.values for one in parts), "curve sum")] if len(parts) > 1 else []
         yield panel(moving, moving.real, (*parts, *whole), scale)
 
 
@@ -160,14 +157,14 @@ HARDLY = 0.12  # of the height: where the kinetic energy is less, all energies a
 
 def spread(found: Sequence[Curve]) -> float:
     """How far apart the values of some curves (and zero) are."""
-    known = [value for curve in found for value in curve.values if math.isfinite(value)]
-    return max([0.0, *known]) - min([0.0, *known])
+    values = np.array([curve.values for curve in found])
+    return np.nanmax(values, initial=0.0) - np.nanmin(values, initial=0.0)
 
 
 def since_start(curve: Curve) -> Curve:
     """The change of a quantity since the start."""
-    first = next(value for value in curve.values if math.isfinite(value))
-    return Curve(t.Delta(curve.name), [value - first for value in curve.values], curve.style)
+    first = curve.values[np.isfinite(curve.values)][0]
+    return Curve(t.Delta(curve.name), curve.values - first, curve.style)
 
 
 def of_rule(leg: Leg, *rules: str) -> list[Step]:
@@ -186,7 +183,7 @@ def speeds(moving: Motion) -> Iterator[Panel]:
 def by_dimension(moving: Motion) -> Mapping[Dimension, list[str]]:
     """The coordinates that move (all, if none does) by what they measure."""
     found: dict[Dimension, list[str]] = {}
-    moved = [n for n in moving.coordinates if any(state[f"{n}_dot"] for state in moving.whole.states)]
+    moved = [n for n in moving.coordinates if np.nan_to_num(moving.whole.values(symbol(f"{n}_dot"))).any()]
     for name in moved or moving.coordinates:
         found.setdefault(dimension_of(moving, name), []).append(name)
     return found
@@ -226,13 +223,9 @@ def marks_of(moving: Motion) -> tuple[Mark, ...]:
     """Where the contact is lost, on the axis of the panel."""
     if moving.loss is None:
         return ()
-    name, place = moving.loss
-    leg = moving.way.legs[-1]
-    _, places, _ = across(moving, Journey((leg,)))
-    before, after = leg.moments.values(leg.reactions[name])[place - 1 : place + 1]
-    share = before / (before - after) if before != after else 1.0
-    there = places[place - 1] + share * (places[place] - places[place - 1])
-    return (Mark(there, t.equation(t.Sym(name), t.ZERO), has_dot=True),)
+    moment, name = moving.loss
+    _, places, _ = across(moving, Journey(moving.way.legs[-1:]))
+    return (Mark(places[moment], t.equation(t.Sym(name), t.ZERO), has_dot=True),)
 
 
 # --- motion in time
@@ -247,19 +240,12 @@ def positions(moving: Motion, linear: str = "") -> Iterator[Panel]:
         node, times, own = over_time(moving, way)
         found = [Curve(t.Sym(name), column(way, name, scale)) for name in names[:MOST]]
         for curve, name in zip(tuple(found), names, strict=False):
-            near = [value / scale.size for value in small.get(name, ())]
-            if near and differs(near, curve.values):
-                found.append(Curve(linear_name(name, linear, len(names)), near, "curve thin"))
+            if name in small and differs(small[name] / scale.size, curve.values):
+                label = linear if len(names) == 1 else t.Mul((t.Sym(name), t.Word(f"({linear})")))
+                found.append(Curve(label, small[name] / scale.size, "curve thin"))
         yield Panel(node, times, tuple(found), own, scale, marks=changes(moving))
 
 
-def linear_name(name: str, linear: str, count: int) -> t.Node | str:
-    """How the small oscillation of a coordinate is called."""
-    return linear if count == 1 else t.Mul((t.Sym(name), t.Word(f"({linear})")))
-
-
-def differs(one: Sequence[float], other: Sequence[float]) -> bool:
+def differs(one: np.ndarray, other: np.ndarray) -> bool:
     """Would two curves be told apart?"""
-    pairs = [(a, b) for a, b in zip(one, other, strict=True) if math.isfinite(a) and math.isfinite(b)]
-    size = max((abs(b) for _, b in pairs), default=0.0) or 1.0
-    return max((abs(a - b) for a, b in pairs), default=0.0) > 0.02 * size
+    return np.nanmax(np.abs(one - other)) > 0.02 * np.nanmax(np.abs(other))

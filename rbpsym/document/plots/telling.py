@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from itertools import pairwise
+
+import numpy as np
 
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.panel import Curve, Mark, Panel
@@ -19,21 +20,16 @@ FLAT = 1e-4  # of the height of a panel: less is no rise
 
 def described(panel: Panel, notation: Notation, said: Words) -> str:
     """The axes with their units, each curve, and what happens where."""
-    places = [place for place in panel.places if math.isfinite(place)]
+    places = without_noise(panel.places[np.isfinite(panel.places)], np.nanmax(np.abs(panel.places)))
     begin, end = (amount(place, panel.across_scale, notation) for place in (places[0], places[-1]))
     up, across = unit_of(panel.up_scale, notation), name_of(panel.across, notation)
     variant = "degrees" if panel.up_scale.sign else "units" if up else "numbers"
-    whole = _height(panel)
+    values = np.concatenate([curve.values for curve in panel.curves])
+    whole = max(np.nanmax(values) - np.nanmin(values), np.nanmax(np.abs(values)))
     lines = [told_curve(curve, panel, whole, notation, said) for curve in panel.curves]
     lines += [told_mark(mark, panel.across_scale, notation, said) for mark in panel.marks if mark.name]
-    slots = {"across": across, "begin": begin, "end": end, "unit": up, "curves": " ".join(filter(None, lines))}
+    slots = {"across": across, "begin": begin, "end": end, "unit": up, "curves": " ".join(lines)}
     return plain(f"plots.alt.{variant}", said.language, **slots)
-
-
-def _height(panel: Panel) -> float:
-    """The greatest distance between two values of all curves."""
-    known = [value for curve in panel.curves for value in curve.values if math.isfinite(value)]
-    return max((max(known) - min(known), *map(abs, known))) if known else 0.0
 
 
 def name_of(name: t.Node | str, notation: Notation) -> str:
@@ -58,6 +54,11 @@ def number(value: float, notation: Notation) -> str:
     return plain_text.replace("-", "−").replace(".", notation.decimal)
 
 
+def without_noise(values: np.ndarray, whole: float) -> np.ndarray:
+    """The values, those that are nearly nothing as zero."""
+    return np.where(np.abs(values) < FLAT * whole, 0.0, values)
+
+
 def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
     """Where something happens, and what."""
     name = said.named(mark.name) if isinstance(mark.name, str) else name_of(mark.name, notation)
@@ -66,17 +67,14 @@ def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
 
 def told_curve(curve: Curve, panel: Panel, whole: float, notation: Notation, said: Words) -> str:
     """Whether it stays, rises or falls, with a single turn on the way, or more of them."""
-    both = zip(panel.places, curve.values, strict=True)
-    known = [(x, 0.0 if abs(y) < FLAT * whole else y) for x, y in both if math.isfinite(x) and math.isfinite(y)]
-    if not known:
-        return ""
-    values = [y for _, y in known]
-    turn = max(known, key=lambda point: abs(point[1] - values[0]) + abs(point[1] - values[-1]))
-    told = {"first": values[0], "last": values[-1], "low": min(values), "high": max(values), "turn": turn[1]}
+    is_known = np.isfinite(panel.places) & np.isfinite(curve.values)
+    places, values = panel.places[is_known], without_noise(curve.values[is_known], whole)
+    turn = np.argmax(np.abs(values - values[0]) + np.abs(values - values[-1]))
+    told = {"first": values[0], "last": values[-1], "low": min(values), "high": max(values), "turn": values[turn]}
     sign = panel.up_scale.sign
     slots = {name: number(value, notation) + sign for name, value in told.items()}
-    slots |= {"name": name_of(curve.name, notation), "place": amount(turn[0], panel.across_scale, notation)}
-    return plain(f"plots.alt.curve.{course(values, FLAT * whole)}", said.language, **slots)
+    slots |= {"name": name_of(curve.name, notation), "place": amount(places[turn], panel.across_scale, notation)}
+    return plain(f"plots.alt.curve.{course(values.tolist(), FLAT * whole)}", said.language, **slots)
 
 
 def course(values: Sequence[float], small: float) -> str:
