@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
@@ -37,8 +37,8 @@ class Ratios:
     rows: np.ndarray
     powers: np.ndarray
     products: np.ndarray
-    coefficients: np.ndarray
     sums: np.ndarray
+    coefficients: np.ndarray
 
     def at(self, known: np.ndarray) -> np.ndarray:
         """Their values where the rows of what is known are these."""
@@ -59,11 +59,9 @@ def ratios(values: Iterable[Scalar | Poly], places: Mapping[int, int]) -> Ratios
                 products.append(len(factors))
                 coefficients.append(float(coefficient))
                 factors += [(places[index], power) for index, power in monomial] or [(0, 1)]
-    rows, powers = zip(*factors, strict=True) if factors else ((), ())
-    whole = (np.array(numbers, dtype=int) for numbers in (rows, products, sums))
-    columns = (np.array(numbers, dtype=float)[:, None] for numbers in (powers, coefficients))
-    (rows, products, sums), (powers, coefficients) = whole, columns
-    return Ratios(rows, powers, products, coefficients, sums)
+    rows, powers = np.array(factors or [(0, 1)]).T
+    firsts = (np.array(numbers, dtype=int) for numbers in (products, sums))
+    return Ratios(rows, powers[:, None].astype(float), *firsts, np.array(coefficients, dtype=float)[:, None])
 
 
 @dataclass(frozen=True)
@@ -97,30 +95,6 @@ class Formulas:
         return found.reshape(-1, *shape)
 
 
-@dataclass(frozen=True)
-class Order:
-    """The atoms of formulas by how many functions are within each other."""
-
-    defined: Mapping[str, Scalar]
-    depths: dict[int, int] = field(default_factory=dict)
-
-    def inner(self, index: int) -> Scalar | Poly | None:
-        """What an atom is a function of; None for a name whose number is given."""
-        found = atoms.atom(index)
-        return self.defined.get(found.arg) if found.kind == "symbol" else found.arg
-
-    def depth(self, value: Scalar | Poly) -> int:
-        """How deep a formula goes."""
-        polys = (value.num, value.den) if isinstance(value, Scalar) else (value,)
-        return max((self._of(index) for poly in polys for index in poly.atoms()), default=0)
-
-    def _of(self, index: int) -> int:
-        if index not in self.depths:
-            inner = self.inner(index)
-            self.depths[index] = 1 + self.depth(inner) if isinstance(inner, Scalar | Poly) else 0
-        return self.depths[index]
-
-
 def compiled(values: Iterable[Scalar], defined: Mapping[str, Scalar] | None = None) -> Formulas:
     """The function of some formulas; a `defined` name stands for its formula.
 
@@ -131,19 +105,29 @@ def compiled(values: Iterable[Scalar], defined: Mapping[str, Scalar] | None = No
     >>> area({"a": 3.0, "b": np.array([1.0, 0.0])})[1].tolist()
     [3.0, nan]
     """
-    values, order = list(values), Order(defined or {})
-    deepest = max(map(order.depth, values), default=0)
-    given = [index for index, depth in order.depths.items() if depth == 0]
-    places = {index: row for row, index in enumerate(given, 1)}
-    levels = []
+    values, defined, depths = list(values), defined or {}, {}
+
+    def inner(index: int) -> Scalar | Poly | None:
+        """What an atom is a function of; None for a name or a label whose number is given."""
+        found = atoms.atom(index)
+        argument = defined.get(found.arg) if found.kind == "symbol" else found.arg
+        return argument if isinstance(argument, Scalar | Poly) else None
+
+    def depth(value: Scalar | Poly) -> int:
+        """How many functions are within each other."""
+        for index in value.atoms():
+            if index not in depths:
+                argument = inner(index)
+                depths[index] = 0 if argument is None else 1 + depth(argument)
+        return max(map(depths.__getitem__, value.atoms()), default=0)
+
+    deepest = max(map(depth, values), default=0)
+    given = [index for index, level in depths.items() if level == 0]
+    places, levels = {index: row for row, index in enumerate(given, 1)}, []
     for level in range(1, deepest + 1):
-        here = sorted((i for i, depth in order.depths.items() if depth == level), key=lambda i: atoms.atom(i).kind)
-        kinds = tuple((kind, len(list(group))) for kind, group in groupby(here, key=lambda i: atoms.atom(i).kind))
-        levels.append((ratios(map(order.inner, here), places), kinds))
+        here = sorted((i for i, own in depths.items() if own == level), key=lambda i: atoms.atom(i).kind)
+        kinds = tuple((kind, len(list(group))) for kind, group in groupby(atoms.atom(index).kind for index in here))
+        levels.append((ratios(map(inner, here), places), kinds))
         places |= {index: row for row, index in enumerate(here, 1 + len(places))}
-    return Formulas(tuple(map(_name, given)), tuple(levels), ratios(values, places))
-
-
-def _name(index: int) -> str:
-    """The name under which the number of an atom is given; no name of the language for one that has none."""
-    return atoms.symbol_name(index) or f"[{index}]"
+    names = tuple(atoms.symbol_name(index) or f"[{index}]" for index in given)
+    return Formulas(names, tuple(levels), ratios(values, places))

@@ -198,7 +198,7 @@ def test_drawings_are_inside_their_frame_and_ticks_do_not_touch(name: str) -> No
 
 @pytest.mark.parametrize("values", [(0, 1), (-3.2, 7), (0, 1e-4), (5, 5), (0, 123456), (math.nan, 2, 3)])
 def test_axes_hold_their_values_and_have_round_ticks(values: tuple) -> None:
-    found = axis(values)
+    found = axis(values, 4.0)
     known = [value for value in values if math.isfinite(value)]
     assert found.low <= min(known) and max(known) <= found.high
     assert 2 <= len(found.ticks) <= 9

@@ -15,19 +15,20 @@ DEGREES = (5, 10, 15, 30, 45, 60, 90, 180, 360)
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """The range of an axis, its ticks and how each is written."""
+    """The range of an axis, its length in cm, its ticks and how each is written."""
 
     low: float
     high: float
+    length: float
     ticks: tuple[float, ...]
     texts: tuple[str, ...]
 
-    def share(self, value: float) -> float:
-        """Where a value is between the ends (0 to 1)."""
-        return (value - self.low) / (self.high - self.low)
+    def at(self, value: float | np.ndarray) -> float | np.ndarray:
+        """How far from its beginning a value is, in cm."""
+        return self.length * (value - self.low) / (self.high - self.low)
 
 
-def axis(values: Sequence[float], *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
+def axis(values: Sequence[float], length: float, *, sign: str = "", decimal: str = ".", tight: bool = False) -> Axis:
     """The axis that holds all values; a `tight` one ends with them, else it ends at ticks or a little beyond."""
     known = np.asarray(values)[np.isfinite(values)]
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
@@ -40,7 +41,7 @@ def axis(values: Sequence[float], *, sign: str = "", decimal: str = ".", tight: 
     first, last = math.ceil(low / step - NEAR), math.floor(high / step + NEAR)
     ticks = tuple(k * step for k in range(first, last + 1))
     places = max(0, -math.floor(math.log10(step) + 1e-9))
-    return Axis(low, high, ticks, tuple(written(tick, places, decimal) + sign for tick in ticks))
+    return Axis(low, high, length, ticks, tuple(written(tick, places, decimal) + sign for tick in ticks))
 
 
 def step_of(low: float, high: float, *, degrees: bool) -> float:

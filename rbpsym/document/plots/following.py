@@ -117,10 +117,9 @@ class Flow:
 
     def start(self) -> State:
         """Where the motion starts; what the author left open is where the conditions that stay want it."""
-        scope = self.study.system.scope.start
-        found = {**sample(self.study.problem), **self.given, "t": 0.0}
-        found |= {name: at(scope[name], self.given) if name in scope else 0.0 for name in self.study.system.speeds}
-        found |= {name: at(scope[name], self.given) for name in self.study.system.coordinates if name in scope}
+        scope, still = self.study.system.scope.start, dict.fromkeys((*self.study.system.speeds, "t"), 0.0)
+        found = {**sample(self.study.problem), **self.given, **still}
+        found |= {name: at(scope[name], self.given) for name in self.names if name in scope}
         if self.study.system.implicit:
             found = fitted(self.study.system, found)
         state = np.array([found[name] for name in self.names])
@@ -143,8 +142,8 @@ class Flow:
         """How far the coordinates are from the ends of their declared ranges, the least of all; negative outside."""
         numbers = self.numbers(state)
         ends = [(end, sign, c.name) for c in self.study.problem.coordinates for end, sign in ((c.lower, -1), (c.upper, 1))]
-        limits = [(bound(end, numbers), sign, name) for end, sign, name in ends]
-        return min((sign * (limit - numbers[name]) for limit, sign, name in limits if limit is not None), default=math.inf)
+        gaps = (sign * (limit - numbers[name]) for end, sign, name in ends if (limit := bound(end, numbers)) is not None)
+        return min(gaps, default=math.inf)
 
     def pushed(self, state: State) -> State:
         """The start; what rests where the forces balance is displaced a little. Raises NotApplicable if it stays."""
@@ -181,11 +180,6 @@ class Leg:
     def study(self) -> Study:
         """The mechanics of the phase."""
         return self.derivation.study
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """The coordinates that are shown."""
-        return self.flow.shown
 
     @property
     def times(self) -> np.ndarray:
@@ -227,12 +221,10 @@ def leg(derivation: Derivation, given: Mapping[str, float], end: float = math.in
     pace = flow.pace(start)
     end = end if math.isfinite(end) else PACES * pace
     events = dict(watched(flow, start, is_open))
-    if stop:
-        events["stop"] = Event(lambda _, state: stop(flow.numbers(state)))
+    events |= {"stop": Event(lambda _, state: stop(flow.numbers(state)))} if stop else {}
     longest = pace / 2 if is_open else min(pace / 2, end / 5)
-    path = followed(
-        flow.rate, start, end, events=tuple(events.values()), longest=longest, most=MOST, tolerances=TOLERANCES
-    )
+    limits = {"longest": longest, "most": MOST, "tolerances": TOLERANCES}
+    path = followed(flow.rate, start, end, events=tuple(events.values()), **limits)
     breaks = sorted({*path.times, *(time for times in path.seen for time in times)})
     moments = np.unique(np.concatenate([np.linspace(*ends, PARTS + 1) for ends in pairwise(breaks)]))
     numbers = with_forces(flow, path.at(moments))

@@ -70,7 +70,7 @@ class Motion:
     @property
     def coordinates(self) -> tuple[str, ...]:
         """The coordinates that are shown, of all phases."""
-        return tuple(dict.fromkeys(name for one in self.whole.legs for name in one.coordinates))
+        return tuple(dict.fromkeys(name for one in self.whole.legs for name in one.flow.shown))
 
     @cached_property
     def way(self) -> Journey:

@@ -93,6 +93,8 @@ def places(
 
 def best(curve: Named, own: np.ndarray, rest: np.ndarray, others: np.ndarray, within: Box) -> Point | None:
     """The most liked place that is free; among equals the one nearest to three quarters of the way."""
+    if not curve.pieces:
+        return None
     points = np.concatenate([walked(piece, STRIDE) for piece in curve.pieces])
     shares = np.repeat(np.linspace(0.0, 1.0, len(points)), len(SIDES))
     half, (own, rest, others) = np.array(curve.size) / 2, map(summed, (own, rest, others))

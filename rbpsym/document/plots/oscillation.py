@@ -13,7 +13,7 @@ from rbpsym.numeric.integration import followed
 def small_oscillations(moving: Motion, way: Journey) -> dict[str, np.ndarray]:
     """By coordinate its motion after the linear equations; empty where the motion is not one about an equilibrium."""
     study, leg = moving.derivation.study, way.legs[0]
-    if len(way.legs) > 1 or leg.coordinates != study.system.independent:
+    if len(way.legs) > 1 or leg.flow.shown != study.system.independent:
         return {}
     near = (found for found in study.equilibria if found.stable and passes(leg, found))
     return next((linear(leg, found) for found in near), {})
@@ -28,7 +28,7 @@ def passes(leg: Leg, found: Equilibrium) -> bool:
 
 def linear(leg: Leg, found: Equilibrium) -> dict[str, np.ndarray]:
     """M q̈ = -K δq - C q̇ with the derived matrices at rest, at the moments of the motion."""
-    names, first = leg.coordinates, leg.at(0)
+    names, first = leg.flow.shown, leg.at(0)
     rest = {name: at(found.at[name], first) if name in found.at else first[name] for name in names}
     still = {**first, **rest, **{f"{name}_dot": 0.0 for name in names}}
     matrices = (found.inertia, found.stiffness, found.linear.damping)

@@ -78,12 +78,10 @@ def scales(problem: Problem) -> Scales:
 def base(parameters: list[Quantity]) -> tuple[Quantity, ...]:
     """A mass, a length and what sets the pace. Raises NotApplicable if one is missing."""
     wanted = ((MASS,), (LENGTH,), CLOCKS)
-    found = []
-    for kinds in wanted:
-        fitting = [q for kind in kinds for q in parameters if q.dimension == kind and q.sign == "positive"]
-        if not fitting:
-            raise NotApplicable("no mass, length and pace from which units could be made")
-        found.append(fitting[0])
+    positive = [q for q in parameters if q.sign == "positive"]
+    found = [next((q for kind in kinds for q in positive if q.dimension == kind), None) for kinds in wanted]
+    if None in found:
+        raise NotApplicable("no mass, length and pace from which units could be made")
     return tuple(found)
 
 

@@ -142,8 +142,8 @@ def changes(moving: Motion) -> tuple[Mark, ...]:
 def energies(moving: Motion) -> Iterator[Panel]:
     """Kinetic and potential energies and their sum."""
     scale = moving.scales.of(ENERGY)
-    kinetic = list(curves(lambda leg: of_rule(leg, "kinetic_energy"), moving.real, scale))
-    potential = list(curves(lambda leg: of_rule(leg, "potential"), moving.real, scale))
+    kinetic = list(curves(of_rule("kinetic_energy"), moving.real, scale))
+    potential = list(curves(of_rule("potential"), moving.real, scale))
     parts, total = [*kinetic, *potential][: MOST - 1], t.Sym("E")
     if potential and spread(kinetic) < HARDLY * spread(parts):
         parts, total = list(map(since_start, parts)), t.Delta(total)
@@ -167,9 +167,9 @@ def since_start(curve: Curve) -> Curve:
     return Curve(t.Delta(curve.name), curve.values - first, curve.style)
 
 
-def of_rule(leg: Leg, *rules: str) -> list[Step]:
-    """The steps of some rules."""
-    return [step for step in leg.derivation.steps if step.rule in rules]
+def of_rule(rule: str) -> Chosen:
+    """The steps of a rule."""
+    return lambda leg: [step for step in leg.derivation.steps if step.rule == rule]
 
 
 def speeds(moving: Motion) -> Iterator[Panel]:
