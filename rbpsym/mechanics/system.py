@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rbpsym.algebra.evaluate import Scope
+from rbpsym.algebra.evaluate import Scope, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.mechanics.inertia import Inertia
@@ -109,6 +109,13 @@ class System:
     def unknowns(self) -> tuple[str, ...]:
         """Names of all unknown force components, in the order of the statement."""
         return tuple(dict.fromkeys(n for force in self.forces for n in force.unknowns))
+
+    @property
+    def defined(self) -> dict[str, Scalar]:
+        """The dependent coordinates and all speeds that are not independent, as formulas."""
+        rates = {name: self.scope.rates[name] for name in self.coordinates if name not in self.independent}
+        rates |= {name: time_derivative(value, self.scope) for name, value in self.dependent.items()}
+        return {**self.dependent, **{f"{name}_dot": rate for name, rate in rates.items()}}
 
     @property
     def has_clock(self) -> bool:

@@ -34,11 +34,6 @@ class Path:
     seen: tuple[tuple[float, ...], ...]
     at: OdeSolution
 
-    @property
-    def states(self) -> list[np.ndarray]:
-        """The states at the ends of the steps."""
-        return list(self.at(np.array(self.times)).T)
-
 
 def followed(
     rate: Rate,

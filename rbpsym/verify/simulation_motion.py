@@ -16,7 +16,7 @@ from rbpsym.numeric.integration import Rate, followed
 from rbpsym.verify.simulation_bodies import Law, Load, Mechanism, State
 from rbpsym.verify.simulation_joints import Kept, Row
 
-STEPS = 10  # at least
+STATES = 20  # that are looked at along a motion
 
 
 @dataclass(frozen=True)
@@ -121,8 +121,8 @@ def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:
 
 
 def trajectory(rate: Rate, start: np.ndarray, time: float) -> list[np.ndarray]:
-    """The states along a motion, the start first. Raises NotApplicable at a singularity."""
-    path = followed(rate, start, time, longest=time / STEPS)
+    """The states at the ends of equal parts of a time, the start first. Raises NotApplicable at a singularity."""
+    path = followed(rate, start, time, longest=time / STATES)
     if path.times[-1] < time:
         raise NotApplicable(f"the simulation did not get beyond the time {path.times[-1]:.3g}")
-    return path.states
+    return list(path.at(np.linspace(0.0, time, STATES + 1)).T)

@@ -18,7 +18,7 @@ def test_an_oscillation_is_followed_to_rounding() -> None:
 
 def test_a_rate_that_depends_on_the_time() -> None:
     path = followed(lambda t, y: np.array([math.exp(t)]), [1.0], 1.5)
-    assert path.states[-1] == pytest.approx([math.exp(1.5)])
+    assert path.at(1.5) == pytest.approx([math.exp(1.5)])
 
 
 def test_a_pendulum_agrees_with_another_method() -> None:

@@ -91,12 +91,9 @@ def _program(study: Study, names: tuple[str, ...], *, moving: bool = True, solve
         return Program(inputs, {})
     state = (*system.coordinates, *system.speeds)
     inputs |= {name: f"x[{k}]" for k, name in enumerate(state)}
-    rates = {f"{name}_dot": rate for name, rate in system.scope.rates.items() if name in system.coordinates}
-    tied = {name: rate for name, rate in rates.items() if name not in inputs}
-    defined = {**dict(system.dependent), **tied, **_dependent_rates(study)}
     if not solved:
-        return _eliminating(study, Program(inputs, defined))
-    program = Program(inputs, {**defined, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
+        return _eliminating(study, Program(inputs, system.defined))
+    program = Program(inputs, {**system.defined, **dict(dynamics.reactions), **dict(dynamics.accelerations or {})})
     if dynamics.accelerations is None:
         program.solve_for(system.accelerations, dynamics.mass_matrix, dynamics.forcing)
     return program
@@ -121,13 +118,6 @@ def is_lighter_solved_here(study: Study, names: tuple[str, ...]) -> bool:
 
 
 LONG = 12_000  # characters
-
-
-def _dependent_rates(study: Study) -> dict[str, Scalar]:
-    from rbpsym.algebra.evaluate import time_derivative
-
-    system = study.system
-    return {f"{name}_dot": time_derivative(value, system.scope) for name, value in system.dependent.items()}
 
 
 def _start(study: Study) -> Iterator[Scalar]:

@@ -13,12 +13,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.pose import fitted
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.compiled import compiled_accelerations
+from rbpsym.mechanics.endings import State as Ending
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.study import Study
@@ -48,7 +48,6 @@ REASONS = {  # why there is no motion that can be followed
 
 Numbers = Mapping[str, float | np.ndarray]
 State = np.ndarray  # coordinates that are no closed form of others, independent speeds, the time
-Stop = Callable[[Numbers], float]  # its sign changes where the motion is to end
 
 
 def at(value: Scalar, numbers: Numbers) -> float:
@@ -85,19 +84,9 @@ class Flow:
         return {name: 1.0 if kind == NUMBER else length for name, kind in kinds.items()}
 
     @cached_property
-    def others(self) -> dict[str, Scalar]:
-        """The dependent coordinates, and the speed of each coordinate that is not independent."""
-        system, found = self.study.system, dict(self.study.system.dependent)
-        for name in (c.name for c in self.study.problem.coordinates):
-            if f"{name}_dot" not in system.speeds:
-                rate = system.scope.rates.get(name)
-                closed = system.dependent.get(name, NOTHING)
-                found[f"{name}_dot"] = time_derivative(closed, system.scope) if rate is None else rate
-        return found
-
-    @cached_property
-    def _dependent(self) -> Callable[[Numbers], np.ndarray]:
-        return compiled(self.others.values(), self.others)
+    def _defined(self) -> tuple[tuple[str, ...], Callable[[Numbers], np.ndarray]]:
+        found = self.study.system.defined
+        return tuple(found), compiled(found.values(), found)
 
     @cached_property
     def _accelerations(self) -> Callable[..., np.ndarray]:
@@ -106,7 +95,8 @@ class Flow:
     def numbers(self, state: State) -> dict[str, float | np.ndarray]:
         """All numbers of a state, or of many as columns."""
         found = {**self.given, **dict(zip(self.names, state, strict=True))}
-        return found | dict(zip(self.others, self._dependent(found), strict=True))
+        names, values = self._defined
+        return found | dict(zip(names, values(found), strict=True))
 
     def rate(self, _: float, state: State) -> State:
         """Speeds and accelerations."""
@@ -162,8 +152,7 @@ class Leg:
     """A phase of the motion: what was derived of it, all numbers at its moments, when it begins, what it is called.
 
     `turns` are the moments at which the first coordinate turned back, `lost` those at which a force that can only
-    push (or pull) comes to nothing, with its name. `is_stopped`: did it come to where it was to stop? The first leg
-    has no name.
+    push (or pull) comes to nothing, with its name. The first leg has no name.
     """
 
     derivation: Derivation
@@ -172,7 +161,6 @@ class Leg:
     numbers: Numbers
     turns: tuple[int, ...] = ()
     lost: tuple[tuple[int, str], ...] = ()
-    is_stopped: bool = False
     began: float = 0.0
     name: str = ""
 
@@ -205,32 +193,45 @@ def reactions(study: Study) -> dict[str, Scalar]:
     return {**study.dynamics.reactions, **(study.reactions_along_motion or {})}
 
 
-def leg(derivation: Derivation, given: Mapping[str, float], end: float = math.inf, stop: Stop | None = None, **told) -> Leg:
-    """The motion from the start up to the time `end`, or to where `stop` changes its sign; else as long as it is worth.
+def leg(
+    derivation: Derivation, given: Mapping[str, float], end: float = math.inf, ending: Ending | None = None, **told
+) -> Leg:
+    """The motion from the start up to the time `end`, or to the `ending` of its phase; else as long as it is worth.
 
     What rests where it could move is displaced a little, if neither is given. `told`: of the leg.
-    Raises NotApplicable where the start or the accelerations are not known, or nothing moves.
+    Raises NotApplicable where the start or the accelerations are not known, nothing moves, or the ending does not come.
     """
     study = derivation.study
     require_motion(study)
-    flow = Flow(study, given)
-    is_open = stop is None and not math.isfinite(end)
+    flow, is_open = Flow(study, given), ending is None and not math.isfinite(end)
     start = flow.pushed(flow.start()) if is_open else flow.start()
+    events = dict(watched(flow, start, is_open))
+    if ending is not None and ending.time is not None:
+        end = at(ending.time, given)
+    elif ending is not None:
+        events["arrival"] = arrival(flow, start, ending)
     if end == 0:
         return Leg(derivation, flow, np.zeros(1), with_forces(flow, start[:, None]), **told)
     pace = flow.pace(start)
     end = end if math.isfinite(end) else PACES * pace
-    events = dict(watched(flow, start, is_open))
-    events |= {"stop": Event(lambda _, state: stop(flow.numbers(state)))} if stop else {}
-    longest = pace / 2 if is_open else min(pace / 2, end / 5)
-    limits = {"longest": longest, "most": MOST, "tolerances": TOLERANCES}
+    limits = {"longest": min(pace / 2, end if is_open else end / 5), "most": MOST, "tolerances": TOLERANCES}
     path = followed(flow.rate, start, end, events=tuple(events.values()), **limits)
+    seen = dict(zip(events, path.seen, strict=True))
+    if not seen.get("arrival", True):
+        raise NotApplicable("with these numbers a phase does not come to its end")
     breaks = sorted({*path.times, *(time for times in path.seen for time in times)})
     moments = np.unique(np.concatenate([np.linspace(*ends, PARTS + 1) for ends in pairwise(breaks)]))
     numbers = with_forces(flow, path.at(moments))
-    seen = {name: tuple(np.searchsorted(moments, times)) for name, times in zip(events, path.seen, strict=True)}
-    lost = [(k, name) for name in one_sided(study) for k in seen[name] if numbers[name][k - 1] > 0]
-    return Leg(derivation, flow, moments, numbers, seen.get("turn", ()), tuple(lost), bool(seen.get("stop")), **told)
+    places = {name: tuple(np.searchsorted(moments, times)) for name, times in seen.items()}
+    lost = [(k, name) for name in one_sided(study) for k in places[name] if numbers[name][k - 1] > 0]
+    return Leg(derivation, flow, moments, numbers, places.get("turn", ()), tuple(lost), **told)
+
+
+def arrival(flow: Flow, start: State, ending: Ending) -> Event:
+    """The coordinate that moves most comes to its place at the end of a phase."""
+    begin, goals = flow.numbers(start), {name: at(ending.places[name], flow.given) for name in flow.shown}
+    name = max(goals, key=lambda name: abs(goals[name] - begin[name]) / flow.sizes[name])
+    return Event(lambda _, state: flow.numbers(state)[name] - goals[name])
 
 
 def with_forces(flow: Flow, states: State) -> Numbers:

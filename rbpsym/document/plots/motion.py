@@ -11,10 +11,8 @@ import numpy as np
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.plots.following import Flow, Leg, Stop, at, leg, require_motion
+from rbpsym.document.plots.following import Leg, leg, require_motion
 from rbpsym.document.plots.scales import Scales, scales
-from rbpsym.errors import NotApplicable
-from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.phases import stages
 
 MANY, FEW = 10, 5  # of many turns forces, works and energies are shown over a few
@@ -105,34 +103,8 @@ def legs(derivation: Derivation, found: Scales) -> Iterator[Leg]:
     """The phases one after the other; the last one is not followed much longer than those before it took."""
     problem, began = derivation.study.problem, 0.0
     endings = [stage.began.before for stage in stages(problem)[1:]] if problem.phases else []
-    for part, ending, name in zip(
-        (derivation, *(phase.derivation for phase in derivation.phases)),
-        (*endings, None),
-        ("", *(phase.name for phase in derivation.phases)),
-        strict=True,
-    ):
-        if ending is None:
-            yield leg(part, found.numbers, AFTERWARDS * began or math.inf, began=began, name=name)
-        else:
-            one = first(part, found, ending, began=began, name=name)
-            began += one.moments[-1]
-            yield one
-
-
-def first(part: Derivation, found: Scales, ending: State, **told) -> Leg:
-    """The moments of a phase that another one follows. Raises NotApplicable if its end is not reached."""
-    if ending.time is not None:
-        return leg(part, found.numbers, at(ending.time, found.numbers), **told)
-    one = leg(part, found.numbers, stop=arrival(Flow(part.study, found.numbers), ending), **told)
-    if not one.is_stopped:
-        raise NotApplicable("with these numbers a phase does not come to its end")
-    return one
-
-
-def arrival(flow: Flow, ending: State) -> Stop:
-    """How far the coordinate that moves most is from its place at the end of a phase."""
-    start = flow.numbers(flow.start())
-    ways = {name: at(ending.places[name], flow.given) - start[name] for name in flow.shown}
-    name = max(ways, key=lambda name: abs(ways[name]) / flow.sizes[name])
-    goal = start[name] + ways[name]
-    return lambda numbers: numbers[name] - goal
+    parts = [("", derivation), *((phase.name, phase.derivation) for phase in derivation.phases)]
+    for (name, part), ending in zip(parts, [*endings, None], strict=False):
+        end = math.inf if ending else AFTERWARDS * began or math.inf
+        yield (one := leg(part, found.numbers, end, ending, began=began, name=name))
+        began += one.moments[-1]

@@ -7,7 +7,6 @@ by how many squares with ink are left of and below each corner.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -25,17 +24,7 @@ LIKED = ((0.07, 0.30), (0.07, 0.18), (0.18, 0.30), (0.07, 0.11), (0.32, 0.42), (
 SIDES = np.array([(a, b) for b in (1, -1, 0, 0.6, -0.6) for a in (0, 1, -1, 0.5, -0.5) if max(abs(a), abs(b)) == 1])
 
 
-@dataclass(frozen=True, eq=False)
-class Named:
-    """A curve in pieces (points as rows), and the size of its name."""
-
-    pieces: Sequence[np.ndarray]
-    size: tuple[float, float]
-
-    @property
-    def length(self) -> float:
-        """How long it is, in cm."""
-        return sum(lengths(piece)[-1] for piece in self.pieces)
+Pieces = Sequence[np.ndarray]  # of a curve: points as rows
 
 
 def lengths(points: np.ndarray) -> np.ndarray:
@@ -78,26 +67,28 @@ def are_free(ink: np.ndarray, middles: np.ndarray, half: np.ndarray) -> np.ndarr
 
 
 def places(
-    curves: Sequence[Named], taken: Iterable[Box], lines: Iterable[Sequence[Point]], within: Box
+    curves: Sequence[Pieces], sizes: Sequence[Point], taken: Iterable[Box], lines: Iterable[Sequence[Point]], within: Box
 ) -> list[Point | None]:
-    """For each curve the middle of its name; None where there is no room beside it."""
-    sheets, others = [inked(curve.pieces) for curve in curves], inked(lines, taken)
+    """For each curve the middle of its name, which has a size; None where there is no room beside it."""
+    sheets, others = [inked(pieces) for pieces in curves], inked(lines, taken)
     found: list[Point | None] = [None] * len(curves)
-    for k in sorted(range(len(curves)), key=lambda k: curves[k].length):
+    for k in sorted(range(len(curves)), key=lambda k: sum(lengths(piece)[-1] for piece in curves[k])):
         rest = np.any([sheet for n, sheet in enumerate(sheets) if n != k] or [np.zeros(EXTENT, dtype=bool)], axis=0)
-        found[k] = best(curves[k], sheets[k], rest, others, within)
+        found[k] = best(curves[k], sizes[k], sheets[k], rest, others, within)
         if found[k] is not None:
-            others |= inked((), [grown(around(found[k], curves[k].size), 0.02)])
+            others |= inked((), [grown(around(found[k], sizes[k]), 0.02)])
     return found
 
 
-def best(curve: Named, own: np.ndarray, rest: np.ndarray, others: np.ndarray, within: Box) -> Point | None:
+def best(
+    pieces: Pieces, size: Point, own: np.ndarray, rest: np.ndarray, others: np.ndarray, within: Box
+) -> Point | None:
     """The most liked place that is free; among equals the one nearest to three quarters of the way."""
-    if not curve.pieces:
+    if not pieces:
         return None
-    points = np.concatenate([walked(piece, STRIDE) for piece in curve.pieces])
+    points = np.concatenate([walked(piece, STRIDE) for piece in pieces])
     shares = np.repeat(np.linspace(0.0, 1.0, len(points)), len(SIDES))
-    half, (own, rest, others) = np.array(curve.size) / 2, map(summed, (own, rest, others))
+    half, (own, rest, others) = np.array(size) / 2, map(summed, (own, rest, others))
     for gap, margin in LIKED:
         middles = (points[:, None] + SIDES * (half + gap)).reshape(-1, 2)
         is_fine = ((middles - half >= within[:2]) & (middles + half <= within[2:])).all(axis=1)

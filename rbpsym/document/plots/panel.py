@@ -12,7 +12,7 @@ import numpy as np
 from rbpsym.document.figures.placing import label_size, placed
 from rbpsym.document.figures.scene import EM, STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis
-from rbpsym.document.plots.naming import Named, lengths, places
+from rbpsym.document.plots.naming import lengths, places
 from rbpsym.document.plots.scales import Scale
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -101,7 +101,7 @@ def scene(panel: Panel, notation: Notation) -> Scene:
     lines = [Line(tuple(map(tuple, piece.tolist())), curve.style) for curve in curves for piece in curve.pieces]
     rings = [circle for curve in curves for ends in curve.jumps for circle in map(Circle, ends, (RING, 0.0), RINGS)]
     axes = (*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y)), *rings)
-    labels = (*tick_labels(x, y), *axis_labels(panel), *mark_labels(panel, x, notation))
+    labels = (*tick_labels(x, y), *axis_labels(panel, notation), *mark_labels(panel, x, notation))
     outside = placed(Scene(axes, labels), notation)
     names = named(together(curves, y), outside, notation)
     return Scene((*axes[: len(axes) - len(rings)], *lines, *rings, *names.items), (*outside.labels, *names.labels))
@@ -187,9 +187,11 @@ def tick_labels(x: Axis, y: Axis) -> Iterator[Label]:
         yield fixed(text, (-TICK - 0.04 - EM * (0.25 * len(text) + 0.125), y.at(tick)), "soft")
 
 
-def axis_labels(panel: Panel) -> Iterator[Label]:
+def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:
     """What the axes count: at the right end below, and above the vertical axis."""
-    yield Label(in_units(panel.across, panel.across_scale), (WIDE, 0.0), toward=0.0)
+    across = in_units(panel.across, panel.across_scale)
+    wide, high = label_size(Label(across, (WIDE, 0.0)), notation)
+    yield fixed(across, (WIDE + 0.15 + wide / 2, high / 2 - 0.1), "ink")
     if panel.up_scale.node is not None:
         yield Label(panel.up_scale.node, (0.0, HIGH), toward=UP, gap=0.2)
 
@@ -204,9 +206,9 @@ def in_units(node: t.Node, scale: Scale) -> t.Node:
 def named(curves: Sequence[Drawn], rest: Scene, notation: Notation) -> Scene:
     """A name beside each curve, in its colour; for those that have no room a line in a legend."""
     sizes = [label_size(Label(curve.name, (0.0, 0.0)), notation) for curve in curves]
-    shapes = [Named(tuple(curve.pieces), size) for curve, size in zip(curves, sizes, strict=True)]
+    pieces = [tuple(curve.pieces) for curve in curves]
     lines = [ends for item in rest.items for ends in (item.pieces if isinstance(item, Strokes) else [points_of(item)])]
-    spots = places(shapes, [one.box for one in rest.labels], lines, (0.04, 0.04, WIDE + 1.4, HIGH - 0.02))
+    spots = places(pieces, sizes, [one.box for one in rest.labels], lines, (0.04, 0.04, WIDE + 1.4, HIGH - 0.02))
     beside = [fixed(c.name, spot, STYLES[c.style].stroke) for c, spot in zip(curves, spots, strict=True) if spot]
     left = [(curve, size) for curve, size, spot in zip(curves, sizes, spots, strict=True) if spot is None]
     ends = [spot[0] + size[0] / 2 for spot, size in zip(spots, sizes, strict=True) if spot]
