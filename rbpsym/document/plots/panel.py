@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import cycle
+from itertools import count, cycle
 
 import numpy as np
 
-from rbpsym.document.figures.placing import label_size, placed
-from rbpsym.document.figures.scene import EM, STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
+from rbpsym.document.figures.placing import grown, label_size, overlap
+from rbpsym.document.figures.scene import STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
 from rbpsym.document.plots.axes import Axis, axis
 from rbpsym.document.plots.naming import lengths, places
 from rbpsym.document.plots.scales import Scale
@@ -24,7 +24,6 @@ SAME = 4e-6  # cm: curves that are no farther apart are one
 JUMP = 0.015  # of the height: what is more is a jump
 RING = 0.06
 RINGS = ("joint", "dot")  # an open circle where a curve ends, a full one where it goes on
-UP = math.pi / 2
 NEAR = 0.035  # cm
 
 
@@ -98,13 +97,13 @@ def scene(panel: Panel, notation: Notation) -> Scene:
     """The panel as a drawing."""
     x, y = axes_of(panel, notation.decimal)
     curves = sorted(drawn(panel, x, y), key=lambda curve: curve.style != "curve sum")
+    axes = (*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y)))
     lines = [Line(tuple(map(tuple, piece.tolist())), curve.style) for curve in curves for piece in curve.pieces]
     rings = [circle for curve in curves for ends in curve.jumps for circle in map(Circle, ends, (RING, 0.0), RINGS)]
-    axes = (*frame(x, y), *(item for one in panel.marks for item in mark(one, x, y)), *rings)
-    labels = (*tick_labels(x, y), *axis_labels(panel, notation), *mark_labels(panel, x, notation))
-    outside = placed(Scene(axes, labels), notation)
-    names = named(together(curves, y), outside, notation)
-    return Scene((*axes[: len(axes) - len(rings)], *lines, *rings, *names.items), (*outside.labels, *names.labels))
+    outside = [*tick_labels(x, y, notation), *axis_labels(panel, notation)]
+    outside += mark_labels(panel, x, outside, notation)
+    names = named(together(curves, y), Scene((*axes, *rings), tuple(outside)), notation)
+    return Scene((*axes, *lines, *rings, *names.items), (*outside, *names.labels))
 
 
 def axes_of(panel: Panel, decimal: str = ".") -> tuple[Axis, Axis]:
@@ -169,31 +168,38 @@ def mark(one: Mark, x: Axis, y: Axis) -> Iterator[Item]:
         yield Circle((x.at(one.place), y.at(0.0)), 0.0, "dot")
 
 
-def mark_labels(panel: Panel, x: Axis, notation: Notation) -> Iterator[Label]:
-    """What happens at the marks, above their lines."""
-    for one in (one for one in panel.marks if one.name):
-        name = notation.names.get(one.name, one.name) if isinstance(one.name, str) else one.name
-        yield Label(name, (x.at(one.place), HIGH), toward=UP, color="soft")
-
-
-def tick_labels(x: Axis, y: Axis) -> Iterator[Label]:
+def tick_labels(x: Axis, y: Axis, notation: Notation) -> Iterator[Label]:
     """Numbers below and at the left; below as many as have room."""
-    width = EM * (0.5 * max(map(len, x.texts), default=0) + 0.4)
+    below = [fixed(text, (x.at(tick), -TICK - 0.32), "soft", notation) for tick, text in zip(x.ticks, x.texts, strict=True)]
+    width = max((label.size[0] for label in below), default=0.0) + 0.06
     skip = max(1, math.ceil(width / (x.at(x.ticks[1]) - x.at(x.ticks[0])))) if len(x.ticks) > 1 else 1
-    first = next((k for k, tick in enumerate(x.ticks) if tick == 0), 0) % skip
-    for tick, text in zip(x.ticks[first::skip], x.texts[first::skip], strict=True):
-        yield fixed(text, (x.at(tick), -TICK - 0.32), "soft")
+    yield from below[next((k for k, tick in enumerate(x.ticks) if tick == 0), 0) % skip :: skip]
     for tick, text in zip(y.ticks, y.texts, strict=True):
-        yield fixed(text, (-TICK - 0.04 - EM * (0.25 * len(text) + 0.125), y.at(tick)), "soft")
+        label = fixed(text, (0.0, y.at(tick)), "soft", notation)
+        yield replace(label, place=(-TICK - 0.04 - label.size[0] / 2, y.at(tick)))
 
 
 def axis_labels(panel: Panel, notation: Notation) -> Iterator[Label]:
     """What the axes count: at the right end below, and above the vertical axis."""
-    across = in_units(panel.across, panel.across_scale)
-    wide, high = label_size(Label(across, (WIDE, 0.0)), notation)
-    yield fixed(across, (WIDE + 0.15 + wide / 2, high / 2 - 0.1), "ink")
+    across = fixed(in_units(panel.across, panel.across_scale), (WIDE, 0.0), "ink", notation)
+    yield replace(across, place=(WIDE + 0.15 + across.size[0] / 2, across.size[1] / 2 - 0.1))
     if panel.up_scale.node is not None:
-        yield Label(panel.up_scale.node, (0.0, HIGH), toward=UP, gap=0.2)
+        above = fixed(panel.up_scale.node, (0.0, HIGH), "ink", notation)
+        yield replace(above, place=(max(0.0, above.size[0] / 2 - 0.5), HIGH + 0.25 + above.size[1] / 2))
+
+
+def mark_labels(panel: Panel, x: Axis, taken: Sequence[Label], notation: Notation) -> list[Label]:
+    """What happens at the marks, above their lines; one above the other where they are close together."""
+    found: list[Label] = []
+    for one in (one for one in panel.marks if one.name):
+        name = notation.names.get(one.name, one.name) if isinstance(one.name, str) else one.name
+        label = fixed(name, (0.0, 0.0), "soft", notation)
+        across = min(max(x.at(one.place), label.size[0] / 2 - 0.2), WIDE + 0.9 - label.size[0] / 2)
+        heights = (HIGH + 0.08 + label.size[1] / 2 + 0.1 * step for step in count())
+        tries = (replace(label, place=(across, height)) for height in heights)
+        boxes = [other.box for other in (*taken, *found)]
+        found.append(next(one for one in tries if not any(overlap(grown(one.box, 0.02), box) for box in boxes)))
+    return found
 
 
 def in_units(node: t.Node, scale: Scale) -> t.Node:
@@ -205,28 +211,29 @@ def in_units(node: t.Node, scale: Scale) -> t.Node:
 
 def named(curves: Sequence[Drawn], rest: Scene, notation: Notation) -> Scene:
     """A name beside each curve, in its colour; for those that have no room a line in a legend."""
-    sizes = [label_size(Label(curve.name, (0.0, 0.0)), notation) for curve in curves]
+    labels = [fixed(curve.name, (0.0, 0.0), STYLES[curve.style].stroke, notation) for curve in curves]
     pieces = [tuple(curve.pieces) for curve in curves]
     lines = [ends for item in rest.items for ends in (item.pieces if isinstance(item, Strokes) else [points_of(item)])]
-    spots = places(pieces, sizes, [one.box for one in rest.labels], lines, (0.04, 0.04, WIDE + 1.4, HIGH - 0.02))
-    beside = [fixed(c.name, spot, STYLES[c.style].stroke) for c, spot in zip(curves, spots, strict=True) if spot]
-    left = [(curve, size) for curve, size, spot in zip(curves, sizes, spots, strict=True) if spot is None]
-    ends = [spot[0] + size[0] / 2 for spot, size in zip(spots, sizes, strict=True) if spot]
-    listed = list(legend(left, max([WIDE, *ends])))
+    taken, within = [one.box for one in rest.labels], (0.04, 0.04, WIDE + 1.4, HIGH - 0.02)
+    spots = places(pieces, [label.size for label in labels], taken, lines, within)
+    beside = [replace(label, place=spot) for label, spot in zip(labels, spots, strict=True) if spot]
+    left = [(curve, label) for curve, label, spot in zip(curves, labels, spots, strict=True) if spot is None]
+    listed = list(legend(left, max([WIDE, *(label.box[2] for label in beside)])))
     return Scene(tuple(line for line, _ in listed), (*beside, *(label for _, label in listed)))
 
 
-def legend(left: Sequence[tuple[Drawn, tuple[float, float]]], start: float) -> Iterator[tuple[Item, Label]]:
+def legend(left: Sequence[tuple[Drawn, Label]], start: float) -> Iterator[tuple[Item, Label]]:
     """A line and a name for each of some curves, from the highest end to the lowest."""
     order = sorted(left, key=lambda pair: -pair[0].points[np.isfinite(pair[0].points[:, 1])][-1, 1])
-    step = max((size[1] for _, size in left), default=0.0) + 0.04
+    step = max((label.size[1] for _, label in left), default=0.0) + 0.04
     top = max(HIGH / 2 + step * (len(order) - 1) / 2 + 0.2, 0.9 + step * (len(order) - 1))
-    for row, (curve, size) in enumerate(order):
+    for row, (curve, label) in enumerate(order):
         height = top - step * row
         line = Line(((start + 0.2, height), (start + 0.75, height)), curve.style)
-        yield line, fixed(curve.name, (start + 0.9 + size[0] / 2, height), STYLES[curve.style].stroke)
+        yield line, replace(label, place=(start + 0.9 + label.size[0] / 2, height))
 
 
-def fixed(content: t.Node | str, place: Point, color: str) -> Label:
-    """A label that stands where it is put."""
-    return Label(content, place, color=color, place=place)
+def fixed(content: t.Node | str, place: Point, color: str, notation: Notation) -> Label:
+    """A label that stands where it is put, with its size."""
+    label = Label(content, place, color=color, place=place)
+    return replace(label, size=label_size(label, notation))
