@@ -16,7 +16,7 @@ RELATION = re.compile(r" (?:!=|<=?|>=?) 0$")
 WORD, FUNCTIONS = re.compile(r"[A-Za-z]\w*"), {"sin", "cos", "sqrt", "asin", "acos", "atan", "exp", "log", "pi", "abs"}
 # what a key holds, if not expressions
 WORDS = ("problem", "coordinates", "symbols", "verdicts", "speeds", "force", "friction", "contact", "coordinate", "name",
-         "reason", "stable", "stability", "complete", "op", "relation", "why", "at_place", "sign")  # fmt: skip
+         "reason", "stable", "stability", "state", "until", "complete", "op", "relation", "why", "at_place", "sign")  # fmt: skip
 
 
 def expressions(value: object, key: str = "") -> list[str]:
