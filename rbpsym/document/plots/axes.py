@@ -46,10 +46,8 @@ def axis(values: Sequence[float], length: float, *, sign: str = "", decimal: str
 
 def step_of(low: float, high: float, *, degrees: bool) -> float:
     """The round step with about TICKS ticks, with three of them if there can be."""
-    wanted = (high - low) / TICKS
-    steps = (round_step(wanted * share, degrees=degrees) for share in (1.0, 0.6, 0.4))
-    enough = (step for step in steps if math.floor(high / step + NEAR) - math.ceil(low / step - NEAR) >= 2)
-    return next(enough, round_step(wanted, degrees=degrees))
+    steps = [round_step((high - low) / TICKS * share, degrees=degrees) for share in (1.0, 0.6, 0.4)]
+    return next((s for s in steps if math.floor(high / s + NEAR) - math.ceil(low / s - NEAR) >= 2), steps[0])
 
 
 def round_step(step: float, *, degrees: bool = False) -> float:

@@ -56,14 +56,9 @@ class Motion:
     whole: Journey
 
     @property
-    def is_single(self) -> bool:
-        """Is there one phase with one coordinate?"""
-        return len(self.whole.legs) == 1 and len(self.coordinates) == 1
-
-    @property
     def is_over_place(self) -> bool:
-        """Are the curves drawn over the coordinate? (It must determine the speed.)"""
-        return self.is_single and bool(self.derivation.study.squares)
+        """Are the curves drawn over the coordinate? (It is the only one of a single phase and determines the speed.)"""
+        return len(self.whole.legs) == 1 and len(self.coordinates) == 1 and bool(self.derivation.study.squares)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
