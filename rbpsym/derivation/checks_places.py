@@ -116,7 +116,9 @@ def _exists(context: Context, step: Step) -> Iterator[Verdict]:
 
 
 def _within(context: Context, step: Step) -> Iterator[Verdict]:
-    for name, place in step.data["at"].items():
+    tied = {n: substitute(v, step.data["at"]) for n, v in context.study.system.dependent.items()}
+    closed = {n: v for n, v in tied.items() if not any(depends_on(v, q) for q in context.study.system.coordinates)}
+    for name, place in {**step.data["at"], **closed}.items():
         if name in context.whole.assumptions.ranges:
             context.use(f"range.{name}")
         lower, upper = context.assumptions.range_of(name)
@@ -125,7 +127,11 @@ def _within(context: Context, step: Step) -> Iterator[Verdict]:
             if None not in (low, high) and not (turn and is_zero(upper - place) and high is upper):
                 found = _beyond(context, low, high)
                 is_end = not found.is_proved and is_zero(low - high)  # an end belongs to the range if the start is there
-                yield Verdict(PROVED) if is_end and is_zero(context.start(symbol(name)) - place) else found
+                yield Verdict(PROVED) if is_end and is_zero(context.start(_of(context, name)) - place) else found
+
+
+def _of(context: Context, name: str) -> Scalar:
+    return context.study.system.dependent.get(name, symbol(name))
 
 
 def _beyond(context: Context, low: Scalar, high: Scalar) -> Verdict:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.checks import divides
@@ -50,9 +51,9 @@ def _conditions(view: View, step: Step) -> Iterator[Condition]:
 
 
 def _poles(view: View, factor: Scalar) -> Iterator[Condition]:
-    """What must not vanish for the factor to have a value."""
-    for value in divisors(factor):
-        yield Condition(present(value, view.whole.style, factor=True), "!=", value)
+    """What must not vanish for the factor to have a value, each as it is printed, whose sign is seen more easily."""
+    for node in (present(value, view.whole.style, factor=True) for value in divisors(factor)):
+        yield Condition(node, "!=", scalar(node))
 
 
 def _discharged(view: View, one: Condition) -> Obligation:

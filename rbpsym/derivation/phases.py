@@ -20,8 +20,7 @@ def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
         draft = Draft(before.study)
         draft.chapter = "phase"
         endings.write(draft, Ending(phase, number, stage.began.before))
-        blow = Blow(before.study.system, stage.study.system, phase, stage.began, number)
-        if impulses.has_impulses(blow):
-            impulses.write(draft, blow)
+        if stage.began.is_blow:
+            impulses.write(draft, Blow(before.study.system, stage.study.system, phase, stage.began, number))
         found.append((phase, stage, draft))
     return found

@@ -157,8 +157,8 @@ def _demands(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> 
     try:
         if is_zero(determinant(_there(dynamics.mass_matrix, at))):
             return None  # the coordinates do not describe its neighbourhood, as r = 0 of polar ones does not
-        asked = [*_of_place(at, given, system.scope.start), *_of_forces(system, dynamics, at, given)]
-        return settle(asked, given)
+        asked = [*_of_place(at, given, system.scope.start), *_of_tied(system, at, given)]
+        return settle([*asked, *_of_forces(system, dynamics, at, given)], given)
     except ZeroDivisionError:
         return None
 
@@ -176,6 +176,15 @@ def _of_place(at: Mapping[str, Scalar], given: Assumptions, start: Mapping[str, 
         lower, upper = given.range_of(name)
         yield from () if lower is None else [Demand(value - lower)]
         yield from () if upper is None else [Demand(upper - value, _last(lower, upper))]
+
+
+def _of_tied(system: System, at: Mapping[str, Scalar], given: Assumptions) -> Iterator[Demand]:
+    """What is tied to the place lies within its ranges too."""
+    for name in system.dependent.keys() & given.ranges.keys():
+        value = rooted(substitute(system.dependent[name], at), given)
+        if not any(depends_on(value, other) for other in system.coordinates):
+            begin = substitute(system.dependent[name], system.scope.start)
+            yield from _of_place({name: value}, given, {name: begin})
 
 
 def _last(lower: Scalar | None, upper: Scalar) -> str:

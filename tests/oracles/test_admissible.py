@@ -206,3 +206,9 @@ def test_a_tilted_pair_is_not_passed_over():
 def test_rest_is_derived_and_proved(name):
     verdicts = solve(case(name).problem)["verdicts"]
     assert verdicts["proved"] == verdicts["steps"] and verdicts["simulation"]["max_relative_error"] < 1e-8
+
+
+def test_what_is_tied_rests_within_its_range_too():
+    """The cylinder that climbs an edge does not hang from it below the floor, nor beyond the place where it stands on it."""
+    climbing = stages(problem("cylinder-against-step"))[1].study
+    assert not climbing.equilibria and climbing.rest.complete is True

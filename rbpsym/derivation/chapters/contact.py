@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.normal import is_zero
@@ -34,7 +34,8 @@ def write(draft: Draft) -> None:
         for loss in draft.study.losses:
             _loss(draft, loss, along)
     for side in draft.study.sides:
-        TOLD[side.state](draft, side)
+        if side.state != "lost":
+            (_holds if side.state == "kept" else _asks)(draft, side)
     for need in draft.study.friction_needs:
         _friction(draft, need)
     for element, what, value in asked(draft.study) if draft.study.dynamics.accelerations else ():
@@ -96,12 +97,12 @@ def _holds(draft: Draft, side: Side) -> None:
     moving = any(depends_on(side.value, q) for q in (*draft.study.system.coordinates, "t"))
     kind = sign(side.value, draft.study.assumptions).kind
     never = kind in ("nonnegative", "zero")
-    told = "until" if side.until else "never" if never else "holds" if draft.study.system.independent else "stays"
+    lasts = f"holds.{_manner(draft, side.force)}" if draft.study.system.independent else "stays"
     draft.add(
         f"holds.{side.force}",
         "stays",
         t.relation(t.Sym(side.force), ">=" if never else ">", t.ZERO),
-        f"contact.{told}.{_manner(draft, side.force)}",
+        f"contact.{'until' if side.until else 'never' if never else lasts}",
         level=STANDARD if moving else FULL,
         premises=_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
         force=t.Sym(side.force),
@@ -112,11 +113,8 @@ def _holds(draft: Draft, side: Side) -> None:
 
 def _asks(draft: Draft, side: Side) -> None:
     """A force that is not negative under a condition only: on the parameters, or on the state."""
-    shown = draft.show(side.value)
-    if length(shown) <= LONGEST:
-        shown = draft.show(essential(side.value, draft.study.assumptions), factor=True)
-    else:
-        shown = t.Sym(side.force)
+    is_short = length(draft.show(side.value)) <= LONGEST
+    shown = draft.show(essential(side.value, draft.study.assumptions), factor=True) if is_short else t.Sym(side.force)
     places = [bool(loss.at) for loss in draft.study.ended.open_ if loss.force == side.force]
     told = "asks" if side.state == "asked" else "open.place" if all(places) else "open.form"
     draft.add(
@@ -129,13 +127,6 @@ def _asks(draft: Draft, side: Side) -> None:
         lasts=_lasts(draft, side.force),
         data={"force": side.force},
     )
-
-
-def _nothing(draft: Draft, side: Side) -> None:
-    """What is lost is told with its place."""
-
-
-TOLD: Mapping[str, Callable[[Draft, Side], None]] = {"kept": _holds, "lost": _nothing, "asked": _asks, "open": _asks}
 
 
 def _told(draft: Draft, name: str, *more: str) -> tuple[str, ...]:
@@ -259,13 +250,9 @@ def _is_grip(draft: Draft, name: str, normal: str) -> bool:
 def _solved(draft: Draft, loss: Loss) -> t.Node:
     """sin q = ... (or cos q, or q itself) from the factor that vanishes, else factor = 0."""
     for index in sorted(loss.factor.num.atoms()):
-        if not depends_on(_generator(index), loss.coordinate):
+        if not depends_on(Scalar(generator(index)), loss.coordinate):
             continue
         parts = loss.factor.num.by_power(index)
         if set(parts) == {0, 1} and not any(depends_on(Scalar(p), loss.coordinate) for p in parts.values()):
             return t.equation(atom_node(index, draft.study.style), draft.show(-(Scalar(parts[0]) / Scalar(parts[1]))))
     return t.equation(draft.show(loss.factor, factor=True), t.ZERO)
-
-
-def _generator(index: int) -> Scalar:
-    return Scalar(generator(index))

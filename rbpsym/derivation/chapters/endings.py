@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
@@ -197,13 +198,7 @@ def kinetic(draft: Draft, places: Mapping[str, Scalar], speeds: Mapping[str, Sca
 
 def is_plain(value: Scalar) -> bool:
     """Zero, a number or a single name: there is no need for a name of its own."""
-    return value.number() is not None or isinstance(_shown(value), t.Sym)
-
-
-def _shown(value: Scalar) -> t.Node:
-    from rbpsym.algebra.present import present
-
-    return present(value)
+    return value.number() is not None or isinstance(present(value), t.Sym)
 
 
 def speed_symbol(draft: Draft, coordinate: str, number: int, value: Scalar) -> Scalar:

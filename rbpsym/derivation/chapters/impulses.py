@@ -57,12 +57,6 @@ def write(draft: Draft, blow: Blow) -> None:
     _lost(draft, blow)
 
 
-def has_impulses(blow: Blow) -> bool:
-    """Whether anything jumps, or any impulse is not zero."""
-    jumps = (blow.began.speeds[name] - blow.state.speeds[name] for name in blow.state.speeds)
-    return bool(blow.phase.impulses) or any(not is_zero(value) for value in jumps)
-
-
 def after_name(draft: Draft, coordinate: str) -> str:
     """θ̇′, or ω′ where the speed is called ω."""
     alias = draft.study.problem.notation.get(f"{coordinate}_dot", f"{coordinate}_dot")

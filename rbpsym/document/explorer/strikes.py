@@ -28,19 +28,13 @@ Put = Callable[[Scalar], int]
 
 def strikes(stage: Stage, begins: Phase, put: Put, notation: Notation) -> dict[str, Any] | None:
     """Arrows, components and the kinetic energy that is lost; None where nothing strikes."""
-    if not has_impulses(stage.began, begins):
+    if not stage.began.is_blow:
         return None
     return {
         "arrows": list(arrows(stage, begins, put, notation)),
         "parts": [{**label(node, notation), "value": put(value)} for node, value in components(stage, begins)],
         "lost": put(stage.began.energy_lost),
     }
-
-
-def has_impulses(began: HandOver, begins: Phase) -> bool:
-    """Is something struck, or does a speed jump?"""
-    jumps = (began.speeds[name] - value for name, value in began.before.speeds.items())
-    return bool(begins.impulses) or any(not is_zero(value) for value in jumps)
 
 
 def arrows(stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterator[dict[str, Any]]:
