@@ -17,6 +17,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import assuming
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.phases import stages
 from rbpsym.mechanics.pushing import check_start, start_valid
 from rbpsym.mechanics.rest import _demands
 from rbpsym.mechanics.study import Study
