@@ -113,7 +113,7 @@ def _holds(draft: Draft, side: Side) -> None:
 
 def _asks(draft: Draft, side: Side) -> None:
     """A force that is not negative under a condition only: on the parameters, or on the state."""
-    is_short = length(draft.show(side.value)) <= LONGEST
+    is_short = length(draft.show(side.value, factor=True)) <= LONGEST
     shown = draft.show(essential(side.value, draft.study.assumptions), factor=True) if is_short else t.Sym(side.force)
     places = [bool(loss.at) for loss in draft.study.ended.open_ if loss.force == side.force]
     told = "asks" if side.state == "asked" else "open.place" if all(places) else "open.form"
