@@ -20,17 +20,16 @@ class Atom:
     arg: Any
 
 
-_INDEX: dict[Atom, int] = {}
+_INDEX: dict[tuple[str, Any], int] = {}
 _TABLE: list[Atom] = []
 
 
 def intern(kind: str, arg: Any) -> int:
     """The index of the atom, which is made if it is new."""
-    atom = Atom(kind, arg)
-    index = _INDEX.get(atom)
+    index = _INDEX.get((kind, arg))
     if index is None:
-        index = _INDEX[atom] = len(_TABLE)
-        _TABLE.append(atom)
+        index = _INDEX[kind, arg] = len(_TABLE)
+        _TABLE.append(Atom(kind, arg))
     return index
 
 

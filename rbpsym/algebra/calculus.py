@@ -25,15 +25,18 @@ def derivative(value: Scalar, name: str) -> Scalar:
 
 def poly_derivative(poly: Poly, name: str) -> Scalar:
     """The derivative of a polynomial (a Scalar, since ln and root bring quotients)."""
+    slopes = {index: slope for index in poly.atoms() if (slope := atom_derivative(index, name))}
+    if not slopes:
+        return NOTHING
     parts: list[tuple[int | Fraction, Poly]] = []
     others = NOTHING
     for m, c in poly.terms.items():
         for place, (index, exponent) in enumerate(m):
-            inner = atom_derivative(index, name)
-            if not inner.num.terms:
+            if index not in slopes:
                 continue
+            inner = slopes[index]
             lowered = ((index, exponent - 1),) if exponent != 1 else ()
-            rest = Poly({m[:place] + lowered + m[place + 1 :]: 1})
+            rest = Poly({m[:place] + lowered + m[place + 1 :]: 1}, 1)
             if inner.den is ONE:
                 parts.append((c * exponent, rest * inner.num))
             else:
@@ -158,7 +161,9 @@ def substitute(value: Scalar, images: Mapping[str, Scalar]) -> Scalar:
 
 
 def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
-    return _with_images(poly, {i: image for i in poly.atoms() if (image := _atom_substitute(i, key)) is not None})
+    names = [name for name, _ in key]
+    touched = [i for i in poly.atoms() if not atom_names(i).isdisjoint(names)]
+    return _with_images(poly, {i: image for i in touched if (image := _atom_substitute(i, key)) is not None})
 
 
 def _with_images(poly: Poly, images: Mapping[int, Scalar]) -> Scalar:
@@ -205,12 +210,17 @@ def inside(value: Scalar, see: Callable[[Scalar], Scalar]) -> Scalar:
 
 def depends_on(value: Scalar, name: str) -> bool:
     """Whether the symbol occurs anywhere in the value (also inside an angle)."""
-    return any(name in atom_names(index) for index in value.atoms())
+    return name in names_in(value)
 
 
-def names_in(value: Scalar) -> set[str]:
+def names_in(value: Scalar) -> frozenset[str]:
     """All symbols that occur anywhere in the value (also inside an angle)."""
-    return set().union(*(atom_names(index) for index in value.atoms()))
+    return _names(value.atoms())
+
+
+@lru_cache(maxsize=16384)
+def _names(indices: frozenset[int]) -> frozenset[str]:
+    return frozenset().union(*map(atom_names, indices))
 
 
 @lru_cache(maxsize=16384)
@@ -221,7 +231,7 @@ def atom_names(index: int) -> frozenset[str]:
         return frozenset((found.arg,))
     if found.kind == "opaque":
         return frozenset(getattr(found.arg, "names", ()))
-    return frozenset(names_in(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)))
+    return names_in(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg))
 
 
 def atom_depends(index: int, name: str) -> bool:

@@ -16,7 +16,7 @@ from math import comb, lcm
 from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import spend
 from rbpsym.algebra.modular import is_surely_nonzero
-from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, clean, constant, generator, times
+from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, divided, generator, times
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 
@@ -149,7 +149,8 @@ def without_squares(poly: Poly, index: int) -> Poly:
     if max(powers, default=0) < 2:
         return poly
     other, result = partner(index), {}
-    for power, (m, c) in zip(powers, poly.terms.items(), strict=True):
+    denominator, terms = poly.whole()
+    for power, (m, c) in zip(powers, terms.items(), strict=True):
         if power < 2:
             result[m] = result.get(m, 0) + c
             continue
@@ -159,7 +160,7 @@ def without_squares(poly: Poly, index: int) -> Poly:
             key = times(rest, ((other, 2 * k),)) if k else rest
             result[key] = result.get(key, 0) + c * number
     spend(len(poly) + len(result))
-    return clean(result)
+    return divided(result, denominator)
 
 
 @lru_cache(maxsize=64)

@@ -61,12 +61,14 @@ def ratio(numerator: int, denominator: int) -> Coefficient:
 class Poly:
     """A Laurent polynomial. Build with `Poly.of`, `constant`, `monomial`; use + - * and **."""
 
-    __slots__ = ("_denominator", "_hash", "terms")
+    __slots__ = ("_atoms", "_denominator", "_hash", "terms")
 
-    def __init__(self, terms: Mapping[Monomial, Coefficient]) -> None:
+    def __init__(self, terms: Mapping[Monomial, Coefficient], denominator: int = 0) -> None:
+        """`denominator`: the common one of the coefficients, where it is known."""
         self.terms = terms
         self._hash: int | None = None
-        self._denominator = 0
+        self._atoms: frozenset[int] | None = None
+        self._denominator = denominator
 
     def __hash__(self) -> int:
         if self._hash is None:
@@ -96,7 +98,7 @@ class Poly:
         return accumulate(((1, self), (-1, other))) if other.terms else self
 
     def __neg__(self) -> Poly:
-        return Poly({m: -c for m, c in self.terms.items()})
+        return Poly({m: -c for m, c in self.terms.items()}, self._denominator)
 
     def __mul__(self, other: Poly) -> Poly:
         if len(self.terms) * len(other.terms) > 40 * MOST_TERMS:
@@ -135,7 +137,9 @@ class Poly:
         if not coefficient:
             return ZERO
         if coefficient == 1:
-            return self if not by else Poly({times(m, by): c for m, c in self.terms.items()})
+            return self if not by else Poly({times(m, by): c for m, c in self.terms.items()}, self._denominator)
+        if self._denominator == 1 and type(coefficient) is int:
+            return Poly({times(m, by): c * coefficient for m, c in self.terms.items()}, 1)
         above, below = coefficient.numerator, coefficient.denominator
         return Poly({times(m, by): ratio(c.numerator * above, c.denominator * below) for m, c in self.terms.items()})
 
@@ -147,9 +151,11 @@ class Poly:
         d = self._denominator
         return d, self.terms if d == 1 else {m: c.numerator * (d // c.denominator) for m, c in self.terms.items()}
 
-    def atoms(self) -> set[int]:
+    def atoms(self) -> frozenset[int]:
         """Indices of all atoms that occur."""
-        return {index for m in self.terms for index, _ in m}
+        if self._atoms is None:
+            self._atoms = frozenset([index for m in self.terms for index, _ in m])
+        return self._atoms
 
     def is_monomial(self) -> bool:
         """Whether it has exactly one term."""
@@ -198,7 +204,7 @@ def divided(terms: dict[Monomial, int], denominator: int) -> Poly:
     if len(terms) > MOST_TERMS:
         raise LimitError(f"the expression has more than {MOST_TERMS} terms when multiplied out")
     if denominator == 1:
-        return Poly({m: c for m, c in terms.items() if c})
+        return Poly({m: c for m, c in terms.items() if c} if 0 in terms.values() else terms, 1)
     return Poly({m: ratio(c, denominator) for m, c in terms.items() if c})
 
 
@@ -210,19 +216,24 @@ def accumulate(parts: Iterable[tuple[Coefficient, Poly]]) -> Poly:
     for factor, below, terms in found:
         spend(len(terms))
         number = factor.numerator * (denominator // (factor.denominator * below))
+        if number == 1 and not result:
+            result = dict(terms)
+            continue
         for m, c in terms.items():
             result[m] = result.get(m, 0) + number * c
     return divided(result, denominator)
 
 
+@lru_cache(maxsize=1024)
 def constant(value: Coefficient) -> Poly:
     """A number as a Poly."""
     return Poly({UNIT: tidy(value)}) if value else ZERO
 
 
+@lru_cache(maxsize=8192)
 def generator(index: int) -> Poly:
     """One atom as a Poly."""
-    return Poly({((index, 1),): 1})
+    return Poly({((index, 1),): 1}, 1)
 
 
-ZERO, ONE = Poly({}), Poly({UNIT: 1})
+ZERO, ONE = Poly({}, 1), Poly({UNIT: 1}, 1)

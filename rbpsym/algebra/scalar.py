@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse, ratio
@@ -55,7 +56,8 @@ class Scalar:
         return Scalar(-self.num, self.den)
 
     def __sub__(self, other: Operand) -> Scalar:
-        return self + (-lift(other))
+        other = lift(other)
+        return Scalar(self.num - other.num) if self.den is ONE and other.den is ONE else self + -other
 
     def __rsub__(self, other: Operand) -> Scalar:
         return lift(other) + (-self)
@@ -91,7 +93,7 @@ class Scalar:
             return self.inverse() ** -exponent
         return Scalar(self.num**exponent, self.den**exponent if self.den is not ONE else ONE)
 
-    def atoms(self) -> set[int]:
+    def atoms(self) -> frozenset[int]:
         """Indices of the atoms that occur in numerator or denominator."""
         return self.num.atoms() | self.den.atoms() if self.den is not ONE else self.num.atoms()
 
@@ -148,6 +150,7 @@ def total(parts: Iterable[Scalar]) -> Scalar:
     return sum((Scalar(num) if den == ONE else quotient(num, den) for num, den in sums), NOTHING)
 
 
+@lru_cache(maxsize=4096)
 def symbol(name: str) -> Scalar:
     """The quantity called `name` as a generator."""
     return Scalar(generator(atoms.intern("symbol", name)))

@@ -7,6 +7,7 @@ is reduced to a quarter turn at most, cos(-a) = cos a, and multiples of π/6 and
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import ONE, Poly, clean
@@ -18,12 +19,17 @@ PI_TERM = ((atoms.PI, 1),)
 
 def cosine(angle: Scalar) -> Scalar:
     """cos(angle)."""
-    return _quarter(*_split(angle))[0]
+    return _wave(angle)[0]
 
 
 def sine(angle: Scalar) -> Scalar:
     """sin(angle)."""
-    return _quarter(*_split(angle))[1]
+    return _wave(angle)[1]
+
+
+@lru_cache(maxsize=8192)
+def _wave(angle: Scalar) -> tuple[Scalar, Scalar]:
+    return _quarter(*_split(angle))
 
 
 def _split(angle: Scalar) -> tuple[Poly, Fraction]:
