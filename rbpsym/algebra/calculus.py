@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.poly import ONE, Monomial, Poly, accumulate, generator
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift, quotient, total
 from rbpsym.algebra.trig import cosine, sine
@@ -23,6 +24,7 @@ def derivative(value: Scalar, name: str) -> Scalar:
     return (num * Scalar(value.den) - Scalar(value.num) * den) * quotient(ONE, value.den * value.den)
 
 
+@remembered
 def poly_derivative(poly: Poly, name: str) -> Scalar:
     """The derivative of a polynomial (a Scalar, since ln and root bring quotients)."""
     slopes = {index: slope for index in poly.atoms() if (slope := atom_derivative(index, name))}
@@ -160,6 +162,7 @@ def substitute(value: Scalar, images: Mapping[str, Scalar]) -> Scalar:
     return num if value.den is ONE else num / _poly_substitute(value.den, key)
 
 
+@remembered
 def _poly_substitute(poly: Poly, key: tuple) -> Scalar:
     names = [name for name, _ in key]
     touched = [i for i in poly.atoms() if not atom_names(i).isdisjoint(names)]

@@ -7,17 +7,22 @@ The bound belongs to the call: another thread has its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import wraps
 from math import inf
+from typing import ParamSpec, TypeVar
 
 from rbpsym.errors import LimitError
 
+P, T = ParamSpec("P"), TypeVar("T")
+COUNTABLE = 10**15
+MOST_KEPT = 4096  # results of a function
 _left: ContextVar[list[float] | None] = ContextVar("products that are left", default=None)
 
 
-def spend(products: int) -> None:
+def spend(products: float) -> None:
     """Counts. Raises LimitError where more is spent than is allowed."""
     left = _left.get()
     if left is not None:
@@ -27,14 +32,14 @@ def spend(products: int) -> None:
 
 
 @contextmanager
-def at_most(products: int) -> Iterator[None]:
-    """Within it, no more products than these (nor than an outer bound leaves)."""
+def at_most(products: int) -> Iterator[list[float]]:
+    """Within it, no more products than these (nor than an outer bound leaves); how many are left is the one item given."""
     outer = _left.get()
     granted = min(inf if outer is None else outer[0], products)
     own = [granted]
     token = _left.set(own)
     try:
-        yield
+        yield own
     finally:
         _left.reset(token)
         if outer is not None:
@@ -49,3 +54,24 @@ def apart() -> Iterator[None]:
         yield
     finally:
         _left.reset(token)
+
+
+def remembered(function: Callable[P, T]) -> Callable[P, T]:
+    """A pure function that keeps its results; what it spent is spent again, so that no bound depends on what was asked before."""
+    kept: dict[tuple, tuple[T, float]] = {}
+
+    @wraps(function)
+    def call(*args: P.args) -> T:
+        if args in kept:
+            found, products = kept[args]
+            spend(products)
+            return found
+        with at_most(COUNTABLE) as left:
+            granted = left[0]
+            found = function(*args)
+        if len(kept) >= MOST_KEPT:
+            kept.clear()
+        kept[args] = found, granted - left[0]
+        return found
+
+    return call

@@ -14,7 +14,7 @@ from functools import lru_cache
 from math import comb, lcm
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.effort import spend
+from rbpsym.algebra.effort import remembered, spend
 from rbpsym.algebra.modular import is_surely_nonzero
 from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, divided, generator, times
 from rbpsym.algebra.scalar import Scalar
@@ -174,6 +174,7 @@ def _squared(poly: Poly) -> set[int]:
     return {i for m in poly.terms for i, e in m if e > 1}
 
 
+@remembered
 def shorten(poly: Poly) -> Poly:
     """The shortest of: as it is, without sin², without cos² (angle by angle); without squares of numbers' roots."""
     squared = _squared(poly)

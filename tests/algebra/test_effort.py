@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from rbpsym.algebra.effort import at_most, spend
+from rbpsym.algebra.effort import at_most, remembered, spend
 from rbpsym.errors import LimitError
 
 
@@ -31,3 +31,31 @@ def test_an_inner_bound_spends_of_the_outer_one():
         with pytest.raises(LimitError):
             spend(1)
     spend(1_000_000)
+
+
+def test_what_is_remembered_spends_as_much_as_what_is_worked_out():
+    asked = []
+
+    @remembered
+    def costly(number):
+        asked.append(number)
+        spend(8)
+        return number + 1
+
+    for _ in range(2):
+        with at_most(10), pytest.raises(LimitError):
+            costly(1), costly(1)
+    with at_most(16):
+        assert costly(1) == costly(1) == 2
+    assert asked == [1]
+
+
+def test_what_went_too_far_is_not_remembered():
+    @remembered
+    def costly():
+        spend(8)
+        return 1
+
+    with at_most(4), pytest.raises(LimitError):
+        costly()
+    assert costly() == 1
