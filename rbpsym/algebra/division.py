@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.ring import cofactors
 
 LARGEST_GCD = 1_000_000  # products of terms, above which a common factor is not looked for
 
 
-@remembered
 def cancel(num: Poly, den: Poly) -> tuple[Poly, Poly]:
     """num and den without their common factor (sin² + cos² = 1 used to shorten them first)."""
     from rbpsym.algebra.normal import reduce_squares, shorten

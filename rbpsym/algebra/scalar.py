@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, generator, inverse, ratio
 
 
@@ -110,6 +111,7 @@ def lift(value: object) -> Scalar:
     return value if isinstance(value, Scalar) else Scalar(constant(value))
 
 
+@remembered
 def quotient(num: Poly, den: Poly) -> Scalar:
     """num / den with monomials, contents and common factors cancelled.
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
@@ -33,6 +34,7 @@ def mass_moments(system: System, body: str) -> tuple[Scalar, ...]:
     return own.mass, own.mass * own.x, own.mass * own.y, second
 
 
+@remembered
 def _spread(element: MassElement, weight: Callable[[Scalar, Scalar], Scalar]) -> Scalar:
     """∫ dm × the weight over one element, from the innermost variable outwards; each antiderivative is differentiated."""
     value = scalar(element.density) * scalar(element.measure) * weight(scalar(element.x), scalar(element.y))

@@ -29,6 +29,7 @@ from rbpsym.mechanics.system import Condition
 from rbpsym.notation import tree as t
 
 NOTHING_KNOWN = Known((), ())
+SHARED = tuple(item.name for item in fields(Context))
 GRANTS = {  # what of the mechanics has to be granted by a premise
     "dynamics": MOTION,
     "kinetic": MOTION,
@@ -192,8 +193,8 @@ class View(Context):
 
     def _once(self, kind: str, node: t.Node, find: Callable[[t.Node], Value]) -> Value:
         """What is found, if no other view with the same premises for these letters has found it already."""
-        rests = frozenset(introducers(self, [node]))
-        key = (kind, node, self.step.id if self.step.id in rests else "", (rests | fixed(self)) & self.premises)
+        same, rests = self._resting(node)
+        key = (kind, id(same), self.step.id if self.step.id in rests else "", (rests | fixed(self)) & self.premises)
         if key not in self.rows:
             before = set(self.opaque)
             with self.noting() as noted:
@@ -204,6 +205,14 @@ class View(Context):
         for name in opaque:
             self._opaque(name)
         return found
+
+    def _resting(self, node: t.Node) -> tuple[t.Node, frozenset[str]]:
+        """The first node that was equal to this one, whose address is its name, and on which introductions it rests."""
+        key = ("resting", id(node), len(self.introduced))
+        if key not in self.rows:
+            same = self.rows.setdefault(("node", node), node)
+            self.rows[key] = (node, same, frozenset(introducers(self, [node])))
+        return self.rows[key][1:]
 
     def on_motion(self, found: Value) -> Value:
         """Accelerations, unknown forces and letters replaced by what the premises say of them."""
@@ -309,7 +318,7 @@ class View(Context):
 
 def seen_by(context: Context, step: Step) -> View:
     """The context as a step with these premises sees it."""
-    shared = {item.name: getattr(context, item.name) for item in fields(Context)}
+    shared = {name: getattr(context, name) for name in SHARED}
     return View(**shared, step=step, order=step.premises)
 
 
