@@ -76,13 +76,16 @@ def _derived_course(value: object, what: str) -> object:
 
 
 def _formula(value: object, what: str) -> object:
+    from rbpsym.face.reading import is_sympy, tree_of
     from rbpsym.notation.infix import FUNCTIONS, read_infix
     from rbpsym.notation.tree import Node
     from rbpsym.statement.source import written
 
-    text = value if isinstance(value, str) else written(value)
+    if is_sympy(value):
+        return tree_of(value)
     if isinstance(value, Node):
         return value
+    text = value if isinstance(value, str) else written(value)
     if text is None:
         raise _wrong(value, what, 'a formula as text, "2*a"')
     return read_infix(text, set(WORD.findall(text)) - set(FUNCTIONS))

@@ -22,6 +22,7 @@ from rbpsym.mechanics.rest import Balance
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.machine import machine_name, to_machine
+from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
 
 
@@ -39,9 +40,12 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
 
 def text(value: Scalar | None, study: Study | None = None) -> str | None:
     """The infix text of a value."""
-    if value is None:
-        return None
-    return to_machine(present(value, replace(study.style if study else PLAIN, tangents=False)))
+    return None if value is None else to_machine(shown(value, study))
+
+
+def shown(value: Scalar, study: Study | None = None) -> Node:
+    """The value in the form of a textbook, in sines and cosines."""
+    return present(value, replace(study.style if study else PLAIN, tangents=False))
 
 
 def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, str] | None:

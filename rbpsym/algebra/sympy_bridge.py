@@ -5,7 +5,7 @@ sympy is imported here only, and only when one of these is needed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
@@ -66,15 +66,6 @@ def plain_names(names: Iterable[str]) -> dict[str, str]:
             plain += "_"
         found[name] = plain
     return found
-
-
-def lambdified(values: Sequence[Scalar], names: Sequence[str]) -> Callable[..., list[float]]:
-    """A function of numbers, in the order of the names; common subexpressions are evaluated once."""
-    import sympy
-
-    letters = {sympy.Symbol(name): sympy.Symbol(f"x{k}") for k, name in enumerate(names)}  # no name runs as code
-    found = [to_sympy(value).xreplace(letters) for value in values]
-    return sympy.lambdify(list(letters.values()), found, modules="math", cse=True)
 
 
 def _expression(poly: Poly) -> Any:

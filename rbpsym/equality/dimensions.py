@@ -15,6 +15,23 @@ from rbpsym.notation.tree import Node
 from rbpsym.quantities import MASS, NUMBER, TIME, Dimension
 
 Dimensions = Mapping[str, Dimension]
+
+
+class Unsettled(dict[str, Dimension]):
+    """Dimensions of which some have unknown exponents: of what would have to agree, the quotient is noted."""
+
+    def __init__(self, known: Dimensions, agreeing: list[Dimension]) -> None:
+        super().__init__(known)
+        self.agreeing = agreeing
+
+
+def _differ(found: Dimension, other: Dimension, dimensions: Dimensions) -> bool:
+    if isinstance(dimensions, Unsettled):
+        dimensions.agreeing.append(found / other)
+        return False
+    return found != other
+
+
 _Found = Dimension | None  # None: zero, of any dimension
 
 
@@ -27,7 +44,7 @@ def dimension_of(node: Node, dimensions: Dimensions) -> Dimension:
 def require_dimension(node: Node, dimensions: Dimensions, wanted: Dimension, what: str) -> None:
     """Raise DimensionError unless `node` (called `what` in the sentence) has the wanted dimension."""
     found = _find(node, dimensions)
-    if found is not None and found != wanted:
+    if found is not None and _differ(found, wanted, dimensions):
         raise _error(node, f"{what} must be {a(wanted)}, but this is {a(found)}")
 
 
@@ -64,7 +81,7 @@ def _same(nodes: Iterable[Node], dimensions: Dimensions, verb: str) -> _Found:
     common: _Found = None
     for node in nodes:
         found = _find(node, dimensions)
-        if None not in (common, found) and found != common:
+        if found is not None and common is not None and _differ(found, common, dimensions):
             blamed = node.arg if isinstance(node, tree.Neg) else node
             raise _error(blamed, f"{a(found)} is {verb} {a(common)}", "terms of a sum must have one dimension.")
         common = found if common is None else common
@@ -97,7 +114,7 @@ def _quotient(node: tree.Div, dimensions: Dimensions) -> _Found:
 
 def _pure(node: Node, dimensions: Dimensions, what: str) -> None:
     found = _find(node, dimensions)
-    if found not in (None, NUMBER):
+    if found is not None and _differ(found, NUMBER, dimensions):
         raise _error(node, f"{what} must be an angle or a number, but this is {a(found)}")
 
 

@@ -184,16 +184,17 @@ def origins(system: System) -> dict[str, Vector]:
     for element in system.problem.constraints:
         if element.kind == "pivot":
             place = where(element["point"])
-            if _is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
+            if is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
                 found[letters.free(f"P_{element.name}", taken=letters.things)] = place
     for name, ref in system.problem.origins.items():
         place = pair(ref.at) if ref.body is None else where(ref)
-        if _is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
+        if is_fixed(place, system) and not any(_same(place, other) for other in found.values()):
             found[name] = place
     return found
 
 
-def _is_fixed(place: Vector, system: System) -> bool:
+def is_fixed(place: Vector, system: System) -> bool:
+    """Whether a place does not move."""
     rates = [place.derivative(name) for name in (*system.coordinates, "t")]
     return all(is_zero(rate.x) and is_zero(rate.y) for rate in rates)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from fractions import Fraction as Rational
+from typing import Any
 
 from rbpsym.errors import LimitError
 from rbpsym.notation import tree as t
@@ -10,12 +12,12 @@ from rbpsym.notation import tree as t
 MAX_DEPTH, MAX_NODES, MAX_EXPONENT, MAX_DEGREE = 60, 2000, 64, 512
 
 
-def check_size(node: t.Node) -> None:
-    """Raise LimitError if the tree is too deep or has too many nodes."""
+def check_size(node: Any, parts: Callable[[Any], Iterable[Any]] = t.children) -> None:
+    """Raise LimitError if the tree is too deep or has too many nodes (of another kind of tree: with what its `parts` are)."""
     count, layer = 0, [node]
     for _ in range(MAX_DEPTH + 1):
         count += len(layer)
-        layer = [child for part in layer for child in t.children(part)]
+        layer = [child for part in layer for child in parts(part)]
         if count + len(layer) > MAX_NODES:
             raise LimitError(f"the expression has more than {MAX_NODES} parts")
     if layer:

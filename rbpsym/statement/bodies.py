@@ -18,7 +18,7 @@ from rbpsym.statement.source import Table
 
 _BODY_KEYS = ("shape", "mass", "angle", "points", "meaning")
 _PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name")
-_VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi": NUMBER}
+VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi": NUMBER}
 
 
 def read_bodies(table: Table, scope: Scope) -> dict[str, Body]:
@@ -135,7 +135,7 @@ def _mass(table: Table, scope: Scope, where: str) -> Node:
 
 
 def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
-    inner = scope.with_variables({name: _VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
+    inner = scope.with_variables({name: VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
     dimension: Dimension = DENSITY_DIMENSIONS[kind.element.kind]
     return read_expression(table.item("density"), inner, f"“density” of {where}", dimension, sign="nonnegative")
 

@@ -168,9 +168,9 @@ def kind_of(value: object) -> str:
 
 
 def written(value: object) -> str | None:
-    """A number, or an expression of a computer algebra system, as the text that it writes of itself; None for others."""
+    """A number as the text that it writes of itself; None for others."""
     is_number = isinstance(value, (int, float, Fraction, Decimal)) and not isinstance(value, bool)
-    return str(value) if is_number or hasattr(value, "free_symbols") else None
+    return str(value) if is_number else None
 
 
 HARMLESS = "\n\t"
