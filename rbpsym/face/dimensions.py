@@ -38,7 +38,7 @@ def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension])
     """
     slots, agreeing = list(slots), list[Dimension]()
     used = {name.removesuffix("_dot") for node, slot in slots for name in (*names(node), slot.of)}
-    open_ = {name: Dimension(*sympy.symbols(f"M.{name} L.{name} T.{name}")) for name in used - known.keys()}
+    open_ = {name: Dimension(*sympy.symbols(f"M.{name} L.{name} T.{name}")) for name in used - known.keys() - {""}}
     rates = {f"{name}_dot": dimension / TIME for name, dimension in {**known, **open_}.items()}
     for node, slot in slots:
         scope = Unsettled({**rates, **known, **open_, **slot.variables}, agreeing)
@@ -48,7 +48,7 @@ def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension])
     for exponent in (part for each in agreeing for part in _parts(each)):
         left = sympy.expand(sympy.sympify(exponent).xreplace(solved))
         for first in sorted(left.free_symbols, key=str)[:1]:
-            image = {first: sympy.solve(left, first)[0]}
+            image = {first: sympy.expand(first - left / left.coeff(first))}
             solved = {name: sympy.expand(value.xreplace(image)) for name, value in solved.items()} | image
     found = {name: [sympy.sympify(part).xreplace(solved) for part in _parts(each)] for name, each in open_.items()}
     settled = {name: parts for name, parts in found.items() if all(part.is_Rational for part in parts)}

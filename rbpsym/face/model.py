@@ -24,6 +24,7 @@ from rbpsym.face.writing import Alphabet, alphabet
 from rbpsym.mechanics.compiled import compiled_rates, compiled_values, entries_of
 from rbpsym.mechanics.energy import orbital_momentum, rotational_energy, spin_momentum, translational_energy
 from rbpsym.mechanics.motion import Work
+from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.oscillation import Equilibrium
 from rbpsym.mechanics.placing import is_fixed
 from rbpsym.mechanics.study import Study
@@ -33,7 +34,7 @@ from rbpsym.notation.text import to_text
 from rbpsym.solve import shown
 from rbpsym.statement.model import Problem
 from rbpsym.statement.premises import OPS
-from rbpsym.statement.source import did_you_mean, kind_of
+from rbpsym.statement.source import did_you_mean
 
 Numbers = Mapping[Any, Any]  # symbols or names → numbers
 
@@ -138,7 +139,7 @@ class SymbolicModel:
         >>> import rbpsym
         >>> found = rbpsym.model("rod-pendulum").angular_momentum("O", "rod")
         >>> found.orbital, found.spin
-        (ell**2*m*Derivative(theta(t), t)/4, ell**2*m*Derivative(theta(t), t)/12)
+        (M*ell**2*Derivative(theta(t), t)/4, M*ell**2*Derivative(theta(t), t)/12)
         """
         states, origin = self.study.system.bodies, self._place(about)
         if body not in (None, *states):
@@ -190,7 +191,7 @@ class SymbolicModel:
 
         >>> import rbpsym
         >>> rbpsym.model("rod-pendulum").equations_of_motion
-        (Eq(ell**2*m*Derivative(theta(t), (t, 2))/3, -ell*g*m*sin(theta(t))/2),)
+        (Eq(M*ell**2*Derivative(theta(t), (t, 2))/3, -M*ell*g*sin(theta(t))/2),)
         """
         return self._names.relations(self._equations)
 
@@ -238,20 +239,21 @@ class SymbolicModel:
     def lambdify(self, numbers: Numbers | None = None, of: Any = None) -> Callable[..., Any]:
         """f(t, y, *others) → ẏ with numpy, as scipy.integrate.solve_ivp wants it; y is `state`.
 
-        `numbers` are values of parameters by symbol or name, in units that agree; the other parameters that occur
-        are arguments, in the order of `parameters`. With `of` (an expression or several) their values instead of ẏ, also
+        `numbers` are values of parameters by symbol or name, in units that agree; without them, those that occur are
+        arguments, in the order of `parameters`. With `of` (an expression or several) their values instead of ẏ, also
         for a whole solution: `f(solution.t, solution.y)`; accelerations and unknown forces are those of the motion.
+        Raises StatementError for a parameter without a number.
 
         >>> import rbpsym
-        >>> fall = rbpsym.model("rod-pendulum").lambdify({"ell": 1.5, "g": 10, "m": 1})
+        >>> fall = rbpsym.model("rod-pendulum").lambdify({"ell": 1.5, "g": 10, "M": 1})
         >>> [round(float(rate), 6) for rate in fall(0, [3.141592653589793 / 2, 0])]
         [0.0, -10.0]
         """
         given = (numbers or {}).items()
-        known = {key if isinstance(key, str) else name_of(key): _number(key, value) for key, value in given}
+        known = {key if isinstance(key, str) else name_of(key): number(_scalar(value), {}) for key, value in given}
         several = of if isinstance(of, (list, tuple)) else [of]
         entries = entries_of(self.study) if of is None else [self._on_motion(_scalar(each)) for each in several]
-        used = set().union(*map(names_in, entries)) - known.keys()
+        used = set() if numbers else set().union(*map(names_in, entries))
         others = [each.name for each in self.study.problem.parameters if each.name in used]
         if of is None:
             return compiled_rates(self.study, known, others)
@@ -270,8 +272,8 @@ class SymbolicModel:
 
         >>> import rbpsym
         >>> frame, origin, bodies = rbpsym.model("rod-pendulum").rigid_bodies()
-        >>> [body.kinetic_energy(frame) for body in bodies]
-        [ell**2*m*Derivative(theta(t), t)**2/6]
+        >>> [body.kinetic_energy(frame).simplify() for body in bodies]
+        [M*ell**2*Derivative(theta(t), t)**2/6]
         """
         return space(self.study, self._written)
 
@@ -297,11 +299,3 @@ class SymbolicModel:
 
 def _scalar(value: object) -> Scalar:
     return scalar(tree_of(value))
-
-
-def _number(key: object, value: Any) -> float:
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        what = f"the number of “{key}” is {kind_of(value)}"
-        raise StatementError(what, instead="give numbers in units that agree, {M: 10, ell: 2.5}.") from None

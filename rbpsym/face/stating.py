@@ -82,7 +82,7 @@ def problem(name: str, **sections: Any) -> Problem:
     ...     bodies={"rod": rod(2*ell, mass=m, start=(0, 0), angle=theta - sympy.pi/2)},
     ... )
     >>> [(q.name, str(q.dimension)) for q in pendulum.parameters]
-    [('ell', 'length'), ('m', 'mass'), ('g', 'acceleration')]
+    [('g', 'acceleration'), ('ell', 'length'), ('m', 'mass')]
     """
     found = _Found(str(name))
     tables = {key: found.read(part, (key,)) for key, part in _bounded(sections, found).items()}
