@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -17,16 +16,8 @@ from rbpsym.equality.dimensions import Unsettled, require_dimension
 from rbpsym.errors import DimensionError
 from rbpsym.face.late import sympy
 from rbpsym.notation.tree import Node, names
-from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
-
-
-@dataclass(frozen=True)
-class Slot:
-    """What a place of a statement asks for: a dimension (times that of the quantity `of`), and the variables that only it has."""
-
-    dimension: Dimension = LENGTH
-    of: str = ""
-    variables: Mapping[str, Dimension] = field(default_factory=dict)
+from rbpsym.quantities import NUMBER, TIME, Dimension
+from rbpsym.statement.slots import Slot
 
 
 def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension]) -> dict[str, Dimension]:
@@ -38,7 +29,8 @@ def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension])
     """
     slots, agreeing = list(slots), list[Dimension]()
     used = {name.removesuffix("_dot") for node, slot in slots for name in (*names(node), slot.of)}
-    open_ = {name: Dimension(*sympy.symbols(f"M.{name} L.{name} T.{name}")) for name in used - known.keys() - {""}}
+    unknown = used - known.keys() - {""}
+    open_ = {name: Dimension(*(sympy.Symbol(f"{part}.{name}") for part in "MLT")) for name in unknown}
     rates = {f"{name}_dot": dimension / TIME for name, dimension in {**known, **open_}.items()}
     for node, slot in slots:
         scope = Unsettled({**rates, **known, **open_, **slot.variables}, agreeing)
@@ -46,11 +38,11 @@ def inferred(slots: Iterable[tuple[Node, Slot]], known: Mapping[str, Dimension])
             require_dimension(node, scope, slot.dimension * scope.get(slot.of, NUMBER), "")
     solved: dict[Any, Any] = {}
     for exponent in (part for each in agreeing for part in _parts(each)):
-        left = sympy.expand(sympy.sympify(exponent).xreplace(solved))
+        left = sympy.expand((sympy.Integer(0) + exponent).xreplace(solved))
         for first in sorted(left.free_symbols, key=str)[:1]:
             image = {first: sympy.expand(first - left / left.coeff(first))}
             solved = {name: sympy.expand(value.xreplace(image)) for name, value in solved.items()} | image
-    found = {name: [sympy.sympify(part).xreplace(solved) for part in _parts(each)] for name, each in open_.items()}
+    found = {name: [part.xreplace(solved) for part in _parts(each)] for name, each in open_.items()}
     settled = {name: parts for name, parts in found.items() if all(part.is_Rational for part in parts)}
     return {name: Dimension(*(Fraction(part.p, part.q) for part in parts)) for name, parts in settled.items()}
 

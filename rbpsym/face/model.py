@@ -21,12 +21,7 @@ from rbpsym.face.reading import CLOCK, name_of, tree_of
 from rbpsym.face.space import Space, space
 from rbpsym.face.steps import StepRelation, relations_of
 from rbpsym.face.writing import Alphabet, alphabet
-from rbpsym.mechanics.compiled import compiled_rates, compiled_values, entries_of
-from rbpsym.mechanics.energy import orbital_momentum, rotational_energy, spin_momentum, translational_energy
-from rbpsym.mechanics.motion import Work
-from rbpsym.mechanics.numbers import number
-from rbpsym.mechanics.oscillation import Equilibrium
-from rbpsym.mechanics.placing import is_fixed
+from rbpsym.mechanics import compiled, energy, motion, numbers, oscillation, placing
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex import to_latex
@@ -122,7 +117,7 @@ class SymbolicModel:
     @property
     def kinetic_energies(self) -> Halves:
         """½ M V² and ½ I_cm ω² (König), of each body in `on`."""
-        halves = translational_energy, rotational_energy
+        halves = energy.translational_energy, energy.rotational_energy
         states = self.study.system.bodies.items()
         return together({name: Halves(*(self._written(half(state)) for half in halves)) for name, state in states})
 
@@ -145,7 +140,7 @@ class SymbolicModel:
         if body not in (None, *states):
             raise StatementError(f"there is no body “{body}”", instead=did_you_mean(str(body), states, "bodies"))
         chosen = [state for name, state in states.items() if body in (None, name)]
-        parts = (total(orbital_momentum(state, origin) for state in chosen), total(map(spin_momentum, chosen)))
+        parts = (total(energy.orbital_momentum(state, origin) for state in chosen), total(map(energy.spin_momentum, chosen)))
         return AngularMomentum(*map(self._written, parts))
 
     def _place(self, about: Any) -> Vector:
@@ -153,7 +148,7 @@ class SymbolicModel:
         if isinstance(about, str) and about in known:
             return known[about]
         place = cartesian(*map(_scalar, about)) if isinstance(about, (tuple, list)) and len(about) == 2 else None
-        if place is None or not is_fixed(place, self.study.system):
+        if place is None or not placing.is_fixed(place, self.study.system):
             instead = f"give a pair (x, y) that does not move, or one of {', '.join(known)}."
             raise StatementError(f"“{about}” is no fixed point", instead=instead)
         return place
@@ -168,7 +163,7 @@ class SymbolicModel:
             found.setdefault(item.force, {})[item.on] = halves
         return {name: together(on) for name, on in found.items()}
 
-    def _work(self, half: Work) -> sympy.Expr:
+    def _work(self, half: motion.Work) -> sympy.Expr:
         if half.value is not None:
             return self._written(half.value)
         rates = self.study.system.scope.rates
@@ -230,16 +225,16 @@ class SymbolicModel:
         """
         return tuple(map(self._small, self.study.equilibria))
 
-    def _small(self, rest: Equilibrium) -> Linearization:
+    def _small(self, rest: oscillation.Equilibrium) -> Linearization:
         inertia, damping, stiffness = map(self._matrix, (rest.inertia, rest.linear.damping, rest.stiffness))
         return Linearization(self._by_symbol(rest.at), inertia, damping, stiffness, rest.stable)
 
     # --- numbers
 
-    def lambdify(self, numbers: Numbers | None = None, of: Any = None) -> Callable[..., Any]:
+    def lambdify(self, values: Numbers | None = None, of: Any = None) -> Callable[..., Any]:
         """f(t, y, *others) → ẏ with numpy, as scipy.integrate.solve_ivp wants it; y is `state`.
 
-        `numbers` are values of parameters by symbol or name, in units that agree; without them, those that occur are
+        `values` are numbers of parameters by symbol or name, in units that agree; without them, those that occur are
         arguments, in the order of `parameters`. With `of` (an expression or several) their values instead of ẏ, also
         for a whole solution: `f(solution.t, solution.y)`; accelerations and unknown forces are those of the motion.
         Raises StatementError for a parameter without a number.
@@ -249,15 +244,15 @@ class SymbolicModel:
         >>> [round(float(rate), 6) for rate in fall(0, [3.141592653589793 / 2, 0])]
         [0.0, -10.0]
         """
-        given = (numbers or {}).items()
-        known = {key if isinstance(key, str) else name_of(key): number(_scalar(value), {}) for key, value in given}
+        given = (values or {}).items()
+        known = {key if isinstance(key, str) else name_of(key): numbers.number(_scalar(value), {}) for key, value in given}
         several = of if isinstance(of, (list, tuple)) else [of]
-        entries = entries_of(self.study) if of is None else [self._on_motion(_scalar(each)) for each in several]
-        used = set() if numbers else set().union(*map(names_in, entries))
+        entries = compiled.entries_of(self.study) if of is None else [self._on_motion(_scalar(each)) for each in several]
+        used = set() if values else set().union(*map(names_in, entries))
         others = [each.name for each in self.study.problem.parameters if each.name in used]
         if of is None:
-            return compiled_rates(self.study, known, others)
-        found = compiled_values(self.study, entries, known, others)
+            return compiled.compiled_rates(self.study, known, others)
+        found = compiled.compiled_values(self.study, entries, known, others)
         return found if several is of else lambda *arguments: found(*arguments)[0]
 
     def _on_motion(self, value: Scalar) -> Scalar:

@@ -37,16 +37,14 @@ class AngularMomentum:
 
 @dataclass(frozen=True)
 class Linearization:
-    """M δq̈ + C δq̇ + K δq = 0 about a place of rest, up to second order; `at` holds the coordinates that are not arbitrary.
-
-    stable: None if it is not decided (or was not asked: of a place that the user gave).
-    """
+    """M δq̈ + C δq̇ + K δq = 0 about a place of rest, up to second order. `at` holds the coordinates that are not arbitrary;
+    stable is None if it is not decided."""
 
     at: Mapping[sympy.Expr, sympy.Expr]
     mass_matrix: sympy.Matrix
     damping: sympy.Matrix
     stiffness: sympy.Matrix
-    stable: bool | None = None
+    stable: bool | None
 
     @property
     def A(self) -> sympy.Matrix:

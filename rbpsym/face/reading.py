@@ -16,7 +16,7 @@ from rbpsym.face.late import sympy
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_names import FUNCTIONS, MAX_DIGITS
 from rbpsym.notation.limits import check_degree, check_exponent, check_size
-from rbpsym.statement.source import kind_of
+from rbpsym.statement.source import kind_of, written
 
 CLOCK = "t"
 HEADS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "exp", "log")
@@ -43,10 +43,9 @@ def tree_of(value: object) -> t.Node:
     >>> to_machine(tree_of(2 * ell * sympy.cos(theta) / 3))
     '2*ell*cos(theta)/3'
     """
-    try:
-        expression = sympy.sympify(value, strict=True)
-    except sympy.SympifyError:
-        raise ReadError(f"{kind_of(value)} is no expression of sympy", instead='write sympy.Symbol("ell"), say.') from None
+    if not is_sympy(value) and written(value) is None:
+        raise ReadError(f"{kind_of(value)} is no expression of sympy", instead='write sympy.Symbol("ell"), say.')
+    expression: Any = value if is_sympy(value) else sympy.Integer(0) + value
     check_size(expression, lambda part: getattr(part, "args", ()))
     found = _tree(expression)
     check_degree(found)
@@ -108,16 +107,23 @@ def _rational(number: Any) -> t.Node:
 
 
 def _symbol(symbol: Any) -> t.Node:
-    if isinstance(symbol, sympy.Dummy | sympy.Wild) or not symbol.is_commutative:
-        raise _refused(symbol, "is no plain symbol", "write sympy.Symbol.")
-    return t.Sym(symbol.name)
+    name, means_else = symbol.name, {CLOCK: sympy.Symbol(CLOCK), "pi": None}
+    if isinstance(symbol, sympy.Dummy | sympy.Wild) or means_else.get(name, symbol) != symbol or not symbol.is_commutative:
+        raise _refused(symbol, "is no plain symbol", "write sympy.Symbol; the time is dynamicsymbols._t, π is sympy.pi.")
+    return _named(name)
+
+
+def _named(name: str) -> t.Sym:
+    if name.isascii() and name.isidentifier():
+        return t.Sym(name)
+    raise ReadError(f"“{name}” can't be a name", instead="a name is made of a-z, A-Z, 0-9 and “_”, a letter first: theta_0.")
 
 
 def _function_of_time(applied: Any) -> t.Node:
     name = applied.func.__name__
     if applied != sympy.Function(name)(sympy.Symbol(CLOCK)):
         raise _refused(applied, "is no function of t alone", f'write dynamicsymbols("{name}"), without assumptions.')
-    return t.Sym(name)
+    return _named(name)
 
 
 def _derivative(derivative: Any) -> t.Node:

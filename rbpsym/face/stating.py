@@ -13,29 +13,18 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError, StatementError
-from rbpsym.face.dimensions import Slot, inferred
+from rbpsym.face.dimensions import inferred
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, SIGNS, is_sympy, name_of, tree_of
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
-from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension, dimension_named
-from rbpsym.statement.bodies import VARIABLE_DIMENSIONS
-from rbpsym.statement.build import parameter
-from rbpsym.statement.build import problem as read
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Kind, ShapeKind, known_names
+from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension, dimension_named
+from rbpsym.statement import build
 from rbpsym.statement.model import Problem
-from rbpsym.statement.phases import IMPULSES
-from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
+from rbpsym.statement.slots import QUANTITIES, Slot, slot_of
 
 Path = tuple[str, ...]
-ALL: Mapping[str, Kind] = {**SHAPES, **INTERACTIONS, **CONSTRAINTS, **IMPULSES}
-KINDS = {word: ALL[name] for word, name in known_names(ALL).items()}
-USUAL = {"mass": MASS, "angle": NUMBER}  # of keys that are no fields of a kind; the others are places
-AXES = {"x": LENGTH, "y": LENGTH}
-QUANTITIES, START = ("coordinates", "parameters"), ("start", "speed")
-PLACE = Slot()
+START, PLACE = ("start", "speed"), Slot()
 
 
 def quantity(symbol: sympy.Symbol, dimension: str, meaning: str = "", **keys: object) -> dict[sympy.Symbol, Any]:
@@ -48,7 +37,7 @@ def quantity(symbol: sympy.Symbol, dimension: str, meaning: str = "", **keys: ob
     {k: {'dimension': 'stiffness', 'meaning': '', 'sign': 'positive', 'glyph': ''}}
     """
     name_of(symbol)
-    return {symbol: {**parameter(str(dimension_named(dimension)), meaning, sign_of(symbol)), **keys}}
+    return {symbol: {**build.parameter(str(dimension_named(dimension)), meaning, sign_of(symbol)), **keys}}
 
 
 def sign_of(symbol: sympy.Symbol) -> str:
@@ -86,7 +75,7 @@ def problem(name: str, **sections: Any) -> Problem:
     """
     found = _Found(str(name))
     tables = {key: found.read(part, (key,)) for key, part in _bounded(sections, found).items()}
-    made = read(name, **(_declared(tables, found) if found.symbols else tables))
+    made = build.problem(name, **(_declared(tables, found) if found.symbols else tables))
     for each in made.parameters:
         symbol, path = found.symbols.get(each.name, (None, ()))
         with found.at(path):
@@ -109,8 +98,8 @@ class _Found:
         """The value with text where sympy's expressions are, and names for keys that are symbols."""
         if isinstance(value, Mapping):
             named = {self.text(key, path) if is_sympy(key) else key: part for key, part in value.items()}
-            return {key: self.read(part, (*path, str(key)), _slot(named, path, key)) for key, part in named.items()}
-        if isinstance(value, (list, tuple)):
+            return {key: self.read(part, (*path, str(key)), slot_of(named, path, key)) for key, part in named.items()}
+        if isinstance(value, (list, tuple)) or hasattr(value, "shape"):  # matrices of sympy and numpy
             return [self.read(part, path, slot) for part in value]
         return self.text(value, path, slot) if is_sympy(value) else value
 
@@ -120,6 +109,9 @@ class _Found:
             node = tree_of(expression)
             for each in sorted(expression.atoms(sympy.Symbol, sympy.core.function.AppliedUndef), key=str):
                 self.meet(each, path, {CLOCK} | (slot.variables.keys() if slot else set()))
+            if slot is None and path == QUANTITIES[:1] and expression.is_Symbol:
+                what, instead = f"the coordinate “{expression}” changes with time", f'write dynamicsymbols("{expression}").'
+                raise ReadError(what, instead=instead)
             if slot is not None:
                 self.leaves.append((node, slot, path))
             return to_machine(node) if slot else name_of(expression)
@@ -138,21 +130,6 @@ class _Found:
             yield
         except RbpsymError as error:
             raise error.at(Place(f"{self.name}: {'.'.join(path)}")) from None
-
-
-def _slot(table: Mapping[Any, Any], path: Path, key: str) -> Slot:
-    """What the key of a table asks for."""
-    kind = KINDS.get(str(table.get("shape", table.get("type"))))
-    fields = {each.name: each for each in kind.fields} if kind else {}
-    if len(path) == 2 and path[0] in QUANTITIES:
-        return Slot(TIME**-1 if key == "speed" else NUMBER, path[1])
-    if path == ("phases",) and key == "at":
-        return Slot(NUMBER, str(table.get("of")))
-    if key == "density" and isinstance(kind, ShapeKind) and kind.element:
-        return Slot(DENSITY_DIMENSIONS[kind.element.kind], variables=VARIABLE_DIMENSIONS)
-    if key in fields:
-        return Slot(fields[key].dimension or LENGTH, variables=AXES if fields[key].kind == "line" else {})
-    return Slot(USUAL.get(key, LENGTH))
 
 
 def _bounded(sections: Mapping[str, Any], found: _Found) -> dict[str, Any]:
@@ -209,7 +186,7 @@ def _declared(tables: dict[str, Any], found: _Found) -> dict[str, Any]:
                 raise ReadError(f"“{symbol}” is none of the coordinates", instead=f"write coordinates=[{name}, ...].")
             if name in known or name in coordinates or (name not in inside and sign_of(symbol) == "real"):
                 continue  # the last: a coordinate starts there, and the statement makes a constant of it
-            parameters[name] = {**parameter(_word(name, dimensions), sign=sign_of(symbol)), **parameters.get(name, {})}
+            parameters[name] = {**build.parameter(_word(name, dimensions), sign=sign_of(symbol)), **parameters.get(name, {})}
     for name, entry in coordinates.items():
         if dimensions.get(name, NUMBER) != NUMBER:
             coordinates[name] = {**entry, "dimension": _word(name, dimensions)}
@@ -226,8 +203,9 @@ def _dimension(entry: Any) -> Dimension | None:
 
 
 def _word(name: str, dimensions: Mapping[str, Dimension]) -> str:
-    found = dimensions.get(name)
-    if found is None:
-        what = f"the dimension of “{name}” does not follow from where it stands"
-        raise DimensionError(what, instead=f'write parameters=quantity({name}, "length"), with others behind |.')
-    return str(found)
+    word = str(dimensions.get(name, ""))
+    if word not in DIMENSIONS:
+        why = f"would be {word}, which has no name" if word else "does not follow from where it stands"
+        instead = f'write parameters=quantity({name}, "length"), with others behind |, or mend the formula.'
+        raise DimensionError(f"the dimension of “{name}” {why}", instead=instead)
+    return word

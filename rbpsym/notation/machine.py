@@ -6,7 +6,7 @@ a call (`Integral(f, theta, theta_0, theta)`).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from fractions import Fraction as Rational
 from keyword import iskeyword
 
@@ -46,6 +46,12 @@ def _name(node: t.Sym | t.Vec) -> tuple[str, int]:
 def machine_name(name: str) -> str:
     """The name as it is written: with an underscore where Python has a word of its own (lambda)."""
     return f"{name}_" if iskeyword(name) or name in _NUMBERS else name
+
+
+def written_otherwise(names: Collection[str]) -> dict[str, str]:
+    """The names of which `machine_name` makes others, by these."""
+    written = {machine_name(name): name for name in names}
+    return {other: name for other, name in written.items() if other != name and other not in names}
 
 
 def _add(node: t.Add) -> tuple[str, int]:

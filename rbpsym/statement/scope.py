@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import written_otherwise
 from rbpsym.notation.tree import Add, Node, Num, Sym, walk
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
@@ -100,7 +101,7 @@ def read_text(
     """As `read_expression`, for a part of the item's text that begins `shift` characters in."""
     names = scope.all
     try:
-        node = read_infix(text, names)
+        node = read_infix(text, names, aliases=written_otherwise(names))
         _check_names(node, scope, what, may_use)
         if dimension is not None:
             _check_dimension(node, scope, dimension, what)

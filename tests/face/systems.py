@@ -38,7 +38,7 @@ class Twin:
     q: tuple[Expr, ...]
     bodies: tuple[Body, ...]
     forces: tuple[tuple[Expr, Expr, Expr, Expr], ...] = ()
-    potential: Expr = Integer(0)
+    potential: Expr | int = 0
 
 
 WEIGHT = {"W": rb.gravity(g)}
