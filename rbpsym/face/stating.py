@@ -145,29 +145,31 @@ def _bounded(sections: Mapping[str, Any], found: _Found) -> dict[str, Any]:
     assumed = sections.get("assumptions", ())
     with found.at(("assumptions",)):
         for relation in assumed if isinstance(assumed, (list, tuple)) else [assumed]:
-            _bound(relation, tables)
+            _bound(relation, tables, found)
     return tables
 
 
-def _bound(relation: Any, tables: Mapping[str, Any]) -> None:
+def _bound(relation: Any, tables: Mapping[str, Any], found: _Found) -> None:
     """Notes a relation as a bound of the symbol or coordinate on one of its sides."""
     if isinstance(relation, sympy.And):
         for part in relation.args:
-            _bound(part, tables)
+            _bound(part, tables, found)
         return
     if is_sympy(relation) and relation.func(*relation.args) == sympy.true:
         return  # the signs of the symbols say it already
     if not isinstance(relation, sympy.StrictLessThan | sympy.StrictGreaterThan):
         raise ReadError(f"“{relation}” can't be assumed", instead="assume a < b or a > b: ranges are open.")
     for side, bound, end in ((relation.gts, relation.lts, 0), (relation.lts, relation.gts, 1)):
-        name = getattr(tree_of(side), "name", "pi")
-        section = next((tables[key] for key in QUANTITIES if name in tables[key]), tables["parameters"])
-        entry = section.get(name, {})
-        ends = list(entry.get("range", ("", ""))) if isinstance(entry, Mapping) else ["", "", ""]
-        if name not in ("pi", CLOCK) and ends[end] == "" and len(ends) == 2:
-            ends[end] = bound
-            section[name] = {**entry, "range": ends}
-            return
+        node = tree_of(side)
+        if isinstance(node, t.Sym) and node.name not in ("pi", CLOCK):
+            section = next((tables[key] for key in QUANTITIES if node.name in tables[key]), tables["parameters"])
+            entry = section.get(node.name, {})
+            ends = list(entry.get("range", ("", ""))) if isinstance(entry, Mapping) else []
+            if ends[end : end + 1] == [""]:
+                found.meet(side, ("assumptions",), set())
+                ends[end] = bound
+                section[node.name] = {**entry, "range": ends}
+                return
     raise ReadError(f"“{relation}” bounds nothing that is not bounded yet", instead="say it where the quantity is declared.")
 
 
@@ -184,11 +186,13 @@ def _declared(tables: dict[str, Any], found: _Found) -> dict[str, Any]:
         with found.at(path):
             if not symbol.is_Symbol and name not in coordinates:
                 raise ReadError(f"“{symbol}” is none of the coordinates", instead=f"write coordinates=[{name}, ...].")
-            if name in known or name in coordinates or (name not in inside and sign_of(symbol) == "real"):
-                continue  # the last: a coordinate starts there, and the statement makes a constant of it
-            parameters[name] = {**build.parameter(_word(name, dimensions), sign=sign_of(symbol)), **parameters.get(name, {})}
+            entry = parameters.get(name, {})
+            if name in known or name in coordinates or not isinstance(entry, Mapping):
+                continue
+            if name in inside or sign_of(symbol) != "real":  # else a coordinate starts there: a constant is made of it
+                parameters[name] = {**build.parameter(_word(name, dimensions), sign=sign_of(symbol)), **entry}
     for name, entry in coordinates.items():
-        if dimensions.get(name, NUMBER) != NUMBER:
+        if dimensions.get(name, NUMBER) != NUMBER and isinstance(entry, Mapping):
             coordinates[name] = {**entry, "dimension": _word(name, dimensions)}
     return tables
 

@@ -161,6 +161,12 @@ WRONG: dict[str, tuple[Callable[[], object], str, str]] = {
     "equation assumed": (lambda: pendulum(assumptions=[Eq(theta, 1)]), "can't be assumed", "a < b"),
     "no relation assumed": (lambda: pendulum(assumptions="theta > 0"), "can't be assumed", "a < b"),
     "bound of a sum": (lambda: pendulum(assumptions=[2 * theta < 1]), "bounds nothing", "declared"),
+    "bound of a sine": (lambda: pendulum(assumptions=[sin(theta) < 1]), "bounds nothing", "declared"),
+    "slip in a declaration": (lambda: pendulum(parameters={"ell": "lenght: half"}), "unknown dimension", "did you mean"),
+    "coordinate that is no table": (lambda: pendulum(coordinates={theta: "angle"}), "must be a table", ""),
+    "symbol called pi": (lambda: pendulum(Symbol("pi", positive=True)), "is no plain symbol", "sympy.pi"),
+    "time with a sign": (lambda: pendulum(ell * Symbol("t", positive=True)), "is no plain symbol", "dynamicsymbols._t"),
+    "formula as a name": (lambda: pendulum(Symbol("2*m", positive=True)), "“2*m” can't be a name", "a letter first"),
     "bounded twice": (lambda: pendulum(assumptions=[theta < 1, theta < 2]), "bounds nothing", "declared"),
     "number too long": (lambda: pendulum(ell * sympy.Integer(10) ** 40), "more than 30 digits", "shorter"),
     "power too high": (lambda: pendulum(ell**100 / ell**99 * (ell / R) ** 200), "200 is beyond 64", ""),
@@ -219,6 +225,11 @@ def test_names_that_are_words_of_python() -> None:
     found = pendulum(Symbol("lambda", positive=True))
     assert "lambda" in told(found)
     assert Symbol("lambda", positive=True) in rb.model(found).kinetic_energy.free_symbols
+
+
+def test_what_is_bounded_in_text_bounds_the_other() -> None:
+    found = pendulum(parameters={"ell": "length > 0"}, assumptions=[ell > R])
+    assert told(found)["R"] == ("length", "positive") and (R < ell) in rb.model(found).assumptions
 
 
 def test_a_float_is_what_is_written() -> None:
