@@ -246,10 +246,13 @@ class SymbolicModel:
         """
         given = (values or {}).items()
         known = {key if isinstance(key, str) else name_of(key): numbers.number(_scalar(value), {}) for key, value in given}
+        names = [each.name for each in self.study.problem.parameters]
+        for name in known.keys() - names:
+            raise StatementError(f"“{name}” is no parameter", instead=did_you_mean(name, names, "parameters"))
         several = of if isinstance(of, (list, tuple)) else [of]
         entries = compiled.entries_of(self.study) if of is None else [self._on_motion(_scalar(each)) for each in several]
         used = set() if values else set().union(*map(names_in, entries))
-        others = [each.name for each in self.study.problem.parameters if each.name in used]
+        others = [name for name in names if name in used]
         if of is None:
             return compiled.compiled_rates(self.study, known, others)
         found = compiled.compiled_values(self.study, entries, known, others)

@@ -194,6 +194,7 @@ def test_wrong_inputs_get_a_sentence(name: str) -> None:
 ANSWERS: dict[str, tuple[Callable[[Any], object], str]] = {
     "text for an expression": (lambda model: model.lambdify(of="theta"), "a text is no expression of sympy"),
     "number missing": (lambda model: model.lambdify({g: 1}), "need a number for ell, m"),
+    "number of a coordinate": (lambda model: model.lambdify({theta: 1}), "“theta” is no parameter"),
     "no number": (lambda model: model.lambdify({g: theta}), "no number is known for 'theta'"),
     "moving point": (lambda model: model.angular_momentum((theta, 0)), "is no fixed point"),
     "unknown point": (lambda model: model.angular_momentum("Q"), "“Q” is no fixed point"),
