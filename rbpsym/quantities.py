@@ -70,27 +70,20 @@ DIMENSIONS: dict[str, Dimension] = {
 }
 
 
-OTHER_NAMES = {
-    "velocity": "speed",
-    "angular velocity": "angular speed",
-    "angular frequency": "angular speed",
-    "frequency": "angular speed",
-    "weight": "force",
-    "tension": "force",
-    "couple": "torque",
-    "moment": "torque",
-    "work": "energy",
-    "spring constant": "stiffness",
-    "torsion constant": "torsion stiffness",
-    "damping coefficient": "damping",
-    "distance": "length",
-    "radius": "length",
-    "width": "length",
-    "height": "length",
-    "duration": "time",
-    "coefficient": "number",
-    "dimensionless": "number",
+_OTHERS = {
+    "speed": ("velocity",),
+    "angular speed": ("angular velocity", "angular frequency", "frequency"),
+    "force": ("weight", "tension"),
+    "torque": ("couple", "moment"),
+    "energy": ("work",),
+    "stiffness": ("spring constant",),
+    "torsion stiffness": ("torsion constant",),
+    "damping": ("damping coefficient",),
+    "length": ("distance", "radius", "width", "height"),
+    "time": ("duration",),
+    "number": ("coefficient", "dimensionless"),
 }
+OTHER_NAMES = {other: name for name, others in _OTHERS.items() for other in others}
 
 
 def dimension_named(name: str) -> Dimension:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import click
@@ -19,27 +20,21 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 @click.option("--feedback", metavar="DIR", type=FOLDER, help="Folder of a page of feedback for each student.")
 @click.option(
     "--students",
+    "roster",
     metavar="CSV",
     type=FILE,
     help="The class list: names in the marks; who is missing or unknown is told.",
 )
 @click.option("--seed", "secret", metavar="S", default="", help="The --seed with which the papers were made.")
 @click.option("--papers", metavar="DIR", type=FOLDER, help="Folder of the papers, if it is not near the answers.")
-@click.option("--lang", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet.")
+@click.option(
+    "--lang", "language", metavar="LANGUAGE", default="", help="Language of the papers, if not that of the worksheet."
+)
 @click.option("--executor", metavar="WHERE", default="", help="local, or dask://HOST:PORT.")
-@click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core).")
-def command(
-    worksheet: str,
-    answers: Path,
-    output: Path,
-    feedback: Path | None,
-    students: Path | None,
-    secret: str,
-    papers: Path | None,
-    lang: str,
-    executor: str,
-    jobs: int,
-) -> int:
+@click.option(
+    "--jobs", "processes", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core)."
+)
+def command(worksheet: str, answers: Path, output: Path, feedback: Path | None, **wish: object) -> int:
     """Grade the answers of a class: formulas, numbers with units, choices, orders, signs.
 
     \b
@@ -57,11 +52,8 @@ def command(
 
     journal = output.with_name(f".{output.name}.journal")
     with Progress("grading") as bar:
-        graded = grade(
-            worksheet, answers, secret=secret, language=lang, roster=students, papers=papers, pages=feedback is not None,
-            executor=executor, processes=jobs, journal=journal,
-            told=lambda done, of: bar.reached(done, of, f"{done} of {of} students"),
-        )  # fmt: skip
+        told = partial(bar.counted, "students")
+        graded = grade(worksheet, answers, pages=feedback is not None, journal=journal, told=told, **wish)
     written = write_graded(graded, output, feedback)
     journal.unlink(missing_ok=True)
     for sentence in graded.told:

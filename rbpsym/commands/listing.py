@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import groupby
-from unicodedata import combining, normalize
 
 import click
 
 from rbpsym.commands.shelf import Entry, shelf
+from rbpsym.notation.letters import without_accents
 
 LEVELS = ("introductory", "intermediate", "advanced")  # from easy to hard
 
@@ -39,12 +39,7 @@ def command(words: tuple[str, ...], as_json: bool, lang: str) -> None:
 def is_about(entry: Entry, word: str, language: str) -> bool:
     """Does the word stand in what is said of the entry? (Neither capitals nor accents matter.)"""
     said = (entry.name, entry.title(language), entry.topic(language), entry.level(language), entry.source)
-    return plain(word) in plain(" ".join(said))
-
-
-def plain(text: str) -> str:
-    """The text without capitals and accents."""
-    return "".join(sign for sign in normalize("NFKD", text.casefold()) if not combining(sign))
+    return without_accents(word.casefold()) in without_accents(" ".join(said).casefold())
 
 
 def lines(entries: Iterable[Entry], language: str) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -36,24 +36,13 @@ class Wish:
 @click.option("--all", "is_all", is_flag=True, help="The whole library: a book and a site.")
 @formats_option(FORMATS, "pdf,html,tex")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
-@click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
+@click.option("--lang", "language", metavar="LANGUAGE", default="en", show_default=True, help="Language of the notes.")
 @detail_option
 @click.option("--plots/--no-plots", default=True, show_default=True, help="Works, energies, speeds, forces, motion.")
 @click.option("--simulation/--no-simulation", default=None, help="Run the numerical oracle too (not by --watch).")
 @click.option("--watch", "is_watched", is_flag=True, help="Write again at each change, until Ctrl-C.")
 @output_option(".", "Folder of the files.")
-def command(
-    name: str | None,
-    is_all: bool,
-    formats: tuple[str, ...],
-    engine: str,
-    lang: str,
-    detail: str,
-    plots: bool,
-    simulation: bool | None,
-    is_watched: bool,
-    output: Path,
-) -> int:
+def command(name: str | None, is_all: bool, simulation: bool | None, is_watched: bool, **told: Any) -> int:
     """Write lecture notes of a problem or a course: every step derived, with its reason.
 
     \b
@@ -70,8 +59,7 @@ def command(
     beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]'.
     With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
-    simulated = simulation if simulation is not None else not is_watched
-    wish = Wish(formats, engine, lang, detail, simulated, plots, output)
+    wish = Wish(simulation=not is_watched if simulation is None else simulation, **told)
     if is_all:
         return _library(name, is_watched, wish)
     if name is None:

@@ -38,6 +38,10 @@ class Progress:
             if self._bar:
                 self._bar.update(self._task, description=label, completed=self.done)
 
+    def counted(self, what: str, done: int, total: int) -> None:
+        """So many of all are done: “12 of 40 students”."""
+        self.reached(done, total, f"{done} of {total} {what}")
+
     def reached(self, done: int, total: int, label: str) -> None:
         """Tell how many parts are finished, of how many."""
         with self._lock:

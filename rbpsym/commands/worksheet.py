@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -29,7 +31,7 @@ MOST = 100_000
 )
 @click.option("--key", is_flag=True, help="Write keys too.")
 @click.option("--solution", is_flag=True, help="Write keys, and solutions with the whole derivation.")
-@click.option("--lang", metavar="LANGUAGE", default="", help="en or es; else that of the worksheet.")
+@click.option("--lang", "language", metavar="LANGUAGE", default="", help="en or es; else that of the worksheet.")
 @formats_option((*PAPERS, *PLATFORMS), "pdf")
 @click.option("--engine", type=click.Choice(ENGINES), default="typst", show_default=True, help="What makes the PDF.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes (0: one a core).")
@@ -37,20 +39,9 @@ MOST = 100_000
     "--executor", metavar="WHERE", default="", help="Who makes pdf, tex and html: local, or dask://HOST:PORT."
 )
 def command(
-    name: str | None,
-    output: Path,
-    students: Path | None,
-    variants: int | None,
-    code: str | None,
-    secret: str,
-    key: bool,
-    solution: bool,
-    lang: str,
-    formats: tuple[str, ...],
-    engine: str,
-    jobs: int,
-    executor: str,
-) -> int:
+    name: str | None, output: Path, students: Path | None, variants: int | None, code: str | None, jobs: int,
+    executor: str, **wish: Any,
+) -> int:  # fmt: skip
     """Make a worksheet from a worksheet file or straight from any problem, with keys that are proved.
 
     \b
@@ -70,13 +61,13 @@ def command(
 
     who = crew(executor, jobs)
     _check_choice(name, students, variants, code)
-    order = Order(name or "", secret, lang, formats, str(output), key or solution, solution, engine)
+    order = Order(name or "", folder=str(output), **wish)
     if code is not None:
         return _from_code(order, code)
     people = _people(students, variants)
     _tell_names(order, people)
     lines = _papers(order, people, who) + _platforms(order, people)
-    remember(output, known_plan(order.source), secret, lang, people)
+    remember(output, known_plan(order.source), order.secret, order.language, people)
     for line in lines:
         click.echo(line)
     return 0
@@ -136,7 +127,7 @@ def _papers(order, people: tuple, who) -> list[str]:
     if not own.formats:
         return []
     with Progress("worksheets") as bar:
-        found = papers(own, people, who, lambda n, of: bar.reached(n, of, f"{n} of {of} worksheets"))
+        found = papers(own, people, who, partial(bar.counted, "worksheets"))
     paths = [path for row in found for path in row]
     return paths if len(paths) <= 12 else [f"{len(paths)} files for {len(people)} students in {order.folder}"]
 
@@ -145,15 +136,14 @@ def _platforms(order, people: tuple) -> list[str]:
     """The formats of learning platforms: all students together; what they can't carry is told."""
     from rbpsym.document.files import write_all
     from rbpsym.teaching.batch import known_plan
-    from rbpsym.teaching.formats import Options, exporter
+    from rbpsym.teaching.formats import exporter
 
     wanted = [f for f in order.formats if f in PLATFORMS]
     if not wanted:
         return []
     plan = known_plan(order.source)
     worksheets = tuple(plan.worksheet(student, order.secret, order.language) for student in people)
-    options = Options(order.key, order.engine, order.solution, plan.derivations)
-    made = {name: exporter(name)(worksheets, options) for name in wanted}
+    made = {name: exporter(name)(worksheets, order.options(plan)) for name in wanted}
     files = {path: content for exported in made.values() for path, content in exported.files.items()}
     left_out = [sentence for exported in made.values() for sentence in exported.left_out]
     if left_out:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from unicodedata import combining, normalize
 
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import Document, Inlines, ItemList, Paragraph, Ref, Section, Text, words
@@ -14,6 +13,7 @@ from rbpsym.document.notes_checks import checks_table
 from rbpsym.document.phrases import has_phrase, phrase, plain
 from rbpsym.document.words import Words, capital
 from rbpsym.mechanics.study import Study
+from rbpsym.notation.letters import without_accents
 
 
 @dataclass(frozen=True)
@@ -90,12 +90,7 @@ def occurrences(chapters: Sequence[Chapter], language: str) -> list[tuple[str, l
         for kind in subjects(chapter.derivation.study):
             if has_phrase(f"index.{kind}", language):
                 found.setdefault(plain(f"index.{kind}", language), []).append(place)
-    return sorted(found.items(), key=lambda entry: without_accents(entry[0]))
-
-
-def without_accents(text: str) -> str:
-    """The letters by which words are put in order."""
-    return "".join(char for char in normalize("NFD", text.casefold()) if not combining(char))
+    return sorted(found.items(), key=lambda entry: without_accents(entry[0].casefold()))
 
 
 def references(labels: Iterable[str]) -> Inlines:

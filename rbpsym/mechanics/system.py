@@ -122,6 +122,15 @@ class System:
         """Whether something depends on the time explicitly (a support that is driven)."""
         return "t" in self.scope.rates
 
+    def tied(self) -> dict[str, Scalar]:
+        """Coordinates that the constraints tie to others, with their rates: x is Rφ where it rolls."""
+        found = {}
+        for name, value in self.dependent.items():
+            for tail in ("", "_dot", "_ddot"):
+                found[f"{name}{tail}"] = value
+                value = time_derivative(value, self.scope)
+        return found
+
     def on(self, body: str) -> tuple[Force, ...]:
         """The forces on one body."""
         return tuple(force for force in self.forces if force.on == body)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from unicodedata import combining, normalize
 
 # name in a problem file -> the character; LaTeX writes all but LATIN_LOOKING as \name
 LETTERS: Mapping[str, str] = MappingProxyType({
@@ -92,3 +93,8 @@ def subscript(text: str) -> str | None:
 
 def _mapped(text: str, table: dict[str, str]) -> str | None:
     return "".join(table[c] for c in text) if text and all(c in table for c in text) else None
+
+
+def without_accents(text: str) -> str:
+    """The text in plain letters: péndulo is pendulo."""
+    return "".join(char for char in normalize("NFD", text) if not combining(char))

@@ -40,6 +40,12 @@ def unknowns_of(element: Element) -> dict[str, Dimension]:
     return {text.format(**values): dimension for text, dimension in CONSTRAINTS[element.kind].unknowns}
 
 
+def dimensions_with_unknowns(problem: Problem) -> dict[str, Dimension]:
+    """The dimension of every name: constants, coordinates with their rates, unknown forces and couples."""
+    unknowns = (unknowns_of(element) for element in problem.constraints)
+    return problem.dimensions | {name: found for each in unknowns for name, found in each.items()}
+
+
 def _something(problem: Problem, table: Table) -> None:
     if not problem.bodies:
         raise table.error("the problem has no bodies", "add [bodies.rod] with its shape, mass and place.")
@@ -207,11 +213,7 @@ def _same_contact(problem: Problem, table: Table) -> None:
     for element in problem.constraints:
         key = _contact(element)
         if key in seen:
-            raise StatementError(
-                f"{element.kind} “{element.name}” says again what “{seen[key]}” says",
-                place=element.place,
-                instead="remove one of them.",
-            )
+            raise element.error(f"says again what “{seen[key]}” says", "remove one of them.")
         if key:
             seen[key] = element.name
 
@@ -234,11 +236,8 @@ def _gravity_once(problem: Problem, table: Table) -> None:
         for body in element["bodies"] or problem.body_names:
             key = element["direction"], body
             if key in seen:
-                raise StatementError(
-                    f"gravity “{element.name}” acts on “{body}”, on which “{seen[key]}” acts already",
-                    place=element.place,
-                    instead="remove one of them, or say on which bodies each acts.",
-                )
+                what = f"acts on “{body}”, on which “{seen[key]}” acts already"
+                raise element.error(what, "remove one of them, or say on which bodies each acts.")
             seen[key] = element.name
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rbpsym.errors import StatementError
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import round_size, runs
 from rbpsym.statement.premises import sign_of, surely_above
@@ -13,14 +12,6 @@ from rbpsym.statement.scope import Scope
 
 _SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
 _SOLID = ("disk", "cylinder", "ball", "sphere")
-
-
-def _error(element: Element, what: str, instead: str) -> StatementError:
-    return StatementError(f"{element.kind} “{element.name}” {what}", instead=instead, place=element.place)
-
-
-def _with(element: Element, **values: object) -> Element:
-    return replace(element, values={**element.values, **values})
 
 
 def toucher(element: Element) -> str | None:
@@ -39,16 +30,15 @@ def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     circle = element.values.get("circle")
     if (element["line"] is None) == (circle is None):
         found = "touches nothing" if circle is None else "has both a line and a circle"
-        raise _error(element, found, 'write line = "y = 0", or circle = "O" and radius = "R".')
+        raise element.error(found, 'write line = "y = 0", or circle = "O" and radius = "R".')
     what = "line" if circle is None else "circle"
     if element.values.get("side", "auto") not in _SIDES[what]:
-        raise _error(
-            element,
+        raise element.error(
             f"has the side “{element['side']}”, which a {what} hasn't",
             f"write one of: {', '.join(_SIDES[what])}.",
         )
     if circle is not None and element["of"] is not None:
-        raise _error(element, "has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
+        raise element.error("has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
     return element
 
 
@@ -57,19 +47,19 @@ def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     circle = element.values.get("circle")
     if circle is None:
         if element.values.get("radius") is not None:
-            raise _error(element, "has a radius, but touches a line", "remove it (the radius of the body is “rim”).")
+            raise element.error("has a radius, but touches a line", "remove it (the radius of the body is “rim”).")
         return element
     own = round_size(bodies[circle.body]) if circle.body and circle.point in ("center", "cm") else None
     if element["radius"] is None and own is None:
-        raise _error(element, f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
+        raise element.error(f"does not say how large the circle about “{circle.label}” is", 'add radius = "R"')
     if (
         element["radius"] is not None
         and "rim" not in element.values
         and sign_of(element["radius"], scope.given) == "zero"
     ):
         cure = "to hold it at that place, write a pivot; for a corner that touches a round body, name the corner as "
-        raise _error(element, "touches a circle of radius 0", cure + 'its point and circle = "wheel.center".')
-    return element if element["radius"] is not None else _with(element, radius=own)
+        raise element.error("touches a circle of radius 0", cure + 'its point and circle = "wheel.center".')
+    return element if element["radius"] is not None else element.with_values(radius=own)
 
 
 def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -77,7 +67,7 @@ def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> El
     first, second = toucher(element), curve_body(element)
     if first == second:
         what = "joins a fixed point to a fixed curve" if first is None else f"lets “{first}” touch itself"
-        raise _error(element, what, "name the point of one body, and a curve that is fixed or belongs to another.")
+        raise element.error(what, "name the point of one body, and a curve that is fixed or belongs to another.")
     return element
 
 
@@ -89,14 +79,14 @@ def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Elem
         cure = "give it the shape disk, ring, ball, shell or annulus" + (
             "." if body.shape.kind == "particle" else ', or say at which radius it touches: rim = "R"'
         )
-        raise _error(element, f"needs a round body, but “{body.name}” ({body.shape.kind}) has no radius", cure)
+        raise element.error(f"needs a round body, but “{body.name}” ({body.shape.kind}) has no radius", cure)
     if "center" not in body.points:
-        raise _error(
-            element, f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }."
+        raise element.error(
+            f"needs a body with a center, but “{body.name}” has none", "add points = { center = [...] }."
         )
     if body.shape.kind == "particle":
-        raise _error(element, f"can't turn “{body.name}”, a particle", "give it the shape disk, ring or ball.")
-    return element if element["rim"] is not None else _with(element, rim=own)
+        raise element.error(f"can't turn “{body.name}”, a particle", "give it the shape disk, ring or ball.")
+    return element if element["rim"] is not None else element.with_values(rim=own)
 
 
 def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -106,7 +96,7 @@ def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element
         return element
     one, other = bodies[element["body"]], bodies[circle.body]
     solid = one.shape.kind in _SOLID and other.shape.kind in _SOLID and element["radius"] == round_size(other)
-    return _with(element, side="outside") if solid and circle.point in ("center", "cm") else element
+    return element.with_values(side="outside") if solid and circle.point in ("center", "cm") else element
 
 
 def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -114,8 +104,8 @@ def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     if element.values.get("circle") is None or element["side"] != "inside":
         return element
     if surely_above(element["rim"], element["radius"], scope.given, or_equal=True):
-        raise _error(
-            element, "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
+        raise element.error(
+            "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
         )
     return element
 
@@ -123,7 +113,7 @@ def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
 def slides(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """A sense of slip goes with friction."""
     if element["slip"] != "auto" and element["coefficient"] is None:
-        raise _error(element, "says which way it slips, but has no friction", 'add coefficient = "mu"')
+        raise element.error("says which way it slips, but has no friction", 'add coefficient = "mu"')
     return element
 
 
@@ -131,8 +121,8 @@ def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     """A slider keeps the angle of a body: a particle has none."""
     name = element["point"].body
     if name is None or bodies[name].shape.kind == "particle":
-        raise _error(
-            element, "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".'
+        raise element.error(
+            "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".'
         )
     return element
 
@@ -142,17 +132,17 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     path = element["path"]
     for first, second in zip(path, path[1:], strict=False):
         if first.body == second.body and (first.body is not None or first.center == second.center):
-            raise _error(
-                element, f"runs from “{first.center.label}” to itself", "name the next body or point on its way."
+            raise element.error(
+                f"runs from “{first.center.label}” to itself", "name the next body or point on its way."
             )
     if all(turn.body is None for turn in path):
-        raise _error(element, "joins only fixed places", "let it end at a point of a body.")
+        raise element.error("joins only fixed places", "let it end at a point of a body.")
     if element["length"] is not None and (len(path) != 2 or any(turn.sense for turn in path)):
-        raise _error(element, "has a length, but is no straight piece between two points", "remove the length.")
+        raise element.error("has a length, but is no straight piece between two points", "remove the length.")
     for turn in runs(path)[0][:1] + runs(path)[-1][-1:]:
         if not turn.grips:
-            raise _error(
-                element, f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum."
+            raise element.error(
+                f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum."
             )
     return element
 
@@ -161,7 +151,7 @@ def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     """A link is a straight string that may push as well."""
     ends = element["points"]
     if len(ends) != 2 or any(turn.sense for turn in ends):
-        raise _error(element, "must join two points", 'write points = ["O", "bob.center"].')
+        raise element.error("must join two points", 'write points = ["O", "bob.center"].')
     values = {"path": ends, "length": element["length"], "rigid": True}
     string_path(replace(element, values=values), scope, bodies)
     return replace(element, kind="string", values=values)
@@ -170,18 +160,16 @@ def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
 def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The driven point belongs to a body."""
     if element["point"].body is None:
-        raise _error(element, f"drives “{element['point'].label}”, a fixed place", "name a point of a body.")
+        raise element.error(f"drives “{element['point'].label}”, a fixed place", "name a point of a body.")
     return element
 
 
 def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The driven body has an angle, and is not driven against itself."""
     if element["of"] == element["body"]:
-        raise _error(element, f"turns “{element['body']}” against itself", "name another body under “of”, or none.")
+        raise element.error(f"turns “{element['body']}” against itself", "name another body under “of”, or none.")
     if bodies[element["body"]].shape.kind == "particle":
-        raise _error(
-            element, f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn."
-        )
+        raise element.error(f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
     return element
 
 

@@ -8,7 +8,7 @@ from decimal import Decimal, InvalidOperation
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
-from rbpsym.quantities import TIME, Dimension
+from rbpsym.quantities import Dimension
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.hints import unit_example
 from rbpsym.statement.interactions import INTERACTIONS
@@ -25,10 +25,7 @@ KINDS = {**INTERACTIONS, **CONSTRAINTS}
 
 def check_example(problem: Problem, section: Table) -> None:
     """Refuse a number that contradicts what is declared."""
-    dimensions = {q.name: q.dimension for q in problem.parameters}
-    for coordinate in problem.coordinates:
-        dimension = coordinate.quantity.dimension
-        dimensions |= {coordinate.name: dimension, f"{coordinate.name}_dot": dimension / TIME}
+    dimensions = problem.dimensions
     numbers = {name: _number(name, dimensions[name], section) for name in section.names()}
     for quantity in problem.parameters:
         if quantity.name in numbers and not _has_sign(numbers[quantity.name], quantity.sign):

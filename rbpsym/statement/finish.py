@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
-from rbpsym.errors import StatementError
 from rbpsym.notation.tree import ONE, TWO, ZERO, Neg, Pow, add, names, neg
 from rbpsym.statement.curves import CURVE_RULES
 from rbpsym.statement.model import Body, Element, Pair, PointRef
@@ -20,14 +18,6 @@ def finish(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Elemen
     return element
 
 
-def _error(element: Element, what: str, instead: str) -> StatementError:
-    return StatementError(f"{element.kind} “{element.name}” {what}", instead=instead, place=element.place)
-
-
-def _with(element: Element, **values: object) -> Element:
-    return replace(element, values={**element.values, **values})
-
-
 def bodies_joined(element: Element, key: str) -> tuple[str | None, str | None]:
     """The bodies of two points; None for a fixed place."""
     first, second = element[key]
@@ -40,7 +30,7 @@ def _on_a_body(key: str) -> Callable:
     def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
         point: PointRef = element[key]
         if point.body is None:
-            raise _error(element, f"acts on “{point.label}”, a fixed place", "name a point of a body: rod.end.")
+            raise element.error(f"acts on “{point.label}”, a fixed place", "name a point of a body: rod.end.")
         return element
 
     return rule
@@ -50,17 +40,17 @@ def _between_points(element: Element, scope: Scope, bodies: Mapping[str, Body]) 
     first, second = bodies_joined(element, "between")
     if first == second:
         what = "joins two fixed places" if first is None else f"joins two points of one body, “{first}”"
-        raise _error(element, what, "at least one end must be able to move against the other.")
+        raise element.error(what, "at least one end must be able to move against the other.")
     return element
 
 
 def _between_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     first, second = element["between"]
     if first == second:
-        raise _error(element, f"joins “{first}” to itself", "name two different bodies, or “ground” and a body.")
+        raise element.error(f"joins “{first}” to itself", "name two different bodies, or “ground” and a body.")
     for name in (first, second):
         if name in bodies and bodies[name].shape.kind == "particle":
-            raise _error(element, f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
+            raise element.error(f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
     return element
 
 
@@ -70,7 +60,7 @@ def _turns(key: str) -> Callable:
     def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
         name = element[key]
         if name is not None and bodies[name].shape.kind == "particle":
-            raise _error(element, f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
+            raise element.error(f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
         return element
 
     return rule
@@ -78,7 +68,7 @@ def _turns(key: str) -> Callable:
 
 def _other_body(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     if element["on"] == element["reaction_on"]:
-        raise _error(element, f"acts on “{element['on']}” and reacts on it as well", "name another body.")
+        raise element.error(f"acts on “{element['on']}” and reacts on it as well", "name another body.")
     return element
 
 
@@ -89,18 +79,17 @@ def _pivot_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> 
     point: PointRef = element["point"]
     body = bodies[point.body]
     if body.placed is None:
-        raise _error(element, f"does not say where “{point.label}” is held", 'add at = ["0", "0"]')
+        raise element.error(f"does not say where “{point.label}” is held", 'add at = ["0", "0"]')
     if body.placed[0] != point.point:
         return element
     _check_fixed(element, point, body.placed[1], scope)
-    return _with(element, at=body.placed[1])
+    return element.with_values(at=body.placed[1])
 
 
 def _check_fixed(element: Element, point: PointRef, place: Pair, scope: Scope) -> None:
     moving = sorted((names(place[0]) | names(place[1])) & set(scope.coordinates))
     if moving:
-        raise _error(
-            element,
+        raise element.error(
             f"holds “{point.label}”, but the pose lets it move with “{moving[0]}”",
             'say where it is held: at = ["0", "0"]',
         )
@@ -109,30 +98,30 @@ def _check_fixed(element: Element, point: PointRef, place: Pair, scope: Scope) -
 def _joins_two(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     first, second = bodies_joined(element, "points")
     if first is not None and first == second:
-        raise _error(element, f"joins the body “{first}” to itself", "name points of two different bodies.")
+        raise element.error(f"joins the body “{first}” to itself", "name points of two different bodies.")
     if first is None and second is None:
-        raise _error(element, "joins two fixed places", "name a point of a body.")
+        raise element.error("joins two fixed places", "name a point of a body.")
     return element
 
 
 def _no_fixed_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     for point in element["points"]:
         if point.body is None:
-            raise _error(element, f"joins a body to “{point.label}”, a fixed place", 'use type = "pivot" for this.')
+            raise element.error(f"joins a body to “{point.label}”, a fixed place", 'use type = "pivot" for this.')
     return element
 
 
 def _no_particle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     for point in element["points"]:
         if point.body and bodies[point.body].shape.kind == "particle":
-            raise _error(element, f"fixes the angle of “{point.body}”, a particle, which has none", "use a pin.")
+            raise element.error(f"fixes the angle of “{point.body}”, a particle, which has none", "use a pin.")
     return element
 
 
 def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """0 unless both angles are in the poses (the ground has one)."""
     known = all(point.body is None or bodies[point.body].angle is not None for point in element["points"])
-    return element if known or element["angle"] is not None else _with(element, angle=ZERO)
+    return element if known or element["angle"] is not None else element.with_values(angle=ZERO)
 
 
 DOWN = (ZERO, Neg(ONE))
@@ -146,14 +135,14 @@ def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) 
         "negative",
         "nonzero",
     ):
-        raise _error(element, "has a direction that is no unit vector", 'write direction = ["0", "-1"]')
+        raise element.error("has a direction that is no unit vector", 'write direction = ["0", "-1"]')
     return element
 
 
 def _body_frame(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     name = element["on"].body
     if element["frame"] == "body" and bodies[name].shape.kind == "particle":
-        raise _error(element, f"is fixed in “{name}”, a particle, which has no angle", 'use frame = "space".')
+        raise element.error(f"is fixed in “{name}”, a particle, which has no angle", 'use frame = "space".')
     return element
 
 

@@ -8,55 +8,35 @@ from collections.abc import Collection, Mapping
 from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
 from rbpsym.statement.units import unit_named
 
-OTHER_WORDS: Mapping[str, tuple[str, ...]] = {
-    "bar": ("rod",),
-    "stick": ("rod",),
-    "beam": ("rod",),
-    "ladder": ("rod",),
-    "plate": ("rectangle",),
-    "square": ("rectangle",),
-    "block": ("rectangle",),
-    "box": ("rectangle",),
-    "wheel": ("disk",),
-    "pulley": ("disk",),
-    "circle": ("ring", "disk"),
-    "point": ("particle",),
-    "bead": ("particle",),
-    "pendulum": ("rod", "particle"),
-    "hinge": ("pivot", "pin"),
-    "joint": ("pin",),
-    "revolute": ("pin",),
-    "axle": ("pivot",),
-    "fixed": ("pivot", "weld"),
-    "clamp": ("weld",),
-    "roller": ("contact",),
-    "floor": ("contact",),
-    "wall": ("contact",),
-    "wire": ("guide",),
-    "track": ("guide",),
-    "rail": ("guide",),
-    "rod": ("link",),
-    "cable": ("string",),
-    "belt": ("string",),
-    "friction": ("contact", "touch"),
-    "weight": ("gravity",),
-    "torque": ("couple",),
-    "moment": ("couple",),
-    "motor": ("couple", "prescribed-angle"),
-    "dashpot": ("damper",),
-    "mu": ("coefficient", "limit"),
-    "friction_coefficient": ("coefficient", "limit"),
-    "k": ("stiffness",),
-    "m": ("mass",),
-    "position": ("center",),
-    "velocity": ("speed",),
-    "omega": ("speed",),
-    "forces": ("interactions",),
-    "loads": ("interactions",),
-    "joints": ("constraints",),
-    "supports": ("constraints",),
-    "variables": ("coordinates",),
-    "constants": ("parameters",),
+# word of ours -> the usual ones for which it may stand
+OTHER_WORDS: Mapping[str, str] = {
+    "rod": "bar stick beam ladder pendulum",
+    "rectangle": "plate square block box",
+    "ring": "circle",
+    "disk": "wheel pulley circle",
+    "particle": "point bead pendulum",
+    "pivot": "hinge axle fixed",
+    "pin": "hinge joint revolute",
+    "weld": "fixed clamp",
+    "contact": "roller floor wall friction",
+    "touch": "friction",
+    "guide": "wire track rail",
+    "link": "rod",
+    "string": "cable belt",
+    "gravity": "weight",
+    "couple": "torque moment motor",
+    "prescribed-angle": "motor",
+    "damper": "dashpot",
+    "coefficient": "mu friction_coefficient",
+    "limit": "mu friction_coefficient",
+    "stiffness": "k",
+    "mass": "m",
+    "center": "position",
+    "speed": "velocity omega",
+    "interactions": "forces loads",
+    "constraints": "joints supports",
+    "coordinates": "variables",
+    "parameters": "constants",
 }
 FUNCTIONS = {"cosine": "cos", "cosinus": "cos", "sine": "sin", "sinus": "sin", "tangent": "tan", "squareroot": "sqrt"}
 _AFTER_A_NUMBER = re.compile(r"(?:^|[^\w.])\d+(?:\.\d+)?\s*°?$")
@@ -65,7 +45,7 @@ FULL_TURN = 6.3
 
 def other_word(word: str, known: Collection[str]) -> str:
     """The word of ours for a usual one: "write “rod”" for "stick"; "" if there is none."""
-    found = [name for name in OTHER_WORDS.get(word.lower(), ()) if name in known]
+    found = [name for name, usual in OTHER_WORDS.items() if name in known and word.lower() in usual.split()]
     return "write " + " or ".join(f"“{name}”" for name in found) + "." if found else ""
 
 

@@ -8,11 +8,11 @@ x' axis at the body's `angle`, counter-clockwise from +x.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from rbpsym.errors import Place
+from rbpsym.errors import Place, StatementError
 from rbpsym.notation.tree import Node
-from rbpsym.quantities import Quantity
+from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown
 
 Pair = tuple[Node, Node]
@@ -175,6 +175,14 @@ class Element:
     values: Mapping[str, object]
     place: Place | None = field(default=None, compare=False, repr=False)
 
+    def with_values(self, **values: object) -> Element:
+        """The element with some of its values changed."""
+        return replace(self, values={**self.values, **values})
+
+    def error(self, what: str, instead: str) -> StatementError:
+        """What is wrong with it, at its place: “pivot “P” holds nothing”."""
+        return StatementError(f"{self.kind} “{self.name}” {what}", instead=instead, place=self.place)
+
     def __getitem__(self, key: str) -> object:
         return self.values[key]
 
@@ -246,3 +254,12 @@ class Problem(Shown):
     def body_names(self) -> tuple[str, ...]:
         """Names of the bodies in the author's order."""
         return tuple(body.name for body in self.bodies)
+
+    @property
+    def dimensions(self) -> dict[str, Dimension]:
+        """The dimension of every constant, and of every coordinate with its rates."""
+        found = {quantity.name: quantity.dimension for quantity in self.parameters}
+        for coordinate in self.coordinates:
+            for order, tail in enumerate(("", "_dot", "_ddot")):
+                found[f"{coordinate.name}{tail}"] = coordinate.quantity.dimension / TIME**order
+        return found

@@ -41,6 +41,10 @@ class Order:
     engine: str = "typst"
     fingerprint: str = ""
 
+    def options(self, plan: Plan) -> Options:
+        """What exporters are told: with solutions go keys."""
+        return Options(self.key or self.solution, self.engine, self.solution, plan.derivations)
+
 
 @dataclass(frozen=True, slots=True)
 class Paper:
@@ -130,8 +134,7 @@ def written(worksheet: Worksheet, plan: Plan, order: Order) -> list[str]:
 
 def files_of(worksheet: Worksheet, plan: Plan, order: Order) -> dict[str, str | bytes]:
     """The files of one worksheet by name."""
-    options = Options(order.key, order.engine, order.solution, plan.derivations)
     files: dict[str, str | bytes] = {}
     for name in order.formats:
-        files |= exporter(name)((worksheet,), options).files
+        files |= exporter(name)((worksheet,), order.options(plan)).files
     return files

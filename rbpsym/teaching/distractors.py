@@ -8,7 +8,7 @@ differs at a student's printed numbers is seen to when these are drawn (`distinc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -23,12 +23,11 @@ from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.quantities import TIME, Dimension
+from rbpsym.quantities import Dimension
 from rbpsym.teaching.first_wrong import first_wrong
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Measure, Slip
-from rbpsym.teaching.ranges import named_quantities
 from rbpsym.teaching.retold import Retelling
 from rbpsym.teaching.targets import Target
 
@@ -198,21 +197,12 @@ def speeds_in(value: Scalar) -> set[str]:
     return {name for name in named if name and name.endswith(("_dot", "_ddot"))}
 
 
-def dimensions_of(study: Study) -> Mapping[str, Dimension]:
-    """The dimension of every name of a problem: parameters, coordinates, starts, speeds, unknown forces."""
-    found = dict(named_quantities(study.problem))
-    for coordinate in study.problem.coordinates:
-        own = coordinate.quantity.dimension
-        found |= {coordinate.name: own, f"{coordinate.name}_dot": own / TIME, f"{coordinate.name}_ddot": own / TIME**2}
-    return found
-
-
 def fits(formula: t.Node, study: Study, dimension: Dimension) -> bool:
     """Whether a formula is dimensionally sound and of this dimension (zero has every one)."""
     if formula == t.ZERO:
         return True
     try:
-        return dimension_of(formula, dimensions_of(study)) == dimension
+        return dimension_of(formula, study.problem.dimensions) == dimension
     except RbpsymError:
         return False
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import Value
 from rbpsym.derivation.step import STANDARD, Step
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
+from rbpsym.notation.places import Path
 from rbpsym.teaching.bench import Bench
 from rbpsym.teaching.model import Piece
 
@@ -72,7 +73,7 @@ def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
 class Gap:
     """A part of a statement that may be left out: the path to it, and what stands there."""
 
-    path: tuple[tuple[str, int], ...]
+    path: Path
     node: t.Node
     is_term: bool = False
 
@@ -93,7 +94,7 @@ def gaps(statement: t.Node) -> list[Gap]:
     return found
 
 
-def _in_side(path: tuple[tuple[str, int], ...], node: t.Node) -> Iterator[Gap]:
+def _in_side(path: Path, node: t.Node) -> Iterator[Gap]:
     """The side itself, or (of a vector along k) its factor; then the terms of a sum."""
     path, node = _without_direction(path, node)
     if _is_plain(node):
@@ -101,7 +102,7 @@ def _in_side(path: tuple[tuple[str, int], ...], node: t.Node) -> Iterator[Gap]:
     if isinstance(node, t.Add):
         for k, term in enumerate(node.terms):
             bare = (*path, ("terms", k))
-            inner = (*bare, ("arg", -1)) if isinstance(term, t.Neg) else bare
+            inner = (*bare, ("arg", None)) if isinstance(term, t.Neg) else bare
             part = term.arg if isinstance(term, t.Neg) else term
             if _is_plain(part):
                 yield Gap(inner, part, is_term=True)
@@ -112,7 +113,7 @@ def _without_direction(path, node: t.Node):
         if isinstance(node, t.Mul) and len(node.factors) == 2 and isinstance(node.factors[1], t.Unit):
             path, node = (*path, ("factors", 0)), node.factors[0]
         elif isinstance(node, (t.Group, t.Neg)):
-            path, node = (*path, ("arg", -1)), node.arg
+            path, node = (*path, ("arg", None)), node.arg
         else:
             return path, node
 
@@ -127,25 +128,13 @@ def _is_plain(node: t.Node) -> bool:
     return sum(1 for _ in t.walk(node)) <= LARGEST_BLANK
 
 
-def put(statement: t.Node, path: tuple[tuple[str, int], ...], part: t.Node) -> t.Node:
-    """The statement with another part at a path."""
-    if not path:
-        return part
-    (name, place), rest = path[0], path[1:]
-    held = getattr(statement, name)
-    if place < 0:
-        return replace(statement, **{name: put(held, rest, part)})
-    inner = put(held[place], rest, part)
-    return replace(statement, **{name: (*held[:place], inner, *held[place + 1 :])})
-
-
-def is_negated(statement: t.Node, path: tuple[tuple[str, int], ...]) -> bool:
+def is_negated(statement: t.Node, path: Path) -> bool:
     """Whether a minus stands before the part at a path."""
     negative = False
     for name, place in path:
         negative ^= isinstance(statement, t.Neg)
         held = getattr(statement, name)
-        statement = held if place < 0 else held[place]
+        statement = held if place is None else held[place]
     return negative
 
 
@@ -157,9 +146,8 @@ def has_value(bench: Bench, node: t.Node) -> bool:
 def value_of(bench: Bench, node: t.Node) -> Value | None:
     """The value of a part in the names of the problem; None if it holds names that the derivation defined."""
     from rbpsym.algebra.evaluate import value
-    from rbpsym.teaching.distractors import dimensions_of
 
-    known = {*dimensions_of(bench.study), *bench.study.system.unknowns, "pi"}
+    known = {*bench.study.problem.dimensions, *bench.study.system.unknowns, "pi"}
     bound = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
     if not t.names(node) <= known | bound:
         return None

@@ -14,7 +14,7 @@ from fractions import Fraction
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
-from rbpsym.quantities import ACCELERATION, NUMBER, TIME, Dimension
+from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
@@ -74,13 +74,7 @@ def middles(ranges: Mapping[str, Range]) -> dict[str, float]:
 
 def named_quantities(problem: Problem) -> Mapping[str, Dimension]:
     """Constants of a problem, by name: its parameters and the starts that nobody declared."""
-    found = {q.name: q.dimension for q in problem.parameters}
-    for coordinate in problem.coordinates:
-        own = coordinate.quantity.dimension
-        for node, dimension in ((coordinate.start, own), (coordinate.speed, own / TIME)):
-            if isinstance(node, t.Sym):
-                found.setdefault(node.name, dimension)
-    return found
+    return {q.name: q.dimension for q in problem.parameters}
 
 
 def default_ranges(problem: Problem) -> dict[str, Range]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import calculus
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
@@ -201,14 +201,7 @@ def followed(study: Study) -> str | None:
 
 def names_in(value: Scalar) -> set[str]:
     """All symbols of a value, also those inside of functions (π aside)."""
-    found: set[str] = set()
-    for index in value.atoms():
-        atom = atoms.atom(index)
-        if atom.kind == "symbol":
-            found |= {atom.arg} - {"pi"}
-        elif hasattr(atom.arg, "atoms"):
-            found |= names_in(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg))
-    return found
+    return calculus.names_in(value) - {"pi"}
 
 
 def _held_in_the_middle(conditions, ranges: Mapping[str, Range]) -> list[tuple[str, Scalar]]:

@@ -22,7 +22,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import BodyState, System
+from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
@@ -332,7 +332,7 @@ def _losses(derivation: Derivation) -> Iterator[Target]:
                 "loss",
                 t.Sym(loss.coordinate),
                 lambda study, key=loss.force, q=loss.coordinate: _lost(study, key, q),
-                dimension_of_coordinate(derivation.study.system, loss.coordinate),
+                derivation.study.problem.dimensions[loss.coordinate],
                 f"loss.{loss.force}",
                 {"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)},
                 "angle",
@@ -341,11 +341,6 @@ def _losses(derivation: Derivation) -> Iterator[Target]:
 
 def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
     return next((x.at.get(coordinate) for x in study.losses if x.force == force), None)
-
-
-def dimension_of_coordinate(system: System, name: str) -> Dimension:
-    """The dimension of a coordinate."""
-    return next(c.quantity.dimension for c in system.problem.coordinates if c.name == name)
 
 
 KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {

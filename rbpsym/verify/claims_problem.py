@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import scalar, time_derivative
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.domain import Condition
@@ -22,7 +22,7 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.tree import Sym
 from rbpsym.quantities import TIME, Dimension
-from rbpsym.statement.checks import unknowns_of
+from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_bound import Bound, Motion, number
@@ -98,12 +98,7 @@ class ProblemWorld:
     @cached_property
     def dependent(self) -> dict[str, Scalar]:
         """Coordinates that the constraints tie to others, with their speeds and accelerations."""
-        found, scope = {}, self.study.system.scope
-        for name, value in self.study.system.dependent.items():
-            for tail in ("", "_dot", "_ddot"):
-                found[f"{name}{tail}"] = value
-                value = time_derivative(value, scope)
-        return found
+        return self.study.system.tied()
 
     def bound(self, phrase: str) -> Bound:
         """What a phrase means. Raises StatementError."""
@@ -150,14 +145,7 @@ class ProblemWorld:
     @cached_property
     def dimensions(self) -> dict[str, Dimension]:
         """The dimensions of all names that values hold."""
-        problem = self.study.problem
-        found = {q.name: q.dimension for q in problem.parameters}
-        for coordinate in problem.coordinates:
-            for order, tail in enumerate(("", "_dot", "_ddot")):
-                found[f"{coordinate.name}{tail}"] = coordinate.quantity.dimension / TIME**order
-        for element in problem.constraints:
-            found |= unknowns_of(element)
-        return {"t": TIME, **found}
+        return {"t": TIME, **dimensions_with_unknowns(self.study.problem)}
 
     def body(self, name: str) -> BodyState:
         """A body. Raises StatementError for an unknown name."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra.calculus import depends_on
@@ -18,6 +18,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
+from rbpsym.notation.places import Path, put, sites
 from rbpsym.notation.text import to_text
 from rbpsym.verify.claims_bound import Bound
 from rbpsym.verify.claims_check import decide
@@ -25,34 +26,6 @@ from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
-
-Path = tuple[tuple[str, int | None], ...]
-
-
-def sites(node: t.Node, path: Path = ()) -> Iterator[tuple[Path, t.Node]]:
-    """All parts of a formula with the way to them, the whole first."""
-    yield path, node
-    for item in fields(node):
-        value = getattr(node, item.name)
-        if isinstance(value, t.Node):
-            yield from sites(value, (*path, (item.name, None)))
-        elif isinstance(value, tuple) and item.name != "span":
-            for place, part in enumerate(value):
-                if isinstance(part, t.Node):
-                    yield from sites(part, (*path, (item.name, place)))
-
-
-def put(node: t.Node, path: Path, new: t.Node) -> t.Node:
-    """The formula with another part at the end of the path."""
-    if not path:
-        return new
-    (name, place), rest = path[0], path[1:]
-    old = getattr(node, name)
-    if place is None:
-        return replace(node, **{name: put(old, rest, new)})
-    parts = list(old)
-    parts[place] = put(parts[place], rest, new)
-    return replace(node, **{name: tuple(parts)})
 
 
 def terms(relation: t.Chain) -> Iterator[tuple[Path, t.Node]]:

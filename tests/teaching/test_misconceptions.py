@@ -16,8 +16,8 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.bench import Bench
-from rbpsym.teaching.distractors import MOST, dimensions_of, pool
-from rbpsym.teaching.misconceptions.literature import SOURCES
+from rbpsym.teaching.distractors import MOST, pool
+from rbpsym.teaching.misconceptions.literature import DESCRIBED, SOURCES
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.plan import bench_of
 from rbpsym.teaching.targets import KINDS
@@ -76,7 +76,7 @@ def test_the_engine_makes_the_textbook_mistake(problem: str, name: str, id: str,
     target = here.targets[id]
     made = [w for w in here.pool.wrongs if w.misconception.name == name and target.kind in w.misconception.about]
     values = [value for w in made if (value := target.value(w.study)) is not None]
-    wanted = scalar(read_infix(wrong, dimensions_of(here.study)))
+    wanted = scalar(read_infix(wrong, here.study.problem.dimensions))
     verdicts = [scalars_equal(value, wanted, here.study.assumptions) for value in values]
     assert any(verdict.is_proved for verdict in verdicts), (len(values), verdicts)
 
@@ -92,7 +92,7 @@ def test_accepted_ones_are_refuted_sound_and_few(problem: str) -> None:
         for place, distractor in enumerate(found):
             assert scalars_equal(distractor.value, right, here.study.assumptions).is_refuted
             if distractor.formula != t.ZERO:
-                assert dimension_of(distractor.formula, dimensions_of(here.study)) == target.dimension
+                assert dimension_of(distractor.formula, here.study.problem.dimensions) == target.dimension
             for other in formulas[:place]:
                 assert equal(distractor.formula, other, here.study.assumptions).is_refuted
 
@@ -108,7 +108,7 @@ def test_the_true_study_is_never_touched() -> None:
 @pytest.mark.parametrize("name", MISCONCEPTIONS)
 def test_each_has_sources_kinds_and_words(name: str) -> None:
     own = MISCONCEPTIONS[name]
-    assert own.sources and all(source in SOURCES for source in own.sources)
+    assert DESCRIBED[own.name] and all(source in SOURCES for source in DESCRIBED[own.name])
     assert own.about and own.about <= {*KINDS, "axis-moment"}
     for language in languages():
         keys = [key for key in teaching_phrases(language) if key.startswith(f"misconception.{name}.")]
@@ -138,7 +138,8 @@ def test_each_makes_a_wrong_answer_somewhere() -> None:
 
 def test_there_are_enough() -> None:
     assert len(MISCONCEPTIONS) >= 20
-    assert set(SOURCES) == {source for m in MISCONCEPTIONS.values() for source in m.sources}
+    assert set(SOURCES) == {source for sources in DESCRIBED.values() for source in sources}
+    assert set(DESCRIBED) == set(MISCONCEPTIONS)
 
 
 @pytest.mark.parametrize("problem", SAMPLE)

@@ -11,9 +11,10 @@ import pytest
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.decide import equal, scalars_equal
 from rbpsym.notation import tree as t
+from rbpsym.notation.places import put
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
-from rbpsym.teaching.lines import gaps, is_negated, put
+from rbpsym.teaching.lines import gaps, is_negated
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.plan import Plan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text

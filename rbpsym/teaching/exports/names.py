@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Problem
-from rbpsym.teaching.grading.standard import mapped
 
 # names that mean something in Maxima or sympy
 _WORDS = ("beta", "gamma", "zeta", "psi", "lambda", "e", "i", "pi", "I", "E", "S", "N", "O", "Q", "C", "D")
@@ -21,7 +20,7 @@ def renamed(node: t.Node, names: Mapping[str, str]) -> t.Node:
     """The tree with other names."""
     if isinstance(node, t.Sym):
         return t.Sym(names.get(node.name, node.name))
-    return mapped(node, lambda part: renamed(part, names))
+    return t.mapped(node, lambda part: renamed(part, names))
 
 
 def exported_names(names: Iterable[str], problem: Problem, reserved: Iterable[str] = ()) -> dict[str, str]:

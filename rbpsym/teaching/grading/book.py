@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from rbpsym.notation.glyphs import Notation, glyph, renamed
+from rbpsym.notation.letters import without_accents
 from rbpsym.notation.symbol_table import SymbolTable, drawn_glyph, symbol_table
 
 TWINS = (("phi", "varphi"), ("theta", "vartheta"), ("epsilon", "varepsilon"), ("rho", "varrho"),
@@ -61,11 +61,6 @@ def _ways(name: str, alias: str | None, called: Mapping[str, str]) -> Iterator[s
         for twin in (shown, *_twins(shown)):
             yield twin
             yield twin.replace("_", "")
-
-
-def without_accents(word: str) -> str:
-    """The word in plain letters: péndulo is pendulo."""
-    return "".join(char for char in unicodedata.normalize("NFD", word) if not unicodedata.combining(char))
 
 
 def _twins(name: str) -> Iterator[str]:

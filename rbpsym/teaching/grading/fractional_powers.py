@@ -20,7 +20,6 @@ from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
-from rbpsym.teaching.grading.standard import mapped
 
 LARGEST_NUMBER = 10**6  # that is split into primes
 Power = tuple[t.Node, Fraction]
@@ -59,7 +58,7 @@ class Roots:
         """The tree with roots as powers of the new symbols."""
         found = [(self.same(base), exponent) for base, exponent in _powers(node, self.assumptions)]
         if not found:
-            return mapped(node, self.without)
+            return t.mapped(node, self.without)
         return t.Mul(tuple(t.Pow(t.Sym(self.names[b]), t.Num(n * self.orders[b])) for b, n in found))
 
     def meanings(self, given: Assumptions) -> dict[str, Scalar]:

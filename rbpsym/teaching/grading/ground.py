@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from rbpsym.algebra.evaluate import BARE, Scope, time_derivative
+from rbpsym.algebra.evaluate import BARE, Scope
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.squares import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.study import Study
-from rbpsym.quantities import FORCE, LENGTH, MASS, TIME, Dimension
-from rbpsym.statement.checks import unknowns_of
+from rbpsym.quantities import LENGTH, MASS, TIME, Dimension
+from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.teaching.grading.book import Book, book
 from rbpsym.teaching.grading.intervals import Sampling
 
@@ -61,9 +61,9 @@ def ground_of(study: Study, language: str = "en") -> Ground:
     """The ground of a problem: its names, on its constraints."""
     problem, system = study.problem, study.system
     named = named_quantities(study)
-    dimensions = {**dimensions_of(study), **{name: _NAMED[name.partition("_")[0]] for name in named}}
+    dimensions = {**dimensions_with_unknowns(problem), **{name: _NAMED[name.partition("_")[0]] for name in named}}
     names = {*dimensions, *named, *system.unknowns}
-    scalars = {**named, **dependents(study)}
+    scalars = {**named, **system.tied()}
     return Ground(
         book(names, problem.notation, language, problem.names_in(language)),
         study.assumptions,
@@ -76,16 +76,6 @@ def ground_of(study: Study, language: str = "en") -> Ground:
 
 
 _NAMED = {"I": MASS * LENGTH**2, "omega": TIME**-1, "alpha": TIME**-2}
-
-
-def dependents(study: Study) -> dict[str, Scalar]:
-    """Coordinates that the constraints tie to others, with their rates: x is Rφ where it rolls."""
-    found, scope = {}, study.system.scope
-    for name, value in study.system.dependent.items():
-        for tail in ("", "_dot", "_ddot"):
-            found[f"{name}{tail}"] = value
-            value = time_derivative(value, scope)
-    return found
 
 
 def named_quantities(study: Study) -> dict[str, Scalar]:
@@ -102,17 +92,3 @@ def named_quantities(study: Study) -> dict[str, Scalar]:
         state = next(state for state in bodies.values() if state.omega)
         found |= {"omega": state.omega, "alpha": state.alpha}
     return {name: value for name, value in found.items() if name not in taken and value is not None}
-
-
-def dimensions_of(study: Study) -> dict[str, Dimension]:
-    """The dimension of every name of a problem: constants, coordinates with their rates, unknown forces."""
-    problem = study.problem
-    found = {q.name: q.dimension for q in problem.parameters}
-    for coordinate in problem.coordinates:
-        for power, tail in enumerate(("", "_dot", "_ddot")):
-            found[f"{coordinate.name}{tail}"] = coordinate.quantity.dimension / TIME**power
-    for name in study.system.unknowns:
-        found[name] = FORCE
-    for element in problem.constraints:
-        found |= unknowns_of(element)
-    return found

@@ -10,7 +10,6 @@ from rbpsym.errors import ReadError
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import arguments_from
-from rbpsym.teaching.grading.standard import mapped
 from rbpsym.teaching.grading.words import WORD, lookup
 
 HELD = "integral_0"  # the name that holds the place of an integral in the formula around
@@ -52,4 +51,4 @@ def _of_sign(sign: re.Match[str] | None) -> tuple[list[str], int]:
 
 
 def _filled(node: t.Node, whole: t.Node) -> t.Node:
-    return whole if node == t.Sym(HELD) else mapped(node, lambda part: _filled(part, whole))
+    return whole if node == t.Sym(HELD) else t.mapped(node, lambda part: _filled(part, whole))

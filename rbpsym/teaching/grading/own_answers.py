@@ -20,7 +20,6 @@ from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.grading.standard import mapped
 from rbpsym.teaching.grading.units import read_unit
 from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
 
@@ -124,7 +123,7 @@ def replaced(node: t.Node, by: Mapping[str, t.Node]) -> t.Node:
         power = number_of(node.exponent)
         if power is not None and power % 2 == 0:
             return t.Pow(t.Group(by[node.base.name].arg), t.Num(int(power) // 2))
-    return mapped(node, lambda part: replaced(part, by))
+    return t.mapped(node, lambda part: replaced(part, by))
 
 
 def _read(text: str, ground: Ground) -> list[t.Node]:

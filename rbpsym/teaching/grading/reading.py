@@ -12,7 +12,7 @@ from rbpsym.notation.latex_reader import latex_ways, read_latex
 from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import latex, without_unit
 from rbpsym.teaching.grading.integrals import with_integral
-from rbpsym.teaching.grading.standard import EULER, MADE, mapped, standard
+from rbpsym.teaching.grading.standard import EULER, MADE, standard
 from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
 
 _HINT = "Enter one formula, for example with * for products and sqrt( ) for roots."
@@ -90,7 +90,7 @@ def _with_rates(node: t.Node, book: Book) -> t.Node:
     if isinstance(node, t.Deriv) and isinstance(node.of, t.Sym) and node.wrt == "t":
         name = book.named(node.of.name + _TAILS.get(node.order, "_"))
         return t.Sym(name, span=node.span) if name else node
-    return mapped(node, lambda part: _with_rates(part, book))
+    return t.mapped(node, lambda part: _with_rates(part, book))
 
 
 def _equations_only(node: t.Node, text: str) -> t.Node:

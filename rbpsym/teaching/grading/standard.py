@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from types import MappingProxyType
 
 from rbpsym.errors import ReadError
@@ -50,7 +50,7 @@ def standard(node: t.Node, typed: Mapping[str, str], has_euler: bool) -> t.Node:
         raise ReadError("only numbers, symbols, roots and functions can be read here", instead="Enter the result.")
     if isinstance(node, t.Sym):
         return _name(node, typed, has_euler)
-    inner = mapped(node, lambda part: standard(part, typed, has_euler))
+    inner = t.mapped(node, lambda part: standard(part, typed, has_euler))
     if isinstance(inner, t.Integral):
         return replace(inner, var=typed.get(inner.var, inner.var))
     return _power(inner) if isinstance(inner, t.Pow) else inner
@@ -60,18 +60,6 @@ def _name(node: t.Sym, typed: Mapping[str, str], has_euler: bool) -> t.Node:
     if has_euler and node.name == EULER:
         return t.Fn("exp", t.ONE)
     return replace(node, name=typed.get(node.name, node.name))
-
-
-def mapped(node: t.Node, change: Made) -> t.Node:
-    """The node with changed parts."""
-    changed = {}
-    for item in fields(node):
-        part = getattr(node, item.name)
-        if isinstance(part, t.Node):
-            changed[item.name] = change(part)
-        elif isinstance(part, tuple) and item.name not in ("span", "ops"):
-            changed[item.name] = tuple(change(one) if isinstance(one, t.Node) else one for one in part)
-    return replace(node, **changed) if changed else node
 
 
 def _power(node: t.Pow) -> t.Node:

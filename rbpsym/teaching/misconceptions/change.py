@@ -65,11 +65,6 @@ def with_elements(study: Study, change: Callable[[Element], Element | None]) -> 
     )
 
 
-def with_values(element: Element, **values: object) -> Element:
-    """An element with other values of some of its keys."""
-    return replace(element, values={**element.values, **values})
-
-
 def numbers_of(study: Study) -> dict[str, float]:
     """Sample numbers, to choose the sense of a vector; never for a verdict."""
     numbers = sample(study.problem)

@@ -51,7 +51,7 @@ def _energy_kept(study: Study) -> Iterator[Site]:
 def _lossless(element: Element) -> Element | None:
     if element.kind in ("damper", "rotary-damper"):
         return None
-    return change.with_values(element, coefficient=None) if element.values.get("coefficient") is not None else element
+    return element.with_values(coefficient=None) if element.values.get("coefficient") is not None else element
 
 
 def _start_forgotten(study: Study) -> Iterator[Site]:
@@ -214,50 +214,16 @@ def _never_cancel(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception(
-        "rotational-energy-left-out",
-        ("rimoldini-singh-2005", "singh-rosengrant-2003", "sherwood-1983"),
-        _no_rotational_energy,
-        ENERGY | {"kinetic"},
-        WELL,
-    ),
-    Misconception("energy-kept", ("sherwood-bernard-1984", "lindsey-2009"), _energy_kept, ENERGY | {"acceleration"}),
-    Misconception(
-        "start-speed-forgotten", ("lawson-mcdermott-1987", "singh-rosengrant-2003"), _start_forgotten, ENERGY, WELL
-    ),
-    Misconception(
-        "speed-of-end-for-center",
-        ("mashood-singh-2012", "rimoldini-singh-2005"),
-        _speed_of_end,
-        frozenset({"speed", "kinetic", "momentum"}),
-    ),
-    Misconception(
-        "orbital-part-dropped",
-        ("close-heron-2011", "paper"),
-        _orbital_dropped,
-        frozenset({"momentum", "kinetic"}),
-        WELL,
-    ),
-    Misconception(
-        "small-angle-for-large",
-        ("nelson-olsson-1986",),
-        _small_angle,
-        frozenset({"acceleration", "speed"}),
-    ),
-    Misconception("torque-about-axis-in-work", ("paper", "mungan-2005"), _torque_about_axis, WORKS, WELL),
-    Misconception(
-        "contact-forces-do-no-work",
-        ("sherwood-1983", "carnero-1993", "paper"),
-        _contact_forces_workless,
-        WORKS,
-    ),
-    Misconception(
-        "work-at-application-point",
-        ("sherwood-1983", "penchina-1978", "mallinckrodt-leff-1992"),
-        _at_application_point,
-        WORKS,
-    ),
-    Misconception("all-work-is-rotational", ("lindsey-2009", "mungan-2005"), _whole_in_rotation, WORKS),
-    Misconception("works-always-cancel", ("paper", "carnero-1993"), _always_cancel, WORKS, WELL),
-    Misconception("works-add-up", ("paper", "carnero-1993"), _never_cancel, WORKS, WELL),
+    Misconception("rotational-energy-left-out", _no_rotational_energy, ENERGY | {"kinetic"}, WELL),
+    Misconception("energy-kept", _energy_kept, ENERGY | {"acceleration"}),
+    Misconception("start-speed-forgotten", _start_forgotten, ENERGY, WELL),
+    Misconception("speed-of-end-for-center", _speed_of_end, frozenset({"speed", "kinetic", "momentum"})),
+    Misconception("orbital-part-dropped", _orbital_dropped, frozenset({"momentum", "kinetic"}), WELL),
+    Misconception("small-angle-for-large", _small_angle, frozenset({"acceleration", "speed"})),
+    Misconception("torque-about-axis-in-work", _torque_about_axis, WORKS, WELL),
+    Misconception("contact-forces-do-no-work", _contact_forces_workless, WORKS),
+    Misconception("work-at-application-point", _at_application_point, WORKS),
+    Misconception("all-work-is-rotational", _whole_in_rotation, WORKS),
+    Misconception("works-always-cancel", _always_cancel, WORKS, WELL),
+    Misconception("works-add-up", _never_cancel, WORKS, WELL),
 )

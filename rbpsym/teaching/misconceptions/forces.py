@@ -221,7 +221,7 @@ def _whole_length(study: Study) -> Iterator[Site]:
 
 
 def _slack_at_zero(element: Element) -> Element:
-    return change.with_values(element, natural_length=t.ZERO)
+    return element.with_values(natural_length=t.ZERO)
 
 
 def _wrong_sense(study: Study) -> Iterator[Site]:
@@ -235,21 +235,15 @@ def _wrong_sense(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception("force-sign", ("flores-2004", "arons-1997"), _force_sign, MOTION, NO_FORCES),
-    Misconception("torque-sign", ("ortiz-heron-shaffer-2005", "rimoldini-singh-2005"), _one_torque_sign, MOTION, WELL),
-    Misconception("whole-length-for-lever-arm", ("ortiz-heron-shaffer-2005",), _whole_lever, MOTION, WELL),
-    Misconception("weight-at-middle-of-shape", ("ortiz-heron-shaffer-2005",), _weight_at_middle, MOTION, WELL),
-    Misconception("sine-for-cosine", ("flores-2004", "arons-1997"), _swapped_weight, MOTION),
-    Misconception(
-        "sine-for-cosine-in-lever-arm", ("flores-2004", "ortiz-heron-shaffer-2005"), _swapped_lever, MOTION, WELL
-    ),
-    Misconception("forces-as-at-rest", ("hestenes-1992", "close-gomez-heron-2013"), _as_at_rest, FORCES, WELL),
-    Misconception("f-is-ma-at-contact-point", ("close-gomez-heron-2013", "sherwood-1983"), _at_the_contact, FORCES),
-    Misconception(
-        "centripetal-forgotten", ("shaffer-mcdermott-2005", "mashood-singh-2012"), _no_centripetal, FORCES, WELL
-    ),
-    Misconception("length-for-elongation", ("arons-1997",), _whole_length, MOTION, WELL),
-    Misconception(
-        "wrong-sense-of-rotation", ("mashood-singh-2012", "paper"), _wrong_sense, MOTION | {"momentum"}, WELL
-    ),
+    Misconception("force-sign", _force_sign, MOTION, NO_FORCES),
+    Misconception("torque-sign", _one_torque_sign, MOTION, WELL),
+    Misconception("whole-length-for-lever-arm", _whole_lever, MOTION, WELL),
+    Misconception("weight-at-middle-of-shape", _weight_at_middle, MOTION, WELL),
+    Misconception("sine-for-cosine", _swapped_weight, MOTION),
+    Misconception("sine-for-cosine-in-lever-arm", _swapped_lever, MOTION, WELL),
+    Misconception("forces-as-at-rest", _as_at_rest, FORCES, WELL),
+    Misconception("f-is-ma-at-contact-point", _at_the_contact, FORCES),
+    Misconception("centripetal-forgotten", _no_centripetal, FORCES, WELL),
+    Misconception("length-for-elongation", _whole_length, MOTION, WELL),
+    Misconception("wrong-sense-of-rotation", _wrong_sense, MOTION | {"momentum"}, WELL),
 )

@@ -113,18 +113,12 @@ def _mass_dropped(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception(
-        "spin-dropped", ("rimoldini-singh-2005", "close-heron-2011", "paper"), _spin_dropped, SPIN, NO_INERTIA
-    ),
-    Misconception(
-        "all-mass-at-centers", ("rimoldini-singh-2005", "nelson-olsson-1986"), _all_at_centers, SPIN, NO_INERTIA
-    ),
-    Misconception(
-        "parallel-axis-forgotten", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_forgotten, SPIN, NO_INERTIA
-    ),
-    Misconception("parallel-axis-twice", ("rimoldini-singh-2005", "kleppner-kolenkow"), _axis_twice, SPIN, NO_INERTIA),
-    Misconception("moment-about-wrong-point", ("rimoldini-singh-2005",), _about_end, INERTIA, WELL),
-    Misconception("end-of-rod-taken-for-axis", ("rimoldini-singh-2005",), _center_for_end, SPIN, NO_INERTIA),
-    Misconception("moment-of-another-shape", ("rimoldini-singh-2005", "arons-1997"), _another_shape, INERTIA, WELL),
-    Misconception("mass-dropped", ("ortiz-heron-shaffer-2005",), _mass_dropped, SPIN),
+    Misconception("spin-dropped", _spin_dropped, SPIN, NO_INERTIA),
+    Misconception("all-mass-at-centers", _all_at_centers, SPIN, NO_INERTIA),
+    Misconception("parallel-axis-forgotten", _axis_forgotten, SPIN, NO_INERTIA),
+    Misconception("parallel-axis-twice", _axis_twice, SPIN, NO_INERTIA),
+    Misconception("moment-about-wrong-point", _about_end, INERTIA, WELL),
+    Misconception("end-of-rod-taken-for-axis", _center_for_end, SPIN, NO_INERTIA),
+    Misconception("moment-of-another-shape", _another_shape, INERTIA, WELL),
+    Misconception("mass-dropped", _mass_dropped, SPIN),
 )

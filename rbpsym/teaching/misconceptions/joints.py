@@ -167,15 +167,13 @@ def _pulley_at_rest(study: Study) -> Iterator[Site]:
 
 
 MISCONCEPTIONS = (
-    Misconception("free-taken-as-welded", ("paper", "kleppner-kolenkow"), _free_as_welded, SPIN, WELL),
-    Misconception("welded-taken-as-free", ("paper", "rimoldini-singh-2005"), _welded_as_free, SPIN, NO_INERTIA),
-    Misconception(
-        "spin-of-carrier", ("paper", "mashood-singh-2012"), _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL
-    ),
-    Misconception("third-law-forgotten", ("hestenes-1992", "mcdermott-1994"), _third_law_forgotten, MOTION),
-    Misconception("rolling-taken-as-sliding", ("lopez-2003", "rimoldini-singh-2005"), _rolling_as_sliding, MOTION),
-    Misconception("friction-is-mu-n", ("rimoldini-singh-2005", "besson-2007"), _friction_is_mu_n, MOTION),
-    Misconception("friction-wrong-way", ("rimoldini-singh-2005", "lopez-2003"), _friction_wrong_way, MOTION),
-    Misconception("tension-is-weight", ("mcdermott-1994", "close-gomez-heron-2013"), _held_is_weight, MOTION | FORCES),
-    Misconception("same-tension-on-both-sides", ("mcdermott-1994",), _pulley_at_rest, MOTION),
+    Misconception("free-taken-as-welded", _free_as_welded, SPIN, WELL),
+    Misconception("welded-taken-as-free", _welded_as_free, SPIN, NO_INERTIA),
+    Misconception("spin-of-carrier", _spin_of_carrier, frozenset({"momentum", "kinetic"}), WELL),
+    Misconception("third-law-forgotten", _third_law_forgotten, MOTION),
+    Misconception("rolling-taken-as-sliding", _rolling_as_sliding, MOTION),
+    Misconception("friction-is-mu-n", _friction_is_mu_n, MOTION),
+    Misconception("friction-wrong-way", _friction_wrong_way, MOTION),
+    Misconception("tension-is-weight", _held_is_weight, MOTION | FORCES),
+    Misconception("same-tension-on-both-sides", _pulley_at_rest, MOTION),
 )

@@ -1,4 +1,4 @@
-"""Where the misconceptions are described: papers and books, by key."""
+"""Where the misconceptions are described: papers and books by key, and the keys of each misconception."""
 
 from __future__ import annotations
 
@@ -6,4 +6,6 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-SOURCES: Mapping[str, str] = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+_TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+SOURCES: Mapping[str, str] = _TABLES["sources"]
+DESCRIBED: Mapping[str, list[str]] = _TABLES["described"]

@@ -21,14 +21,13 @@ class Site:
 class Misconception:
     """A misconception of the literature as an operator.
 
-    name: its key, also of its phrases (`misconception.<name>`); sources: keys of
-    `literature.SOURCES`; sites(study): where it applies, decided by the structure of the problem;
-    about: kinds of targets (`targets.KINDS`, "axis-moment") that it can change. tells: chapters that a
+    name: its key, also of its phrases (`misconception.<name>`) and of `literature.DESCRIBED`; sites(study): where
+    it applies, decided by the structure of the problem; about: kinds of targets (`targets.KINDS`, "axis-moment")
+    that it can change. tells: chapters that a
     derivation with the slip must leave out to read as a student's (None: it does not read so at all).
     """
 
     name: str
-    sources: tuple[str, ...]
     sites: Callable[[Study], Iterator[Site]]
     about: frozenset[str] = field(default_factory=frozenset)
     tells: frozenset[str] | None = None

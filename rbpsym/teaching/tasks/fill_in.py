@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.notation import tree as t
+from rbpsym.notation.places import put
 from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
-from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, is_negated, lines_to, put
+from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, has_value, is_negated, lines_to
 from rbpsym.teaching.model import Anticipated, Blank, BlanksKey, Item, blank
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims
