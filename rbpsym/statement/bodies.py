@@ -176,10 +176,7 @@ def _part(table: Table, number: int, where: str) -> _Part:
     part = table.string("name") or f"part {number}"
     label = f"{part} of {where}"
     table.check_keys([*_PART_KEYS, *_kind_keys(kind)], label)
-    removed = table.data.get("removed", False)
-    if not isinstance(removed, bool):
-        raise table.value_error("removed", f"“removed” of {label} must be true or false", "write removed = true")
-    return _Part(table, kind, label, removed)
+    return _Part(table, kind, label, table.flag("removed"))
 
 
 def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node | None]:

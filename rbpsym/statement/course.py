@@ -110,10 +110,10 @@ def _part(row: Table) -> CoursePart:
         row.string(kind) if kind in ("theory", "problem") else "",
         first,
         second,
-        _one_of(row, "of", COMPARED),
+        row.choice("of", COMPARED),
         row.string("coordinate"),
         row.string("limit"),
-        _one_of(row, "detail", DETAILS),
+        row.choice("detail", DETAILS),
         _heading(row),
         _paragraphs(row),
         {key: row.source.value((*row.path, key)) for key in row.names()},
@@ -140,13 +140,6 @@ def _pair(row: Table) -> tuple[str, str]:
     if not isinstance(pair, list) or len(pair) != 2 or not all(isinstance(name, str) for name in pair):
         raise row.value_error("comparison", "a comparison takes two problems", 'write comparison = ["first", "second"]')
     return pair[0], pair[1]
-
-
-def _one_of(row: Table, key: str, allowed: tuple[str, ...]) -> str:
-    value = row.string(key)
-    if value and value not in allowed:
-        raise row.value_error(key, f"{key} cannot be “{value}”", "it is one of: " + ", ".join(allowed) + ".")
-    return value
 
 
 def _heading(row: Table) -> Mapping[str, str]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping
 
 from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension
+from rbpsym.statement.printed_units import unit_of
 from rbpsym.statement.units import unit_named
 
 # word of ours -> the usual ones for which it may stand
@@ -93,25 +94,5 @@ def _name_of(dimension: Dimension | None) -> str:
 
 def unit_example(dimension: Dimension) -> str:
     """How a number of this dimension is written."""
-    usual = UNITS.get(_name_of(dimension))
-    return f'write a number and, after a space, a unit: "{usual}"' if usual else _ANY_UNIT
-
-
-_ANY_UNIT = 'write a number and, after a space, a unit: "25 cm", "9.81 m/s^2", "60 deg".'
-UNITS = {
-    "number": "0.3",
-    "angle": "60 deg",
-    "mass": "0.5 kg",
-    "length": "25 cm",
-    "time": "2 s",
-    "speed": "3 m/s",
-    "acceleration": "9.81 m/s^2",
-    "angular speed": "5 rad/s",
-    "force": "20 N",
-    "torque": "2 N m",
-    "energy": "2 N m",
-    "stiffness": "200 N/m",
-    "damping": "3 kg/s",
-    "moment of inertia": "0.2 kg m^2",
-    "momentum": "2 kg m/s",
-}
+    unit = unit_of(dimension)
+    return f'write a number and, after a space, a unit: "{f"2 {unit}" if unit else "0.3"}"'

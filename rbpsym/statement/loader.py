@@ -15,12 +15,14 @@ from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, ReadError
 from rbpsym.statement.assemble import assemble
+from rbpsym.statement.files import check_size, text_in
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.model import Problem
 from rbpsym.statement.positions import index_positions, place_at
 from rbpsym.statement.source import Source, Table, check_characters, kind_of
 
 MAX_BYTES = 64 * 1024
+WHAT = "the problem file"
 MAX_DEPTH = 12
 
 
@@ -34,7 +36,7 @@ def load_problem(path_or_text: str | Path) -> Problem:
     path = Path(path_or_text)
     if _ships(path):
         path = problem_files()[str(path_or_text)]
-    return load_text(_content(path), file=str(path), name=path.stem)
+    return load_text(_content(path, MAX_BYTES), file=str(path), name=path.stem)
 
 
 def _ships(path: Path) -> bool:
@@ -48,10 +50,10 @@ def load_text(text: str, file: str = "", name: str = "") -> Problem:
     return replace(assemble(table, name or Path(file).stem or "problem"), text=table.source.index.text)
 
 
-def table_of(text: str, file: str = "") -> Table:
+def table_of(text: str, file: str = "", most: int = MAX_BYTES) -> Table:
     """A TOML text as a table that knows its places, within the bounds of size and depth."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n")
-    _check_size(len(text.encode("utf-8", "surrogatepass")), file)
+    check_size(len(text.encode("utf-8", "surrogatepass")), most, WHAT, file)
     data = _parse(text, file)
     _check_depth(data, file)
     table = Table(Source(file, index_positions(text)), (), data)
@@ -59,35 +61,13 @@ def table_of(text: str, file: str = "") -> Table:
     return table
 
 
-def load_table(path: Path) -> Table:
+def load_table(path: Path, most: int = MAX_BYTES) -> Table:
     """The table in a TOML file."""
-    return table_of(_content(path), str(path))
+    return table_of(_content(path, most), str(path), most)
 
 
-def _content(path: Path) -> str:
-    try:
-        size = path.stat().st_size
-        _check_size(size, str(path))
-        return path.read_bytes().decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise _unreadable(path, f"not a text file (byte {error.start + 1} is not UTF-8)") from None
-    except OSError as error:
-        raise _unreadable(path, (error.strerror or "it can't be read").lower()) from None
-    except ValueError:
-        raise _unreadable(path, "no name of a file") from None
-
-
-def _unreadable(path: Path, why: str) -> ReadError:
-    return ReadError(
-        f"can't read the problem: {why}",
-        place=Place(str(path)),
-        instead="give the name of a problem file (.toml); “rbpsym new” writes one to start from.",
-    )
-
-
-def _check_size(size: int, file: str) -> None:
-    if size > MAX_BYTES:
-        raise LimitError(f"the problem file is too large: {size} bytes, {MAX_BYTES} are allowed", place=Place(file))
+def _content(path: Path, most: int) -> str:
+    return text_in(path, most, WHAT, "give the name of a problem file (.toml); “rbpsym new” writes one to start from.")
 
 
 def _check_depth(data: object, file: str, depth: int = 0) -> None:

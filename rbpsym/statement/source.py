@@ -142,6 +142,28 @@ class Table:
             )
         return value
 
+    def flag(self, key: str, default: bool = False) -> bool:
+        """True or false under the key. Raises StatementError for anything else."""
+        value = self.data.get(key, default)
+        if not isinstance(value, bool):
+            raise self.value_error(key, f"“{key}” must be true or false, not {kind_of(value)}", f"write {key} = true")
+        return value
+
+    def whole(self, key: str, default: int, low: int, high: int) -> int:
+        """The whole number under the key. Raises StatementError for anything else."""
+        value = self.data.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+            what = f"“{key}” must be a whole number from {low} to {high}"
+            raise self.value_error(key, what, f"write {key} = {default}")
+        return value
+
+    def choice(self, key: str, known: Iterable[str], default: str = "") -> str:
+        """One of the words that are known, or the default. Raises StatementError for another."""
+        value = self.string(key, default)
+        if value != default and value not in known:
+            raise self.value_error(key, f"“{value}” is not a value of “{key}”", did_you_mean(value, known))
+        return value
+
 
 def did_you_mean(word: str, known: Iterable[str], what: str = "known") -> str:
     """A hint: our word for a usual one, the nearest known word, else all of them."""

@@ -1,63 +1,255 @@
-"""Units of the numbers in a problem file: "25 cm", "9.81 m/s^2", "N m/rad"."""
+"""Units as students type them: m/s², m s^-2, N·m, Nm, km/h, rad/s, °, rpm, \\mathrm{m/s^2}, metros.
+
+A unit is a factor to SI and powers of base units. Nothing is evaluated; an unknown unit is a sentence.
+"""
 
 from __future__ import annotations
 
-import math
 import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from fractions import Fraction
+from functools import lru_cache
+from math import pi
+from types import MappingProxyType
 
-from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
+from rbpsym.errors import Place, ReadError
+from rbpsym.quantities import Dimension
+from rbpsym.statement.unit_words import in_signs, unprefixed
 
-# unit -> (dimension, SI units)
-BASIC: dict[str, tuple[Dimension, float]] = {
-    "rad": (NUMBER, 1.0),
-    "deg": (NUMBER, math.pi / 180),
-    "°": (NUMBER, math.pi / 180),
-    "rev": (NUMBER, 2 * math.pi),
-    "g": (DIMENSIONS["mass"], 1e-3),
-    "t": (DIMENSIONS["mass"], 1e3),
-    "m": (DIMENSIONS["length"], 1.0),
-    "s": (TIME, 1.0),
-    "min": (TIME, 60.0),
-    "h": (TIME, 3600.0),
-    "Hz": (TIME**-1, 1.0),
-    "rpm": (TIME**-1, math.pi / 30),
-    "N": (DIMENSIONS["force"], 1.0),
-    "J": (DIMENSIONS["energy"], 1.0),
-    "W": (DIMENSIONS["power"], 1.0),
-}
-PREFIXES = {"k": 1e3, "c": 1e-2, "d": 1e-1, "m": 1e-3, "µ": 1e-6, "M": 1e6}
-PREFIXED = ("g", "m", "s", "N", "J", "W")
-POWERS = str.maketrans("⁻¹²³⁴", "-1234")
-PART = re.compile(r"([^\W\d_]+|°)\s*(?:\^?\s*(-?\d+))?")
+Powers = tuple[tuple[str, Fraction], ...]
+MOST_POWER, LONGEST = 12, 120
 
 
+@dataclass(frozen=True, slots=True)
+class UnitOf:
+    """`factor` times the SI unit with these powers of base units.
+
+    “rad” and “cycle” are counted as bases, so that hertz and radians per second can be told apart;
+    `dimension` leaves them out.
+    """
+
+    factor: float
+    powers: Powers = ()
+
+    def __mul__(self, other: UnitOf) -> UnitOf:
+        both = dict(self.powers)
+        for name, power in other.powers:
+            both[name] = both.get(name, Fraction(0)) + power
+        return UnitOf(self.factor * other.factor, tuple(sorted(item for item in both.items() if item[1])))
+
+    def __pow__(self, power: Fraction) -> UnitOf:
+        return UnitOf(self.factor ** float(power), tuple((name, p * power) for name, p in self.powers if power))
+
+    @property
+    def dimension(self) -> Powers:
+        """The powers of the base units that have a dimension."""
+        return tuple(item for item in self.powers if item[0] not in ("rad", "cycle"))
+
+    @property
+    def of_mechanics(self) -> Dimension | None:
+        """The dimension in mass, length and time; None where it has others."""
+        bases = dict(self.dimension)
+        found = Dimension(*(bases.pop(base, 0) for base in ("kg", "m", "s")))
+        return None if bases else found
+
+    @property
+    def counts_cycles(self) -> bool:
+        """Is it a number of turns a time (Hz), not an angle a time?"""
+        return any(name == "cycle" for name, _ in self.powers)
+
+    @property
+    def is_angular(self) -> bool:
+        """Does it hold an angle?"""
+        return any(name == "rad" for name, _ in self.powers)
+
+
+def _unit(factor: float, **powers: int) -> UnitOf:
+    return UnitOf(factor, tuple(sorted((name, Fraction(p)) for name, p in powers.items())))
+
+
+PURE = UnitOf(1.0)
+_METRIC: Mapping[str, UnitOf] = MappingProxyType({
+    "m": _unit(1, m=1), "g": _unit(1e-3, kg=1), "s": _unit(1, s=1), "A": _unit(1, A=1), "K": _unit(1, K=1),
+    "mol": _unit(1, mol=1), "N": _unit(1, kg=1, m=1, s=-2), "J": _unit(1, kg=1, m=2, s=-2),
+    "W": _unit(1, kg=1, m=2, s=-3), "Pa": _unit(1, kg=1, m=-1, s=-2), "Hz": _unit(1, s=-1, cycle=1),
+    "V": _unit(1, kg=1, m=2, s=-3, A=-1), "C": _unit(1, s=1, A=1), "Ω": _unit(1, kg=1, m=2, s=-3, A=-2),
+    "F": _unit(1, kg=-1, m=-2, s=4, A=2), "T": _unit(1, kg=1, s=-2, A=-1), "rad": _unit(1, rad=1),
+    "L": _unit(1e-3, m=3), "l": _unit(1e-3, m=3), "eV": _unit(1.602176634e-19, kg=1, m=2, s=-2), "t": _unit(1e3, kg=1),
+})  # fmt: skip
+_OTHER: Mapping[str, UnitOf] = MappingProxyType({
+    "°": _unit(pi / 180, rad=1), "deg": _unit(pi / 180, rad=1), "rev": _unit(2 * pi, rad=1),
+    "rpm": _unit(2 * pi / 60, rad=1, s=-1), "min": _unit(60, s=1), "h": _unit(3600, s=1), "d": _unit(86400, s=1),
+    "ft": _unit(0.3048, m=1),
+    "in": _unit(0.0254, m=1), "mi": _unit(1609.344, m=1), "lb": _unit(0.45359237, kg=1),
+    "lbf": _unit(4.4482216152605, kg=1, m=1, s=-2), "mph": _unit(0.44704, m=1, s=-1), "%": _unit(0.01),
+})  # fmt: skip
+_PREFIXES: Mapping[str, float] = MappingProxyType({
+    "p": 1e-12, "n": 1e-9, "µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "da": 1e1,
+    "h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9,
+})  # fmt: skip
+_WORDS: Mapping[str, str] = MappingProxyType({
+    "degree": "°", "degrees": "°", "grado": "°", "grados": "°", "radian": "rad", "radians": "rad",
+    "radián": "rad", "radianes": "rad", "rads": "rad", "meter": "m", "meters": "m", "metre": "m", "metres": "m",
+    "metro": "m", "metros": "m", "second": "s", "seconds": "s", "sec": "s", "secs": "s", "segundo": "s",
+    "segundos": "s", "seg": "s", "newton": "N", "newtons": "N", "joule": "J", "joules": "J", "julios": "J",
+    "julio": "J", "watt": "W", "watts": "W", "vatios": "W", "hertz": "Hz", "hercios": "Hz", "kilogram": "kg",
+    "kilograms": "kg", "kilogramo": "kg", "kilogramos": "kg", "kgs": "kg", "gram": "g", "grams": "g", "gramos": "g",
+    "minute": "min", "minutes": "min", "minutos": "min", "hour": "h", "hours": "h", "hr": "h", "horas": "h",
+    "revolution": "rev", "revolutions": "rev", "turn": "rev", "turns": "rev", "vueltas": "rev", "ohm": "Ω",
+    "ohms": "Ω", "Ohm": "Ω", "volt": "V", "volts": "V", "kph": "km/h", "centimeters": "cm", "kilometers": "km",
+})  # fmt: skip
+_TOKEN = re.compile(r"\s*(?:(?P<name>[A-Za-zµμΩΩáéíóú°%]+)|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<number>\d+)"
+                    r"|(?P<sign>\*\*|[*/^()·⋅×.\-−+]))")  # fmt: skip
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+
+
+def _single(name: str) -> UnitOf | None:
+    """The unit of a symbol or word, with its prefix; None if there is none."""
+    name = "Ω" if name == "\u2126" else name
+    word = _WORDS.get(name) or _WORDS.get(name.lower())
+    if word and name not in _METRIC:
+        return read_unit(word)
+    spelled = unprefixed(name)
+    if not _signed(name) and spelled and (stem := _WORDS.get(spelled[1].lower())) in _METRIC:
+        return _single(spelled[0] + stem)
+    return _signed(name)
+
+
+def _signed(name: str) -> UnitOf | None:
+    """One unit in its own signs: km, µs, rad."""
+    known = _METRIC.get(name) or _OTHER.get(name)
+    stems = (
+        (factor, _METRIC.get(name[len(prefix) :])) for prefix, factor in _PREFIXES.items() if name.startswith(prefix)
+    )
+    return known or next((UnitOf(stem.factor * factor, stem.powers) for factor, stem in stems if stem), None)
+
+
+@lru_cache(maxsize=1024)
 def unit_named(text: str) -> tuple[Dimension, float] | None:
-    """(dimension, how many SI units) of a unit, a product or a quotient of units; None if it is not known.
+    """Dimension and SI size of a unit of mechanics in its own signs, as "cm" or "N m/rad"; None for anything else.
 
     >>> unit_named("km/h")[1] == 1000 / 3600
     True
     """
-    above, *below = text.translate(POWERS).replace("·", " ").replace("*", " ").split("/")
-    dimension, size = NUMBER, 1.0
-    for part, sign in ((above, 1), *((part, -1) for part in below)):
-        words = PART.findall(part.strip().removeprefix("1 ") if part.strip() != "1" else "")
-        if PART.sub("", part).strip() not in ("", "1", "()", "( )"):
-            return None
-        for word, power in words:
-            found = _single(word)
-            if found is None:
-                return None
-            exponent = sign * int(power or 1)
-            dimension, size = dimension * found[0] ** exponent, size * found[1] ** exponent
-    return dimension, size
-
-
-def _single(word: str) -> tuple[Dimension, float] | None:
-    """A unit with or without a prefix."""
-    if word in BASIC:
-        return BASIC[word]
-    prefix, rest = word[:1], word[1:]
-    if prefix not in PREFIXES or rest not in PREFIXED:
+    if not all(map(_signed, re.findall(r"[^\W\d_]+|°", text))):
         return None
-    dimension, size = BASIC[rest]
-    return dimension, size * PREFIXES[prefix]
+    try:
+        found = read_unit(text)
+    except ReadError:
+        return None
+    dimension = found.of_mechanics
+    return None if dimension is None else (dimension, found.factor)
+
+
+def read_unit(text: str) -> UnitOf:
+    """The unit of a text; "" is a pure number. Raises ReadError for what is none."""
+    if len(text) > LONGEST:
+        raise ReadError("this is too long for a unit", instead="Write it as in m/s^2.", place=Place(text=text[:60]))
+    told = in_signs(text)
+    tokens = list(_tokens(told))
+    found, rest = _product(tokens, told)
+    if rest:
+        raise _refused(told, rest[0][1])
+    return found
+
+
+Tokens = list[tuple[str, str]]
+
+
+def _tokens(text: str) -> Iterator[tuple[str, str]]:
+    position, text = 0, text.rstrip()
+    while position < len(text):
+        found = _TOKEN.match(text, position)
+        if not found:
+            raise _refused(text, text[position:].strip()[:1])
+        kind = found.lastgroup or ""
+        yield kind, found[kind]
+        position = found.end()
+
+
+def _refused(text: str, what: str) -> ReadError:
+    known = [*_METRIC, *_OTHER, *_WORDS, "kg", "km", "cm", "mm"]
+    near = get_close_matches(what, known, n=1)
+    hint = f"Did you mean “{near[0]}”?" if near else "Write the unit as in m/s^2, rad/s, N m."
+    place = Place(text=text[:200], column=max(text.find(what), 0) + 1, width=max(len(what), 1))
+    return ReadError(f"“{what[:40]}” is no unit that is known here", instead=hint, place=place)
+
+
+def _product(tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
+    """factor · factor / factor: one bar, or several of single units; m/s kg is refused."""
+    total, divided, joined = PURE, False, False
+    while tokens and tokens[0][1] != ")":
+        sign = tokens[0][1] if tokens[0][0] == "sign" else ""
+        below = sign == "/"
+        if below or sign in ("*", "·", "⋅", "×", "."):
+            tokens, joined = tokens[1:], True
+        elif divided and not joined:
+            raise ReadError("is this unit above or below the bar?", instead="Write m/(s kg).", place=Place(text=text))
+        factor, tokens = _factor(tokens, text)
+        total = total * (factor ** Fraction(-1) if below else factor)
+        divided, joined = divided or below, False
+    return total, tokens
+
+
+def _factor(tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
+    if not tokens:
+        raise ReadError("the unit ends too early", instead="Write it as in m/s^2.", place=Place(text=text[:200]))
+    (kind, what), *rest = tokens
+    if what == "(":
+        found, rest = _product(rest, text)
+        if not rest:
+            raise _refused(text, "(")
+        return _raised(found, rest[1:], text)
+    if kind == "number" and what == "1":
+        return PURE, rest
+    found = _units_of(what) if kind == "name" else None
+    if found is None:
+        raise _refused(text, what)
+    *before, last = found
+    raised, rest = _raised(last, rest, text)
+    for unit in before:
+        raised = unit * raised
+    return raised, rest
+
+
+def _units_of(word: str) -> tuple[UnitOf, ...] | None:
+    """A word as one unit, or as two written together (Nm, kgm)."""
+    whole = _single(word)
+    if whole:
+        return (whole,)
+    for cut in range(1, min(len(word), 8)):
+        first, second = _single(word[:cut]), _METRIC.get(word[cut:])
+        if first and second:
+            return first, second
+    return None
+
+
+def _raised(unit: UnitOf, tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
+    """The unit with the exponent that follows: ^2, ², 2, -2."""
+    power, rest = _exponent(tokens)
+    if power is None:
+        return unit, tokens
+    if len(power) > 4 or abs(int(power)) > MOST_POWER:
+        raise ReadError("this exponent of a unit can't be read", instead="Write it as in s^-2.", place=Place(text=text))
+    return unit ** Fraction(int(power)), rest
+
+
+def _exponent(tokens: Tokens) -> tuple[str | None, Tokens]:
+    """(the exponent as text or None, what follows)."""
+    texts = [text for _, text in tokens[:5]]
+    kinds = [kind for kind, _ in tokens[:1]]
+    if kinds == ["raised"]:
+        return texts[0].translate(_SUPERSCRIPTS), tokens[1:]
+    skip = 1 if texts[:1] in (["^"], ["**"]) else 0
+    bracket = skip and texts[1:2] == ["("]
+    start = skip + bool(bracket)
+    sign = "-" if texts[start : start + 1] in (["-"], ["−"]) else ""
+    start += bool(sign)
+    if start >= len(tokens) or tokens[start][0] != "number":
+        return None, tokens
+    end = start + 1 + bool(bracket)
+    if bracket and texts[end - 1 : end] != [")"]:
+        return None, tokens
+    return sign + tokens[start][1], tokens[end:]

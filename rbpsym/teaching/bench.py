@@ -20,6 +20,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.model import Problem
+from rbpsym.statement.printed_units import unit_of
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.draws import Draws
@@ -28,7 +29,7 @@ from rbpsym.teaching.ranges import Range, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
-from rbpsym.teaching.units import measure_text, unit_of
+from rbpsym.teaching.units import measure_text
 
 ASKED_DIGITS = 3
 GRAVITY = 9.81  # m/s²: sets the pace of what moves under its weight

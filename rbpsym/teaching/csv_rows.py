@@ -5,27 +5,11 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator
-from pathlib import Path
 
 from rbpsym.errors import Place, ReadError
 
 HINT = "Save it as CSV UTF-8."
 LONGEST_CELL = 20_000
-
-
-def text_in(path: Path, most: int) -> str:
-    """The text of a file of at most so many bytes. Raises ReadError."""
-    try:
-        if path.stat().st_size > most:
-            raise ReadError(f"{path} has more than {most // 2**20} MiB", instead="Split it.")
-        data = path.read_bytes()
-    except OSError as error:
-        why = error.strerror or "it can't be read"
-        raise ReadError(f"can't read {path}: {why}", instead="Give the path of a CSV file.") from error
-    try:
-        return data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ReadError(f"{path} is no UTF-8 text (byte {error.start})", instead=HINT) from None
 
 
 def rows_in(text: str, file: str) -> Iterator[tuple[int, list[str]]]:

@@ -16,9 +16,10 @@ from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
+from rbpsym.statement.printed_units import scale_of, unit_of
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.units import known_unit, scale_of, unit_of
+from rbpsym.teaching.units import known_unit
 
 DIGITS = 3
 LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from rbpsym.errors import Place, ReadError
-from rbpsym.teaching.csv_rows import rows_in, text_in
+from rbpsym.statement.files import text_in
+from rbpsym.teaching.csv_rows import rows_in
 from rbpsym.teaching.model import Student
 
 IDS = ("id", "student", "email", "e-mail", "username", "matricula", "matrícula", "correo", "clave")
@@ -15,7 +16,7 @@ MOST_BYTES, MOST_STUDENTS, LONGEST = 8 * 1024 * 1024, 100_000, 200
 
 def load_roster(path: Path) -> tuple[Student, ...]:
     """The students in the order of the file. Raises ReadError with the line of what is wrong."""
-    return roster_of(text_in(path, MOST_BYTES), str(path))
+    return roster_of(text_in(path, MOST_BYTES, "the class list", of_sheets=True), str(path))
 
 
 def roster_of(text: str, file: str = "roster") -> tuple[Student, ...]:

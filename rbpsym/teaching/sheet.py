@@ -164,17 +164,14 @@ def _wishes(row: Table) -> Iterator[Wish]:
 
 
 def _wish(row: Table, kind: str, level: int) -> Wish:
-    answers = row.string("answers", "formula")
-    if answers not in ANSWERS:
-        raise row.value_error("answers", f"answers are “formula” or “number”, not “{answers}”", "write one of the two")
     return Wish(
         kind,
         _strings(row, "about"),
-        _whole(row, "number", 1, 1, MOST_ITEMS),
+        row.whole("number", 1, 1, MOST_ITEMS),
         level,
         _points(row),
-        _whole(row, "options", 4, 2, 6),
-        answers,
+        row.whole("options", 4, 2, 6),
+        row.choice("answers", ANSWERS, "formula"),
         _misconceptions(row),
         row.item("kind"),
     )
@@ -205,13 +202,6 @@ def _strings(row: Table, key: str) -> tuple[str, ...]:
     ):
         raise row.value_error(key, f"“{key}” must be a text or a list of texts", f'write {key} = ["..."]')
     return tuple(value)
-
-
-def _whole(row: Table, key: str, default: int, low: int, high: int) -> int:
-    value = row.data.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        raise row.value_error(key, f"“{key}” must be a whole number from {low} to {high}", f"write {key} = {default}")
-    return value
 
 
 def _points(row: Table) -> Fraction | None:

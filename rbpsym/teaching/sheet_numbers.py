@@ -12,11 +12,12 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER, Dimension
 from rbpsym.statement.model import Problem
+from rbpsym.statement.printed_units import scale_of, unit_of, unit_text
 from rbpsym.statement.source import Item, Table, kind_of
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.ranges import DIGITS, Range, figures, named_quantities, read_measure
-from rbpsym.teaching.units import measure_text, scale_of, si, unit_of, unit_text
+from rbpsym.teaching.units import measure_text, si
 
 RANGE_KEYS = ("from", "to", "step", "digits")
 MOST_NUMBERS, MOST_DIGITS = 100_000, 6
@@ -78,7 +79,7 @@ def _range(table: Table, named: Named) -> Range:
         row.require(key, f"the range of “{name}”")
     low, high = (_measure(row.item(key), named, f"“{key}”") for key in ("from", "to"))
     step = _told(row.item("step"), lambda: read_measure(row.string("step"), named.dimension, "“step”"))
-    found = Range(low.value, high.value, step.value, low.unit, _digits(row))
+    found = Range(low.value, high.value, step.value, low.unit, row.whole("digits", DIGITS, 1, MOST_DIGITS))
     _check_range(row, found, {low.unit, high.unit, step.unit})
     return found
 
@@ -120,15 +121,6 @@ def _between(named: Named, unit: str) -> str:
         f"{word} {value / scale_of(unit):.4g}{unit_text(unit)}" for word, value in ends.items() if math.isfinite(value)
     ]
     return f"it goes {' '.join(told)}"
-
-
-def _digits(row: Table) -> int:
-    value = row.data.get("digits", DIGITS)
-    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= MOST_DIGITS:
-        raise row.value_error(
-            "digits", f"“digits” must be a whole number from 1 to {MOST_DIGITS}", f"write digits = {DIGITS}"
-        )
-    return value
 
 
 def _check_range(row: Table, found: Range, units: set[str]) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on
@@ -22,7 +23,6 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
@@ -42,13 +42,13 @@ class Reading:
 class Target:
     """A quantity to be asked for.
 
-    id is unique in the problem, kind a key of `KINDS`; `left` its symbol; `of(study)` its value, None where a
-    study gives none; `dimension` with `unit_name` (torque and energy have one dimension); `step` the id of
-    the step that shows it; `slots` fill the phrases `ask.<kind>`. `reading`: how a number is read off it.
+    id is unique in the problem and begins with the kind, a key of `KINDS`; `left` its symbol; `of(study)` its
+    value, None where a study gives none; `dimension` with `unit_name` (torque and energy have one dimension);
+    `step` the id of the step that shows it, if it is another; `slots` fill the phrases `ask.<kind>`.
+    `reading`: how a number is read off it.
     """
 
     id: str
-    kind: str
     left: t.Node
     of: Callable[[Study], Scalar | None]
     dimension: Dimension
@@ -56,6 +56,11 @@ class Target:
     slots: Mapping[str, Any] = field(default_factory=dict)
     unit_name: str = ""
     reading: Reading | None = None
+
+    @property
+    def kind(self) -> str:
+        """The key in `KINDS`."""
+        return self.id.partition(".")[0]
 
     def value(self, study: Study) -> Scalar | None:
         """The value in a study; None where it has none or the mechanics refuses."""
@@ -98,7 +103,7 @@ def _is_worth_asking(target: Target, study: Study) -> bool:
 def _with_step(target: Target, derivation: Derivation) -> Target:
     """The first of the steps named (by "|") that the derivation has."""
     known = {step.id for step in derivation.steps}
-    return replace(target, step=next((id for id in target.step.split("|") if id in known), ""))
+    return replace(target, step=next((id for id in (target.step or target.id).split("|") if id in known), ""))
 
 
 # --- kinds
@@ -110,7 +115,6 @@ def _accelerations(derivation: Derivation) -> Iterator[Target]:
         if name in derivation.study.system.independent:
             yield Target(
                 f"acceleration.{name}",
-                "acceleration",
                 t.Sym(f"{name}_ddot"),
                 lambda study, key=f"{name}_ddot": (study.dynamics.accelerations or {}).get(key),
                 coordinate.quantity.dimension / TIME**2,
@@ -129,7 +133,6 @@ def _speeds(derivation: Derivation) -> Iterator[Target]:
         rate = coordinate.quantity.dimension / TIME
         yield Target(
             f"speed.{name}",
-            "speed",
             t.Pow(speed, t.TWO),
             lambda study, key=name: study.squares.get(key),
             rate**2,
@@ -144,9 +147,8 @@ def _reactions(derivation: Derivation) -> Iterator[Target]:
         couple = any(e.values.get("couple") == name for e in derivation.study.problem.constraints)
         yield Target(
             f"reaction.{name}",
-            "reaction",
             t.Sym(name),
-            lambda study, key=name: _reaction(study, key),
+            partial(_reaction, name=name),
             DIMENSIONS["torque" if couple else "force"],
             f"along.{name}|reaction.{name}",
             {"force": t.Sym(name)},
@@ -184,27 +186,20 @@ def _moments(derivation: Derivation) -> Iterator[Target]:
         if state.moment and study.problem.body(name).shape.given_moment is None:
             yield Target(
                 f"moment.{name}",
-                "moment",
                 t.Sym("I_cm" if single else f"I_{name}"),
                 lambda study, key=name: study.system.bodies[key].moment,
                 DIMENSIONS["moment of inertia"],
-                f"moment.{name}",
-                {"body": BodyRef(name)},
+                slots={"body": BodyRef(name)},
             )
     for name, (label, square) in axes(study).items():
         yield Target(
             f"axis-moment.{name}",
-            "axis-moment",
             t.Sym(f"I_{label}" if single else f"I_{name}_{label}"),
-            lambda study, key=name, square=square: _about_axis(study.system.bodies[key], square),
+            lambda study, key=name, square=square: (b := study.system.bodies[key]).moment + b.mass * square,
             DIMENSIONS["moment of inertia"],
             f"moment.{name}.{label}",
             {"body": BodyRef(name), "point": t.Sym(label)},
         )
-
-
-def _about_axis(state: BodyState, square: Scalar) -> Scalar:
-    return state.moment + state.mass * square
 
 
 def _momenta(derivation: Derivation) -> Iterator[Target]:
@@ -219,7 +214,6 @@ def _momenta(derivation: Derivation) -> Iterator[Target]:
 def _momentum(bodies: tuple[str, ...], letter: str, step: str, body: str) -> Target:
     return Target(
         f"momentum.{body or 'total'}",
-        "momentum",
         t.Sym(letter),
         lambda study: momentum(study, bodies),
         DIMENSIONS["angular momentum"],
@@ -236,9 +230,7 @@ def momentum(study: Study, bodies: tuple[str, ...]) -> Scalar:
 
 
 def _kinetic(derivation: Derivation) -> Iterator[Target]:
-    yield Target(
-        "kinetic", "kinetic", t.Sym("K"), lambda study: sum(study.kinetic, NOTHING), DIMENSIONS["energy"], "kinetic"
-    )
+    yield Target("kinetic", t.Sym("K"), lambda study: sum(study.kinetic, NOTHING), DIMENSIONS["energy"])
 
 
 HALVES = (("T", "translational"), ("theta", "rotational"))
@@ -250,9 +242,8 @@ def _works(derivation: Derivation) -> Iterator[Target]:
         for letter, half in HALVES:
             yield Target(
                 f"work.{letter}.{item.force}.{item.on}",
-                "work",
                 t.Sym(work_symbol(derivation, letter, item.force, item.on)),
-                lambda study, half=half, force=item.force, on=item.on: _work(study, half, force, on),
+                partial(_work, half=half, force=item.force, on=item.on),
                 DIMENSIONS["energy"],
                 f"done.{letter}.{item.force}.{item.on}|work.{item.force}.{item.on}",
                 {"force": force_symbol(derivation, item.force, item.on), "body": BodyRef(item.on), "half": letter}
@@ -281,23 +272,22 @@ def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str
     return f"cal_W_{letter}_{force}"
 
 
+_TURN = t.Mul((t.TWO, t.Sym("pi")))
+_PERIOD = Reading(
+    t.Sym("T"), lambda node: t.Div(_TURN, t.Sqrt(node)), lambda square: math.tau / math.sqrt(square), TIME
+)
+
+
 def _frequencies(derivation: Derivation) -> Iterator[Target]:
     for place, item in enumerate(derivation.study.equilibria, 1):
         if item.stable and len(item.frequencies_squared) == 1:
             yield Target(
                 f"frequency.{place}",
-                "frequency",
                 t.Pow(t.Sym("vartheta"), t.TWO),
-                lambda study, at=place - 1: _frequency(study, at),
+                partial(_frequency, at=place - 1),
                 TIME**-2,
-                f"frequency.{place}",
-                {"speed": t.Sym("vartheta")},
-                reading=Reading(
-                    t.Sym("T"),
-                    lambda node: t.Div(t.Mul((t.TWO, t.Sym("pi"))), t.Sqrt(node)),
-                    lambda square: 2 * math.pi / math.sqrt(square),
-                    TIME,
-                ),
+                slots={"speed": t.Sym("vartheta")},
+                reading=_PERIOD,
             )
 
 
@@ -311,12 +301,10 @@ def _frictions(derivation: Derivation) -> Iterator[Target]:
         if need.needed is not None:
             yield Target(
                 f"friction.{need.constraint}",
-                "friction",
                 t.Sym("mu_min"),
-                lambda study, key=need.constraint: _needed(study, key),
+                partial(_needed, constraint=need.constraint),
                 NUMBER,
-                f"friction.{need.constraint}",
-                {"contact": t.Sym(need.constraint)},
+                slots={"contact": t.Sym(need.constraint)},
             )
 
 
@@ -329,13 +317,11 @@ def _losses(derivation: Derivation) -> Iterator[Target]:
         if loss.at:
             yield Target(
                 f"loss.{loss.force}",
-                "loss",
                 t.Sym(loss.coordinate),
-                lambda study, key=loss.force, q=loss.coordinate: _lost(study, key, q),
+                partial(_lost, force=loss.force, coordinate=loss.coordinate),
                 derivation.study.problem.dimensions[loss.coordinate],
-                f"loss.{loss.force}",
-                {"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)},
-                "angle",
+                slots={"force": t.Sym(loss.force), "coordinate": t.Sym(loss.coordinate)},
+                unit_name="angle",
             )
 
 

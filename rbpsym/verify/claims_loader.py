@@ -7,14 +7,13 @@ some of them, and has `[[claim]]` tables in the order of the source. `docs/claim
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from rbpsym.errors import LimitError, Place, ReadError
-from rbpsym.statement.positions import index_positions, place_at
-from rbpsym.statement.source import Source, Table, did_you_mean, kind_of
+from rbpsym.errors import ReadError
+from rbpsym.statement.loader import load_table, table_of
+from rbpsym.statement.source import Table, did_you_mean, kind_of
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Meaning, Printed, Setting
 
 MAX_BYTES = 512 * 1024
@@ -25,7 +24,7 @@ WORDS = ("id", "label", "says", "holds", "erratum", "note", "not_computed")  # o
 CLAIM_KEYS = (*WORDS, "number", "line", "setting", "latex", "symbols", "expect", "right", "given")
 _OWN_TABLE = re.compile(r"\s*\[(?:\[\s*claim\s*\]|\s*symbols\s*|\s*settings\b.*)\]\s*(?:#.*)?$")  # of claims files only
 WHOLE = "the file"  # the name of the setting that a file's own keys make
-HOLDS = ("", "identity", "motion", "start")
+HOLDS = ("identity", "motion", "start")
 
 
 def load_claims(path: Path, *, binds: bool = False) -> ClaimsFile:
@@ -33,24 +32,26 @@ def load_claims(path: Path, *, binds: bool = False) -> ClaimsFile:
 
     Raises ReadError, StatementError or LimitError with the place of what is wrong.
     """
-    return read_claims(_content(path), str(path), path.stem, binds=binds)
+    return _claims_of(load_table(path, MAX_BYTES), str(path), path.stem, binds=binds)
 
 
 def read_claims(text: str, file: str = "", name: str = "claims", *, binds: bool = False) -> ClaimsFile:
     """The claims in a TOML text."""
-    text = text.removeprefix("\ufeff").replace("\r\n", "\n")
-    root = Table(Source(file, index_positions(text)), (), _parsed(text, file))
+    return _claims_of(table_of(text, file, MAX_BYTES), file, name, binds=binds)
+
+
+def _claims_of(root: Table, file: str, name: str, *, binds: bool) -> ClaimsFile:
     root.check_keys(FILE_KEYS, "a claims file")
     settings = _settings(root)
     rows = root.rows("claim", "claim")
     if not rows and not (binds and settings):
         raise root.error("a claims file without claims", "add [[claim]] with id, setting and latex.")
-    _choice(root, "unclaimed", root.string("unclaimed"), ("", "not computed"))
+    unclaimed = root.choice("unclaimed", ("not computed",))
     claims = tuple(_claim(row, settings) for row in rows)
     _check_ids(claims)
     own = settings.get(WHOLE) or (next(iter(settings.values())) if len(settings) == 1 else None)
     words = (_title(root), root.string("source"), root.string("text"))
-    return ClaimsFile(name, *words, claims, file, text, own, unclaimed=root.string("unclaimed"))
+    return ClaimsFile(name, *words, claims, file, root.source.index.text, own, unclaimed=unclaimed)
 
 
 def is_claims(path: Path) -> bool:
@@ -60,36 +61,6 @@ def is_claims(path: Path) -> bool:
     except (OSError, UnicodeDecodeError):
         return False
     return any(_OWN_TABLE.match(line) for line in lines)
-
-
-def _content(path: Path) -> str:
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise LimitError(f"the claims file is larger than {MAX_BYTES} bytes", place=Place(str(path)))
-        return path.read_bytes().decode("utf-8")
-    except UnicodeDecodeError as error:
-        what = f"not a text file (byte {error.start + 1} is not UTF-8)"
-    except OSError as error:
-        what = (error.strerror or "it can't be read").lower()
-    raise ReadError(f"can't read the claims: {what}", place=Place(str(path)))
-
-
-_AT = re.compile(r" \(at line (\d+), column (\d+)\)$")
-
-
-def _parsed(text: str, file: str) -> Mapping[str, object]:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        found = _AT.search(str(error))
-        hint = "put LaTeX in single quotes: latex = '''\\frac{1}{2}'''"
-        if found is None:
-            raise ReadError(f"not valid TOML: {error}", instead=hint, place=Place(file)) from None
-        start = sum(len(row) + 1 for row in text.split("\n")[: int(found[1]) - 1])
-        place = place_at(file, text, start + int(found[2]) - 1)
-        raise ReadError(f"not valid TOML: {str(error)[: found.start()]}", instead=hint, place=place) from None
-    except (RecursionError, ValueError):
-        raise LimitError("the claims file is nested too deeply", place=Place(file)) from None
 
 
 def _title(root: Table) -> str:
@@ -122,7 +93,7 @@ def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
         raise table.error(f"{subject} has {what}", 'write problem = "NAME" or theory = "plane-motion".')
     symbols = {**base.symbols, **_symbols(table)}
     given = (*base.given, *_many(table, "given"))
-    fixed = _flag(table, "fixed_axis", base.fixed_axis)
+    fixed = table.flag("fixed_axis", base.fixed_axis)
     place = table.source.key(table.path) if table.path else table.source.key(("problem",))
     return Setting(name, problem, theory, fixed, symbols, given, place, phase)
 
@@ -130,13 +101,6 @@ def _setting(name: str, table: Table, known: Mapping[str, Setting]) -> Setting:
 def _adds(table: Table) -> bool:
     """Does a setting name no problem of its own, so that it goes on from that of the file?"""
     return "problem" not in table and "theory" not in table
-
-
-def _flag(table: Table, key: str, default: bool) -> bool:
-    value = table.data.get(key, default)
-    if not isinstance(value, bool):
-        raise table.value_error(key, f"“{key}” is true or false, not {kind_of(value)}")
-    return value
 
 
 def _symbols(table: Table) -> dict[str, Meaning]:
@@ -169,9 +133,8 @@ def _claim(table: Table, settings: Mapping[str, Setting]) -> Claim:
     table.check_keys(CLAIM_KEYS, "a claim")
     table.require("id", "a claim", 'give it a name that stays: id = "eq-12"')
     setting = _setting_of(table, settings)
-    expect, holds = table.string("expect", "proved"), table.string("holds")
-    _choice(table, "expect", expect, tuple(EXPECTATIONS))
-    _choice(table, "holds", holds, HOLDS)
+    expect = table.choice("expect", EXPECTATIONS, "proved")
+    table.choice("holds", HOLDS)
     _check_content(table, expect)
     return Claim(
         **{key: table.string(key) for key in WORDS},
@@ -194,11 +157,6 @@ def _check_content(table: Table, expect: str) -> None:
         raise table.error(
             "an erratum is a claim that is refuted", 'add expect = "refuted" and right = "...".', "erratum"
         )
-
-
-def _choice(table: Table, key: str, value: str, known: tuple[str, ...]) -> None:
-    if value not in known:
-        raise table.value_error(key, f"“{value}” is not a value of “{key}”", did_you_mean(value, filter(None, known)))
 
 
 def _setting_of(table: Table, settings: Mapping[str, Setting]) -> Setting:

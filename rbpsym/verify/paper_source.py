@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.statement.files import text_in
 
 MAX_BYTES = 4 * 1024 * 1024
 MAX_LINE = 200_000
@@ -68,18 +69,9 @@ def _lines(path: Path, folder: Path, around: tuple[Path, ...], size: list[int]):
 
 
 def _content(path: Path, size: list[int]) -> str:
-    try:
-        size[0] += path.stat().st_size
-        if size[0] > MAX_BYTES:
-            raise LimitError(f"the text is larger than {MAX_BYTES} bytes", place=Place(str(path)))
-        return path.read_bytes().decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
-    except UnicodeDecodeError as error:
-        what = f"byte {error.start + 1} is not UTF-8; save it as UTF-8"
-    except OSError as error:
-        what = (error.strerror or "it can't be opened").lower()
-    except ValueError:
-        what = "no name of a file"
-    raise ReadError(f"can't read {path.name}: {what}", place=Place(str(path)))
+    text = text_in(path, MAX_BYTES - size[0], "the text")
+    size[0] += len(text)
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _beside(found: re.Match[str], path: Path, folder: Path, line: int, around: tuple[Path, ...]) -> Path:

@@ -18,7 +18,7 @@ latex = '''\\alpha=-\\frac{3g}{4\\ell}\\cos\\theta'''
 
 LOADING = {
     "no claims": (HEAD, "without claims"),
-    "not TOML": ("[[claim]\n", "not valid TOML"),
+    "not TOML": ("[[claim]\n", "the name of the table is not closed"),
     "backslash": (HEAD + '[[claim]]\nid = "a"\nlatex = "\\ell"\n', "single quotes"),
     "unknown key": (HEAD + CLAIM + "colour = 1\n", "unknown key “colour”"),
     "near key": (HEAD + CLAIM.replace("latex", "latax"), "did you mean “latex”"),

@@ -24,9 +24,8 @@ from rbpsym.notation.speech import to_speech
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files
 from tests.document.samples import sample
+from tests.npm import MODULES
 
-ROOT = Path(__file__).parents[2]
-MODULES = ROOT / ".ci" / "node_modules"
 needs_axe = pytest.mark.skipif(
     shutil.which("node") is None or shutil.which("chromium") is None or not (MODULES / "axe-core").is_dir(),
     reason="needs Node, Chromium and npm install --prefix .ci",

@@ -23,12 +23,12 @@ from rbpsym.statement.loader import load_problem
 from rbpsym.statement.shapes import SHAPES
 from tests.architecture.source import ROOT
 from tests.document import explored
+from tests.npm import MODULES
 
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("[cei]*/*.toml"))
 FILES = {**problem_files(), **{f"{path.parent.name}-{path.stem}": path for path in EXAMPLES}}
 node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 browser = pytest.mark.skipif(shutil.which("chromium") is None, reason="needs Chromium")
-MODULES = ROOT / ".ci" / "node_modules"
 WITHOUT_FONT = 150_000
 
 

@@ -18,6 +18,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.npm import MODULES
+
 ROOT = Path(__file__).resolve().parents[2]
 REQUIRED = bool(os.environ.get("RBPSYM_REQUIRE_TOOLS"))
 
@@ -39,7 +41,7 @@ def by_python(name: str, path: Path, *more: str) -> object:
 
 
 GIFT = """
-const {parse} = require(process.argv[1] + '/node_modules/gift-pegjs');
+const {parse} = require(process.argv[1] + '/gift-pegjs');
 const text = require('fs').readFileSync(process.argv[2], 'utf8');
 console.log(JSON.stringify(parse(text)));
 """
@@ -47,10 +49,9 @@ console.log(JSON.stringify(parse(text)));
 
 def by_gift_pegjs(path: Path) -> list[dict]:
     """The questions that gift-pegjs reads."""
-    folder = ROOT / ".ci"
-    need(shutil.which("node") and (folder / "node_modules" / "gift-pegjs").is_dir(), "gift-pegjs")
+    need(shutil.which("node") and (MODULES / "gift-pegjs").is_dir(), "gift-pegjs")
     done = subprocess.run(
-        ["node", "-e", GIFT, str(folder), str(path)], capture_output=True, text=True, timeout=60, check=False
+        ["node", "-e", GIFT, str(MODULES), str(path)], capture_output=True, text=True, timeout=60, check=False
     )
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout)

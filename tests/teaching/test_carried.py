@@ -7,8 +7,8 @@ from math import cos, sin
 
 import pytest
 
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet
-from rbpsym.teaching.grading.units import read_unit
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import plan_of
 

@@ -202,7 +202,7 @@ def test_encodings(tmp_path: Path) -> None:
         path.write_bytes("student,1\nañá,mgℓ\n".encode(encoding))
         assert read_answers(path).rows[0].answers["1"] == "mgℓ"
     path.write_bytes("student,1\nañá,x\n".encode("latin-1"))
-    with pytest.raises(ReadError, match="no UTF-8 text"):
+    with pytest.raises(ReadError, match="not UTF-8"):
         read_answers(path)
     with pytest.raises(ReadError, match="can't read"):
         read_answers(tmp_path / "none.csv")

@@ -8,10 +8,10 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.answer import grade_number
 from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.quantity import read_quantity, significant_figures
-from rbpsym.teaching.grading.units import read_unit
 from rbpsym.teaching.model import Anticipated, Measure, NumberKey, Slip, Tolerance
 
 # answer, value, unit, figures: which of value, unit, figures are right

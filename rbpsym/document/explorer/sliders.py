@@ -10,17 +10,12 @@ from rbpsym.document.explorer.stage import start_name
 from rbpsym.mechanics.numbers import bound, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.quantities import DIMENSIONS, NUMBER, Dimension, Quantity
+from rbpsym.quantities import ENERGY, NUMBER, Dimension, Quantity
+from rbpsym.statement import printed_units
 from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.printed_units import unit_text
 
 DEGREE = math.pi / 180
-UNITS = {
-    "mass": "kg", "length": "m", "time": "s", "speed": "m/s", "acceleration": "m/s²", "angular speed": "rad/s",
-    "angular acceleration": "rad/s²", "force": "N", "torque": "N m", "energy": "J", "stiffness": "N/m",
-    "damping": "N s/m", "rotary damping": "N m s", "moment of inertia": "kg m²", "momentum": "kg m/s",
-    "angular momentum": "kg m²/s", "area": "m²", "linear density": "kg/m", "surface density": "kg/m²",
-    "density": "kg/m³", "power": "W",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +33,8 @@ class Slider:
 
 
 def unit_of(dimension: Dimension) -> str:
-    """The SI unit of a dimension."""
-    named = next((UNITS[name] for name, d in DIMENSIONS.items() if d == dimension and name in UNITS), None)
-    if named is not None or dimension == NUMBER:
-        return named or ""
-    powers = (("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time))
-    return " ".join(unit if n == 1 else f"{unit}^{n}" for unit, n in powers if n)
+    """The SI unit of a dimension as it is shown; that of an energy is that of a torque too."""
+    return unit_text(printed_units.unit_of(dimension, "torque" if dimension == ENERGY else ""))
 
 
 def sliders(study: Study) -> tuple[Slider, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -16,7 +15,7 @@ from rbpsym.document.figures.svg import color_rules, to_svg
 from rbpsym.document.numbering import numbered
 from rbpsym.document.resources import data_folder
 from rbpsym.document.writers.html_math import display_math, inline_math, widest_piece
-from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 
 COLUMN = 33.0
@@ -197,17 +196,11 @@ def callout(block: d.Callout, page: Page) -> str:
     return f'<div class="callout {escape(block.kind)}"><p class="callout-title">{title}</p>\n{inner}</div>'
 
 
-HTML: Mapping[type, Print] = {
-    d.Text: lambda inline, page: str(escape(typographic(inline.text))),
-    d.Math: lambda inline, page: inline_math(inline.node, page),
-    d.Ref: reference,
-    d.Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
-    d.Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
-    d.Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
-    d.Display: display,
-    d.Table: table,
-    d.FigureBlock: figure,
-    d.ItemList: item_list,
-    d.Callout: callout,
-    d.Section: section,
-}
+HTML = prints(
+    reference, display, table, figure, item_list, callout, section,
+    text=lambda inline, page: str(escape(typographic(inline.text))),
+    math=lambda inline, page: inline_math(inline.node, page),
+    emph=lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
+    strong=lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
+    paragraph=lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
+)  # fmt: skip

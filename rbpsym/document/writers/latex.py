@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.escaping import latex_text
 from rbpsym.document.figures.tikz import tikz_styles, to_tikz
 from rbpsym.document.numbering import numbered
 from rbpsym.document.phrases import plain
-from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.rare_letters import with_rare_letters
 from rbpsym.notation.latex import PREAMBLE, render, to_latex
@@ -197,17 +195,10 @@ def callout(block: d.Callout, page: Page) -> str:
     return f"\\begin{{callout}}{{{block.kind}}}{{{title}}}{joint}{blocks(block.blocks, page)}\n\\end{{callout}}"
 
 
-LATEX: Mapping[type, Print] = {
-    d.Text: lambda inline, page: latex_text(inline.text),
-    d.Math: lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
-    d.Ref: reference,
-    d.Emph: lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",
-    d.Strong: lambda inline, page: rf"\textbf{{{page.inlines(inline.inlines)}}}",
-    d.Paragraph: lambda block, page: page.inlines(block.inlines),
-    d.Display: display,
-    d.Table: table,
-    d.FigureBlock: figure,
-    d.ItemList: item_list,
-    d.Callout: callout,
-    d.Section: section,
-}
+LATEX = prints(
+    reference, display, table, figure, item_list, callout, section,
+    text=lambda inline, page: latex_text(inline.text),
+    math=lambda inline, page: f"${to_latex(inline.node, page.notation)}$",
+    emph=lambda inline, page: rf"\emph{{{page.inlines(inline.inlines)}}}",
+    strong=lambda inline, page: rf"\textbf{{{page.inlines(inline.inlines)}}}",
+)  # fmt: skip

@@ -11,7 +11,7 @@ from rbpsym.document.escaping import markdown_text
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.latex import COLUMN, formula_text
 from rbpsym.document.writers.markdown_math import in_cell, in_markdown, wrapped
-from rbpsym.document.writers.page import Page, Print, body
+from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.notation.latex import to_latex
 
 
@@ -110,17 +110,11 @@ def callout(block: d.Callout, page: Page) -> str:
     return "\n".join(f"> {line}".rstrip() for line in inner.splitlines())
 
 
-MARKDOWN: Mapping[type, Print] = {
-    d.Text: lambda inline, page: markdown_text(inline.text),
-    d.Math: lambda inline, page: f"${in_markdown(to_latex(inline.node, page.notation))}$",
-    d.Ref: lambda inline, page: inline.mark,
-    d.Emph: lambda inline, page: wrapped("*", page.inlines(inline.inlines)),
-    d.Strong: lambda inline, page: wrapped("**", page.inlines(inline.inlines)),
-    d.Paragraph: lambda block, page: page.inlines(block.inlines),
-    d.Display: display,
-    d.Table: table,
-    d.FigureBlock: figure,
-    d.ItemList: item_list,
-    d.Callout: callout,
-    d.Section: section,
-}
+MARKDOWN = prints(
+    display, table, figure, item_list, callout, section,
+    text=lambda inline, page: markdown_text(inline.text),
+    math=lambda inline, page: f"${in_markdown(to_latex(inline.node, page.notation))}$",
+    reference=lambda inline, page: inline.mark,
+    emph=lambda inline, page: wrapped("*", page.inlines(inline.inlines)),
+    strong=lambda inline, page: wrapped("**", page.inlines(inline.inlines)),
+)  # fmt: skip

@@ -51,6 +51,20 @@ class Page:
         return plain(key, self.language, **slots)
 
 
+KINDS: Mapping[str, type] = {
+    "text": d.Text, "math": d.Math, "reference": d.Ref, "emph": d.Emph, "strong": d.Strong, "paragraph": d.Paragraph,
+    "display": d.Display, "table": d.Table, "figure": d.FigureBlock, "item_list": d.ItemList, "callout": d.Callout,
+    "section": d.Section,
+}  # fmt: skip
+
+
+def prints(*functions: Print, **more: Print) -> Mapping[type, Print]:
+    """The table of a format: a function for each kind above, under the name of the kind."""
+    named = {function.__name__: function for function in functions} | more
+    named.setdefault("paragraph", lambda block, page: page.inlines(block.inlines))
+    return {kind: named.pop(name) for name, kind in KINDS.items()}
+
+
 def page_for(document: d.Document, table: Mapping[type, Print], column: float) -> Page:
     """The page that a numbered document is printed on."""
     return Page(table, document.notation, document.language, column)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.escaping import typst_string, typst_text
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, Print, body, page_for, shell
+from rbpsym.document.writers.page import Page, body, page_for, prints, shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.speech import to_speech
 from rbpsym.notation.tree import Node
@@ -170,17 +168,9 @@ def callout(block: d.Callout, page: Page) -> str:
     return f"#callout({typst_string(block.kind)}, [{title}])[\n{blocks(block.blocks, page)}\n]"
 
 
-TYPST: Mapping[type, Print] = {
-    d.Text: lambda inline, page: typst_text(inline.text),
-    d.Math: math,
-    d.Ref: reference,
-    d.Emph: lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",
-    d.Strong: lambda inline, page: f"#strong[{page.inlines(inline.inlines)}];",
-    d.Paragraph: lambda block, page: page.inlines(block.inlines),
-    d.Display: display,
-    d.Table: table,
-    d.FigureBlock: figure,
-    d.ItemList: item_list,
-    d.Callout: callout,
-    d.Section: section,
-}
+TYPST = prints(
+    math, reference, display, table, figure, item_list, callout, section,
+    text=lambda inline, page: typst_text(inline.text),
+    emph=lambda inline, page: f"#emph[{page.inlines(inline.inlines)}];",
+    strong=lambda inline, page: f"#strong[{page.inlines(inline.inlines)}];",
+)  # fmt: skip

@@ -10,7 +10,7 @@ from rbpsym.document import model as d
 from rbpsym.document.escaping import typographic
 from rbpsym.document.extras import extra
 from rbpsym.document.numbering import numbered
-from rbpsym.document.writers.page import Page, Print, body
+from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_math import TEXT_WIDTH, display_table, is_aside, math
 from rbpsym.document.writers.word_xml import STAYS, Cell, Look, link, paragraph, safe, table_of, text_run
@@ -174,17 +174,11 @@ def reference(inline: d.Ref, page: Page) -> str:
     return link(inline.label, inline.mark)
 
 
-WORD: Mapping[type, Print] = {
-    d.Text: lambda inline, page: text_run(typographic(inline.text), page.look),
-    d.Math: lambda inline, page: to_omml(inline.node, page.notation),
-    d.Ref: reference,
-    d.Emph: lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
-    d.Strong: lambda inline, page: marked(inline.inlines, page, "<w:b/>"),
-    d.Paragraph: lambda block, page: paragraph(page.inlines(block.inlines), "BodyText"),
-    d.Display: display,
-    d.Table: table,
-    d.FigureBlock: figure,
-    d.ItemList: item_list,
-    d.Callout: callout,
-    d.Section: section,
-}
+WORD = prints(
+    reference, display, table, figure, item_list, callout, section,
+    text=lambda inline, page: text_run(typographic(inline.text), page.look),
+    math=lambda inline, page: to_omml(inline.node, page.notation),
+    emph=lambda inline, page: marked(inline.inlines, page, "<w:i/>"),
+    strong=lambda inline, page: marked(inline.inlines, page, "<w:b/>"),
+    paragraph=lambda block, page: paragraph(page.inlines(block.inlines), "BodyText"),
+)  # fmt: skip

@@ -12,6 +12,8 @@ from collections.abc import Iterator, Mapping
 from markupsafe import Markup
 
 from rbpsym.document.model import Text
+from rbpsym.statement.printed_units import unit_text
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, by_items
@@ -20,8 +22,6 @@ from rbpsym.teaching.exports.page import Paper
 from rbpsym.teaching.exports.telling import left_out, name_of
 from rbpsym.teaching.exports.xml import filled, written
 from rbpsym.teaching.formats import Exported, Options
-from rbpsym.teaching.grading.units import read_unit
-from rbpsym.teaching.units import unit_text
 
 OWN = "\ue000"  # marks our own fields until the text is written; no text of an author holds it
 SHELLS = {q.Number: "numerical", q.Choice: "multichoice", q.Fields: "cloze", q.Formulas: "stack", q.Essay: "essay"}

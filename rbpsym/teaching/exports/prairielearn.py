@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.page import shell
 from rbpsym.notation.latex import to_latex
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform
@@ -21,7 +22,6 @@ from rbpsym.teaching.exports.packing import slug
 from rbpsym.teaching.exports.page import Paper, between
 from rbpsym.teaching.exports.telling import feedback, left_out
 from rbpsym.teaching.formats import Exported, Options
-from rbpsym.teaching.grading.units import read_unit
 
 OURS = UUID("6f0a1a5e-6a0e-5f6c-9a39-2d0c5b7f9d11")  # the space in which the ids of questions are made
 

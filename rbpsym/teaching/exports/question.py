@@ -15,11 +15,11 @@ from markupsafe import escape
 
 from rbpsym.document.model import Math, Text
 from rbpsym.notation import tree as t
+from rbpsym.statement.printed_units import unit_text
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports.bench import Desk, free_pairs, nearest_pairs
 from rbpsym.teaching.exports.names import RESERVED, exported_names
-from rbpsym.teaching.grading.units import read_unit
-from rbpsym.teaching.units import unit_text
 
 FEWEST = 3  # options of a choice that stands for a formula
 

@@ -9,13 +9,13 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.model import Problem
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.equations import judge_equation, solved_side
 from rbpsym.teaching.grading.formula import Sought, judge_formula
 from rbpsym.teaching.grading.ground import Ground, bare_ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, invalid
 from rbpsym.teaching.grading.number import Wanted, judge_number
 from rbpsym.teaching.grading.reading import read_formula
-from rbpsym.teaching.grading.units import read_unit
 from rbpsym.teaching.model import Tolerance
 
 Symbols = Mapping[str, str] | Iterable[str]

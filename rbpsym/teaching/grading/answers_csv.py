@@ -14,7 +14,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rbpsym.errors import Place, RbpsymError, ReadError
-from rbpsym.teaching.csv_rows import rows_in, text_in
+from rbpsym.statement.files import text_in
+from rbpsym.teaching.csv_rows import rows_in
 
 LARGEST = 64 * 1024 * 1024
 STUDENT, CODE, ITEM, ANSWER = (
@@ -49,7 +50,7 @@ class AnswerTable:
 
 def read_answers(path: Path) -> AnswerTable:
     """The table in a file. Raises ReadError with file and line."""
-    return parse_answers(text_in(path, LARGEST), str(path))
+    return parse_answers(text_in(path, LARGEST, "the answers", of_sheets=True), str(path))
 
 
 def parse_answers(text: str, file: str = "answers.csv") -> AnswerTable:

@@ -10,7 +10,6 @@ from rbpsym.equality.dimensions import dimension_of
 from rbpsym.equality.enclosure import ends
 from rbpsym.errors import DimensionError, RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.quantities import Dimension
 from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.intervals import enclosed
@@ -44,15 +43,12 @@ def without_number(text: str, book: Book) -> tuple[str, Typed | None]:
     return (found[1], number) if number.most and number.value and is_result else (text, None)
 
 
-_BASES = {"kg": "mass", "m": "length", "s": "time"}
-
-
 def agrees(number: Typed, key: t.Node, ground: Ground) -> bool:
     """May the number be the value of the key, as far as its unit and the key tell?"""
     try:
         wanted = dimension_of(key, ground.dimensions)
-        found = Dimension(**{_BASES[base]: power for base, power in number.unit.dimension}) if number.unit else wanted
-    except (DimensionError, KeyError):
+        found = number.unit.of_mechanics if number.unit else wanted
+    except DimensionError:
         found = wanted = None
     if found != wanted:
         return False

@@ -12,10 +12,10 @@ from fractions import Fraction
 from math import floor, isfinite, log10, pi
 
 from rbpsym.errors import RbpsymError
+from rbpsym.statement.units import PURE, UnitOf, read_unit
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.quantity import Typed, read_quantity
-from rbpsym.teaching.grading.units import PURE, UnitOf, read_unit
 from rbpsym.teaching.model import Anticipated, NumberKey, Tolerance
 
 SHARES = {"value": Fraction(6, 10), "unit": Fraction(2, 10), "figures": Fraction(2, 10)}

@@ -16,11 +16,11 @@ from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
+from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.grading.units import read_unit
 from rbpsym.teaching.model import BlanksKey, FollowOn, Item, NumberKey
 
 if TYPE_CHECKING:

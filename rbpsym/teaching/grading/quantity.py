@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from rbpsym.equality import enclosure
 from rbpsym.errors import Place, RbpsymError, ReadError
 from rbpsym.notation.infix import read_infix
+from rbpsym.statement.units import UnitOf, read_unit
 from rbpsym.teaching.grading.intervals import enclosed
 from rbpsym.teaching.grading.standard import MADE
 from rbpsym.teaching.grading.typed import is_latex, unframed, with_decimal_points
-from rbpsym.teaching.grading.units import UnitOf, read_unit
 
 LONGEST, LARGEST_POWER = 200, 30
 

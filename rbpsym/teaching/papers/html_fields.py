@@ -12,11 +12,12 @@ from rbpsym.document.writers.page import Page
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Node, Sym
+from rbpsym.statement.printed_units import UNITS
 from rbpsym.teaching import model as m
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
 from rbpsym.teaching.papers.samples import sample_points, sampled
-from rbpsym.teaching.units import UNITS, si
+from rbpsym.teaching.units import si
 from rbpsym.teaching.wording import plain_text
 
 Fields = Iterator[tuple[str, dict | None]]
