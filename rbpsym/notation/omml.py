@@ -1,18 +1,17 @@
-"""Office MathML of a formula: the native equations of Word. One function a box.
+"""Office MathML of a formula: the native equations of Word. One method a box.
 
 The sign of an integral or sum holds what follows it in its row, as far as the next + − or relation sign.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from html import escape
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.layout import layout, layout_rows
 from rbpsym.notation.letters import UPRIGHT_CAPITALS, bold
-from rbpsym.notation.tree import Node, System
+from rbpsym.notation.printer import Printer
+from rbpsym.notation.tree import Node
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 _ACCENTS = {
@@ -25,18 +24,12 @@ _ENDS = frozenset("+−")
 
 def to_omml(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
     """An `m:oMath` element; `aligned` breaks a chain into rows that meet at their relation signs."""
-    rows_asked = aligned or isinstance(node, System)
-    return formula(render(layout_rows(node, notation) if rows_asked else layout(node, notation)))
+    return formula(render.formula(node, notation, aligned))
 
 
 def formula(content: str) -> str:
     """The element that holds rendered boxes."""
     return f'<m:oMath xmlns:m="{NAMESPACE}">{content}</m:oMath>'
-
-
-def render(box: b.Box) -> str:
-    """The elements of boxes, side by side."""
-    return TABLE[type(box)](box)
 
 
 def rows(pairs: list[tuple[str, str]]) -> str:
@@ -60,61 +53,6 @@ def run(text: str, style: str = "p") -> str:
     return f'<m:r><m:rPr><m:sty m:val="{style}"/></m:rPr><m:t{space}>{escape(text, quote=False)}</m:t></m:r>'
 
 
-def _upright(text: str) -> str:
-    """A word is ordinary text: LibreOffice knows no other upright letters."""
-    if len(text) < 2:
-        return run(text)
-    return f"<m:r><m:rPr><m:nor/></m:rPr><m:t>{escape(text, quote=False)}</m:t></m:r>"
-
-
-def _letter(box: b.Letter) -> str:
-    return _STYLES[box.style](box.text)
-
-
-def _italic(text: str) -> str:
-    return run(text, "p" if text in UPRIGHT_CAPITALS else "i")
-
-
-def _script_letter(text: str) -> str:
-    style = '<m:scr m:val="script"/><m:sty m:val="p"/>'
-    return f"<m:r><m:rPr>{style}</m:rPr><m:t>{escape(text, quote=False)}</m:t></m:r>"
-
-
-_STYLES: dict[str, Callable[[str], str]] = {
-    "italic": _italic, "upright": _upright, "script": _script_letter, "number": run,
-}  # fmt: skip
-
-
-def _phrase(box: b.Phrase) -> str:
-    text = escape(f" {box.text.strip()} ", quote=False)
-    return f'<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve">{text}</m:t></m:r>'
-
-
-def _operator(box: b.Operator) -> str:
-    return run(_SIGNS.get(box.sign, box.sign))
-
-
-def _accent(box: b.Accent) -> str:
-    if box.kind == "bold":
-        return run(bold(box.body.text)) if isinstance(box.body, b.Letter) else render(box.body)
-    sign = f'<m:accPr><m:chr m:val="{_ACCENTS[box.kind]}"/></m:accPr>'
-    return f"<m:acc>{sign}<m:e>{render(box.body)}</m:e></m:acc>"
-
-
-def _prime(box: b.Prime) -> str:
-    return run("′" * box.count)
-
-
-def _script(box: b.Script) -> str:
-    if isinstance(box.base, b.Big):
-        return nary(box, "")
-    sub = f"<m:sub>{render(box.sub)}</m:sub>" if box.sub else ""
-    sup = f"<m:sup>{render(box.sup)}</m:sup>" if box.sup else ""
-    name = _SCRIPTS[bool(sub), bool(sup)]
-    base = render(box.base)
-    return f"<m:{name}><m:e>{base}</m:e>{sub}{sup}</m:{name}>" if name else base
-
-
 _SCRIPTS = {(False, False): "", (True, False): "sSub", (False, True): "sSup", (True, True): "sSubSup"}
 
 
@@ -136,10 +74,6 @@ def is_large(box: b.Box) -> bool:
     return isinstance(box, b.Big) or (isinstance(box, b.Script) and isinstance(box.base, b.Big))
 
 
-def _row(box: b.Row) -> str:
-    return _side_by_side(box.items)
-
-
 def _side_by_side(items: tuple[b.Box, ...]) -> str:
     place = next((k for k, item in enumerate(items) if is_large(item)), None)
     if place is None:
@@ -155,34 +89,80 @@ def _ends_body(item: b.Box) -> bool:
     return isinstance(item, b.Operator) and (item.kind == "relation" or item.sign in _ENDS)
 
 
-def _under(box: b.Under) -> str:
-    return f"<m:limLow><m:e>{render(box.base)}</m:e><m:lim>{render(box.under)}</m:lim></m:limLow>"
+class _Omml(Printer):
+    """Office MathML: elements side by side."""
+
+    def operator(self, box: b.Operator) -> str:
+        return run(_SIGNS.get(box.sign, box.sign))
+
+    def big(self, box: b.Big) -> str:
+        return nary(box, "")
+
+    def space(self, box: b.Space) -> str:
+        return run("\u2009")
+
+    def function(self, box: b.Function) -> str:
+        return run(box.name)
+
+    def phrase(self, box: b.Phrase) -> str:
+        text = escape(f" {box.text.strip()} ", quote=False)
+        return f'<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve">{text}</m:t></m:r>'
+
+    def accent(self, box: b.Accent) -> str:
+        if box.kind == "bold":
+            return run(bold(box.body.text)) if isinstance(box.body, b.Letter) else self(box.body)
+        sign = f'<m:accPr><m:chr m:val="{_ACCENTS[box.kind]}"/></m:accPr>'
+        return f"<m:acc>{sign}<m:e>{self(box.body)}</m:e></m:acc>"
+
+    def prime(self, box: b.Prime) -> str:
+        return run("′" * box.count)
+
+    def script(self, box: b.Script) -> str:
+        if isinstance(box.base, b.Big):
+            return nary(box, "")
+        sub = f"<m:sub>{self(box.sub)}</m:sub>" if box.sub else ""
+        sup = f"<m:sup>{self(box.sup)}</m:sup>" if box.sup else ""
+        name = _SCRIPTS[bool(sub), bool(sup)]
+        base = self(box.base)
+        return f"<m:{name}><m:e>{base}</m:e>{sub}{sup}</m:{name}>" if name else base
+
+    def under(self, box: b.Under) -> str:
+        return f"<m:limLow><m:e>{self(box.base)}</m:e><m:lim>{self(box.under)}</m:lim></m:limLow>"
+
+    def fraction(self, box: b.Fraction) -> str:
+        return f"<m:f><m:num>{self(box.num)}</m:num><m:den>{self(box.den)}</m:den></m:f>"
+
+    def radical(self, box: b.Radical) -> str:
+        return f'<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>{self(box.body)}</m:e></m:rad>'
+
+    def fence(self, box: b.Fence) -> str:
+        signs = f'<m:begChr m:val="{box.opening}"/><m:endChr m:val="{box.closing}"/>'
+        return f"<m:d><m:dPr>{signs}</m:dPr><m:e>{self(box.body)}</m:e></m:d>"
+
+    def applied(self, box: b.Applied) -> str:
+        return f"<m:func><m:fName>{self(box.head)}</m:fName><m:e>{self(box.arg)}</m:e></m:func>"
+
+    def row(self, box: b.Row) -> str:
+        return _side_by_side(box.items)
+
+    def rows(self, box: b.Rows) -> str:
+        return rows([(self(left), self(right)) for left, right in box.rows])
+
+    def in_italic(self, text: str) -> str:
+        return run(text, "p" if text in UPRIGHT_CAPITALS else "i")
+
+    def in_upright(self, text: str) -> str:
+        """A word is ordinary text: LibreOffice knows no other upright letters."""
+        if len(text) < 2:
+            return run(text)
+        return f"<m:r><m:rPr><m:nor/></m:rPr><m:t>{escape(text, quote=False)}</m:t></m:r>"
+
+    def in_number(self, text: str) -> str:
+        return run(text)
+
+    def in_script(self, text: str) -> str:
+        style = '<m:scr m:val="script"/><m:sty m:val="p"/>'
+        return f"<m:r><m:rPr>{style}</m:rPr><m:t>{escape(text, quote=False)}</m:t></m:r>"
 
 
-def _fraction(box: b.Fraction) -> str:
-    return f"<m:f><m:num>{render(box.num)}</m:num><m:den>{render(box.den)}</m:den></m:f>"
-
-
-def _radical(box: b.Radical) -> str:
-    return f'<m:rad><m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/><m:e>{render(box.body)}</m:e></m:rad>'
-
-
-def _fence(box: b.Fence) -> str:
-    signs = f'<m:begChr m:val="{box.opening}"/><m:endChr m:val="{box.closing}"/>'
-    return f"<m:d><m:dPr>{signs}</m:dPr><m:e>{render(box.body)}</m:e></m:d>"
-
-
-def _applied(box: b.Applied) -> str:
-    return f"<m:func><m:fName>{render(box.head)}</m:fName><m:e>{render(box.arg)}</m:e></m:func>"
-
-
-def _rows(box: b.Rows) -> str:
-    return rows([(render(left), render(right)) for left, right in box.rows])
-
-
-TABLE: dict[type, Callable[..., str]] = {
-    b.Letter: _letter, b.Phrase: _phrase, b.Operator: _operator, b.Big: lambda box: nary(box, ""),
-    b.Space: lambda box: run("\u2009"), b.Times: lambda box: "", b.Accent: _accent, b.Prime: _prime,
-    b.Script: _script, b.Under: _under, b.Fraction: _fraction, b.Radical: _radical, b.Fence: _fence,
-    b.Function: lambda box: run(box.name), b.Applied: _applied, b.Row: _row, b.Rows: _rows,
-}  # fmt: skip
+render = _Omml()

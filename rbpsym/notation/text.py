@@ -1,4 +1,4 @@
-"""A formula in one line of Unicode, for a terminal: θ̈ = −(3g/4ℓ) cos θ. One function a box.
+"""A formula in one line of Unicode, for a terminal: θ̈ = −(3g/4ℓ) cos θ. One method a box.
 
 And in letters that a screen reader reads out: alt texts of figures and plots.
 """
@@ -12,9 +12,9 @@ from unicodedata import decomposition, normalize
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.layout import layout, layout_rows
 from rbpsym.notation.letters import bold, script, subscript, superscript
-from rbpsym.notation.tree import Node, System
+from rbpsym.notation.printer import Printer
+from rbpsym.notation.tree import Node
 
 _COMBINING = {
     "vec": "\u20d7", "bold": "\u20d7", "hat": "\u0302", "bar": "\u0304", "tilde": "\u0303",
@@ -25,97 +25,13 @@ _DOTTED = {"ı": "i", "ȷ": "j"}
 
 def to_text(node: Node, notation: Notation = DEFAULT, *, aligned: bool = False) -> str:
     """The formula in one line; a system (or, if `aligned`, a chain) in one line a row."""
-    if aligned or isinstance(node, System):
-        return render(layout_rows(node, notation, "text"))
-    return render(layout(node, notation, "text"))
-
-
-def render(box: b.Box) -> str:
-    """The text of boxes."""
-    return TABLE[type(box)](box)
-
-
-def _letter(box: b.Letter) -> str:
-    return script(box.text) if box.style == "script" else box.text
-
-
-def _phrase(box: b.Phrase) -> str:
-    return box.text
-
-
-def _operator(box: b.Operator) -> str:
-    return box.sign if box.kind in ("prefix", "mark") else f" {box.sign} "
-
-
-def _big(box: b.Big) -> str:
-    return box.sign
-
-
-def _space(box: b.Space) -> str:
-    return " "
-
-
-def _times(box: b.Times) -> str:
-    return ""
-
-
-def _accent(box: b.Accent) -> str:
-    if box.kind == "bold" and isinstance(box.body, b.Letter):
-        return bold(box.body.text)
-    body = render(box.body)
-    return unicodedata.normalize("NFC", _DOTTED.get(body, body) + _COMBINING[box.kind])
-
-
-def _prime(box: b.Prime) -> str:
-    return "′" * box.count
-
-
-def _script(box: b.Script) -> str:
-    primes, sup = b.split_primes(box.sup)
-    sub = _attached("_", render(box.sub), subscript) if box.sub else ""
-    raised = _attached("^", render(sup), superscript) if sup else ""
-    gap = " " if isinstance(box.base, b.Big) else ""
-    return render(box.base) + "′" * primes + sub + raised + gap
+    return render.formula(node, notation, aligned)
 
 
 def _attached(mark: str, text: str, small: Callable[[str], str | None]) -> str:
     """A sub- or superscript in small characters, or after `_` or `^`."""
     found = small(text.strip())
     return found or (f"{mark}{text}" if text.isalnum() else f"{mark}({text})")
-
-
-def _under(box: b.Under) -> str:
-    return f"{render(box.base)}({render(box.under)})"
-
-
-def _fraction(box: b.Fraction) -> str:
-    return f"({render(box.num)})/({render(box.den)})"
-
-
-def _radical(box: b.Radical) -> str:
-    body = render(box.body)
-    return f"√{body}" if len(body) == 1 or body.isdigit() else f"√({body})"
-
-
-def _fence(box: b.Fence) -> str:
-    return f"{box.opening}{render(box.body)}{box.closing}"
-
-
-def _function(box: b.Function) -> str:
-    return box.name
-
-
-def _applied(box: b.Applied) -> str:
-    gap = "" if isinstance(box.arg, b.Fence) else " "
-    return f"{render(box.head)}{gap}{render(box.arg)}"
-
-
-def _row(box: b.Row) -> str:
-    texts = [render(item) for item in box.items]
-    for position, item in enumerate(box.items):
-        if isinstance(item, b.Times) and _needs_gap(box.items, texts, position):
-            texts[position] = " "
-    return "".join(texts)
 
 
 def _needs_gap(items: tuple[b.Box, ...], texts: list[str], position: int) -> bool:
@@ -128,21 +44,6 @@ def _needs_gap(items: tuple[b.Box, ...], texts: list[str], position: int) -> boo
     return any(isinstance(part, wide) for part in parts) or any(
         set("_^ ∫") & set(texts[place]) for place in (before, after)
     )
-
-
-def _rows(box: b.Rows) -> str:
-    lefts = [render(left) for left, _ in box.rows]
-    width = max((len(left) for left in lefts), default=0)
-    rights = (render(right).lstrip() for _, right in box.rows)
-    return "\n".join(f"{left:>{width}} {right}".rstrip() for left, right in zip(lefts, rights, strict=True))
-
-
-TABLE: dict[type, Callable[..., str]] = {
-    b.Letter: _letter, b.Phrase: _phrase, b.Operator: _operator, b.Big: _big, b.Space: _space,
-    b.Times: _times, b.Accent: _accent, b.Prime: _prime, b.Script: _script, b.Under: _under,
-    b.Fraction: _fraction, b.Radical: _radical, b.Fence: _fence, b.Function: _function,
-    b.Applied: _applied, b.Row: _row, b.Rows: _rows,
-}  # fmt: skip
 
 
 ARROW = "\u20d7"
@@ -164,3 +65,67 @@ def plain_letters(node: Node, notation: Notation = DEFAULT) -> str:
 
 def _is(letter: str, kind: str) -> bool:
     return decomposition(letter).startswith(kind)
+
+
+class _Text(Printer):
+    """Unicode."""
+
+    mode = "text"
+
+    def letter(self, box: b.Letter) -> str:
+        return script(box.text) if box.style == "script" else box.text
+
+    def phrase(self, box: b.Phrase) -> str:
+        return box.text
+
+    def space(self, box: b.Space) -> str:
+        return " "
+
+    def accent(self, box: b.Accent) -> str:
+        if box.kind == "bold" and isinstance(box.body, b.Letter):
+            return bold(box.body.text)
+        body = self(box.body)
+        return unicodedata.normalize("NFC", _DOTTED.get(body, body) + _COMBINING[box.kind])
+
+    def prime(self, box: b.Prime) -> str:
+        return "′" * box.count
+
+    def script(self, box: b.Script) -> str:
+        primes, sup = b.split_primes(box.sup)
+        sub = _attached("_", self(box.sub), subscript) if box.sub else ""
+        raised = _attached("^", self(sup), superscript) if sup else ""
+        gap = " " if isinstance(box.base, b.Big) else ""
+        return self(box.base) + "′" * primes + sub + raised + gap
+
+    def under(self, box: b.Under) -> str:
+        return f"{self(box.base)}({self(box.under)})"
+
+    def fraction(self, box: b.Fraction) -> str:
+        return f"({self(box.num)})/({self(box.den)})"
+
+    def radical(self, box: b.Radical) -> str:
+        body = self(box.body)
+        return f"√{body}" if len(body) == 1 or body.isdigit() else f"√({body})"
+
+    def fence(self, box: b.Fence) -> str:
+        return f"{box.opening}{self(box.body)}{box.closing}"
+
+    def applied(self, box: b.Applied) -> str:
+        gap = "" if isinstance(box.arg, b.Fence) else " "
+        return f"{self(box.head)}{gap}{self(box.arg)}"
+
+    def row(self, box: b.Row) -> str:
+        texts = [self(item) for item in box.items]
+        for position, item in enumerate(box.items):
+            if isinstance(item, b.Times) and _needs_gap(box.items, texts, position):
+                texts[position] = " "
+        return "".join(texts)
+
+    def rows(self, box: b.Rows) -> str:
+        lefts = [self(left) for left, _ in box.rows]
+        width = max((len(left) for left in lefts), default=0)
+        rights = (self(right).lstrip() for _, right in box.rows)
+        return "\n".join(f"{left:>{width}} {right}".rstrip() for left, right in zip(lefts, rights, strict=True))
+
+
+render = _Text()
