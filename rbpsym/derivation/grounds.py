@@ -62,7 +62,7 @@ class Said:
     def forces(self) -> list[Force]:
         """The forces that the step is about: those of the name in its slot."""
         name = self.step.id.split(".")[1]
-        return [force for force in self.system.forces if force.name == name]
+        return self.system.named(name)
 
 
 # --- steps by themselves

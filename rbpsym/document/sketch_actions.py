@@ -37,7 +37,7 @@ def _letter(element: Element, parts: tuple[t.Node, ...]) -> t.Node:
 
 def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in elements(pose, "force"):
-        acting = next(f for f in pose.study.system.forces if f.name == element.name)
+        acting = pose.study.system.named(element.name)[0]
         way = _unit(*(_value(pose, part) for part in (acting.vector.x, acting.vector.y)))
         if way:
             yield SketchArrow("force", pose.point(acting.point), way, _letter(element, element["force"]))

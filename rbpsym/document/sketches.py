@@ -126,17 +126,12 @@ def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
 
 def force_node(system: System, force: Force) -> t.Node:
     """The letter of a force: N on the second body, -N on the first, W_rod for one of several weights."""
-    same = [f for f in system.forces if f.name == force.name]
-    if any(_is_opposite(system, f) for f in same):
+    same = system.named(force.name)
+    if any(system.is_reaction(f) for f in same):
         letter = t.Vec(force.name) if force.vector else t.Sym(force.name)
-        return t.neg(letter) if _is_opposite(system, force) else letter
+        return t.neg(letter) if system.is_reaction(force) else letter
     name = force.name if len(same) == 1 else f"{force.name}_{force.on}"
     return t.Vec(name) if force.vector else t.Sym(name)
-
-
-def _is_opposite(system: System, force: Force) -> bool:
-    first = next(f for f in system.forces if f.name == force.name)
-    return first is not force and first.on == force.by and first.by == force.on
 
 
 def _forces(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node]) -> Iterator[SketchForce]:

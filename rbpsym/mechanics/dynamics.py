@@ -119,8 +119,7 @@ def _known(system: System, along, r: int) -> Scalar:
 
 
 def _power(system: System, along, r: int, name: str) -> Scalar:
-    forces = (f for f in system.forces if f.name == name)
-    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in forces)
+    return total(_force_along(f, system.bodies[f.on], along[f.on][r]) for f in system.named(name))
 
 
 def _inertial(system: System, along, still, r: int) -> Scalar:
@@ -158,8 +157,7 @@ def _workless(system: System, ideal: Mapping[str, bool]) -> dict[str, bool]:
 
 
 def _carried_power(system: System, carried, name: str) -> Scalar:
-    forces = (f for f in system.forces if f.name == name)
-    return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in forces), NOTHING)
+    return sum((_force_along(f, system.bodies[f.on], carried[f.on]) for f in system.named(name)), NOTHING)
 
 
 def _solved_block(part: Matrix, forces: list[Scalar]) -> tuple[Scalar, ...] | None:

@@ -64,6 +64,10 @@ class Force:
     law: str = "constraint"
     where: str = ""
 
+    def torque(self, origin: Vector) -> Scalar:
+        """Its torque about a point, the couple included, counter-clockwise positive."""
+        return (self.point - origin).cross(self.vector) + self.couple
+
 
 @dataclass(frozen=True, slots=True)
 class Condition:
@@ -94,6 +98,15 @@ class System:
     scope: Scope = field(default_factory=Scope)
     independent: tuple[str, ...] = ()
     speed_ties: tuple[Condition, ...] = ()
+
+    def named(self, name: str) -> list[Force]:
+        """The forces of a name on all bodies."""
+        return [force for force in self.forces if force.name == name]
+
+    def is_reaction(self, force: Force) -> bool:
+        """Whether it is the opposite of a force of the same name that comes first."""
+        first = self.named(force.name)[0]
+        return first is not force and first.on == force.by and first.by == force.on
 
     @property
     def speeds(self) -> tuple[str, ...]:

@@ -40,7 +40,7 @@ def _about(draft: Draft, label: str, name: str) -> bool:
     omega = draft.study.system.bodies[bodies[0]].omega
     origin = draft.study.origins[label]
     forces = outer_forces(draft.study.system, bodies)
-    torque = short(sum(((f.point - origin).cross(f.vector) + f.couple for f in forces), NOTHING))
+    torque = short(sum((f.torque(origin) for f in forces), NOTHING))
     along = short(torque * derivative(omega, f"{name}_dot"))
     if not torque or names_in(along) & {*draft.study.system.unknowns, f"{name}_dot", "t"}:
         return False

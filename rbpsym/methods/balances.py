@@ -111,7 +111,7 @@ def _torque(study: Study, kind: str, bodies: tuple[str, ...], label: str, point:
         state = study.system.bodies[name]
         left = left + state.mass * (state.center - point).cross(state.acceleration) + state.moment * state.alpha
     for force in outer_forces(study.system, bodies):
-        right = right + (force.point - point).cross(force.vector) + force.couple
+        right = right + force.torque(point)
     return _balance(study, kind, bodies, label, point, left, right)
 
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space, Vector
-from rbpsym.derivation.chapters.forces import is_reaction
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.mechanics.elimination import short
@@ -62,8 +61,8 @@ def _letter(draft: Draft, force: Force) -> str:
 
 def _name_inner_torques(draft: Draft, balance: Balance) -> None:
     for force in _inner(draft, balance):
-        if not is_reaction(draft, force):
-            value = short((force.point - balance.where).cross(force.vector) + force.couple)
+        if not draft.study.system.is_reaction(force):
+            value = short(force.torque(balance.where))
             letter = _letter(draft, force)
             if letter != force.name:
                 draft.define(letter, value)
@@ -100,20 +99,20 @@ def _settled(used: Mapping[str, Step]) -> PhraseRef:
 def _outer_torque(draft: Draft, balance: Balance, name: str) -> Scalar:
     """The torque on a body of the set of all forces from outside the set."""
     outer = [f for f in draft.study.system.on(name) if f.by not in balance.bodies]
-    return short(sum(((f.point - balance.where).cross(f.vector) + f.couple for f in outer), NOTHING))
+    return short(sum((f.torque(balance.where) for f in outer), NOTHING))
 
 
 def _inner_torques(draft: Draft, balance: Balance, name: str, letter: type[t.Sym | t.Vec]) -> list[t.Node]:
     """Those of the forces between the bodies of the set, as symbols or as vectors."""
     inner = [f for f in draft.study.system.on(name) if f.by in balance.bodies]
     symbols = [(f, letter(_letter(draft, f))) for f in inner]
-    return [t.neg(node) if is_reaction(draft, force) else node for force, node in symbols]
+    return [t.neg(node) if draft.study.system.is_reaction(force) else node for force, node in symbols]
 
 
 def _net_of_one(draft: Draft, balance: Balance, name: str, known: Scalar) -> Step:
     """The net torque on one body of the set."""
     forces = draft.study.system.on(name)
-    total = sum(((f.point - balance.where).cross(f.vector) + f.couple for f in forces), NOTHING)
+    total = sum((f.torque(balance.where) for f in forces), NOTHING)
     letter = draft.define_vector(draft.free(f"tau_{balance.label}_{name}"), Vector({}), short(total))
     parts = ([along_k(draft.show(known))] if known else []) + _inner_torques(draft, balance, name, t.Vec)
     return draft.add(

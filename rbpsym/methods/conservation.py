@@ -14,7 +14,7 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.methods.balances import isolated_again, solved_for
-from rbpsym.methods.net_work import is_kinetic, net_power
+from rbpsym.methods.net_work import is_kinetic, net_power, work_symbols
 from rbpsym.notation import tree as t
 
 NAME = "energy"
@@ -40,7 +40,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
 def _not_conserved(draft: Draft) -> None:
     """Why, and how fast the energy changes."""
     forces = [*_without_potential(draft), *_rough(draft)]
-    nodes = [force_node(draft, next(f for f in draft.study.system.forces if f.name == name)) for name in forces]
+    nodes = [force_node(draft, draft.study.system.named(name)[0]) for name in forces]
     if forces:
         draft.skip(NAME, "skipped.not_conserved", forces=nodes, count=len(forces))
     else:
@@ -97,12 +97,11 @@ def _kinetic(draft: Draft) -> None:
     terms, shown = [], []
     for name, state in bodies.items():
         velocity, omega = t.Vec(draft.of_body("V", name)), t.Sym(draft.of_body("omega", name))
-        half = t.Div(t.ONE, t.TWO)
         if state.velocity:
-            terms.append(t.mul(half, draft.show(state.mass), t.Pow(velocity, t.TWO)))
+            terms.append(t.half_square(draft.show(state.mass), velocity))
             shown.append(draft.show_brief(energy.translational_energy(state)))
         if state.omega and state.moment:
-            terms.append(t.mul(half, t.Sym(draft.of_body("I", name)), t.Pow(omega, t.TWO)))
+            terms.append(t.half_square(t.Sym(draft.of_body("I", name)), omega))
             shown.append(draft.show_brief(energy.rotational_energy(state)))
     total = sum(draft.study.kinetic, NOTHING)
     letter = draft.define(draft.free("K", "tot"), total)
@@ -126,7 +125,7 @@ def _potentials(draft: Draft) -> None:
             continue
         letter = draft.define(draft.free(f"U_{name}"), value)
         element = draft.study.system.element(name)
-        forces = [f for f in draft.study.system.forces if f.name == name]
+        forces = draft.study.system.named(name)
         draft.add(
             f"potential.{name}",
             "potential",
@@ -140,19 +139,11 @@ def _potentials(draft: Draft) -> None:
 
 def _splits(draft: Draft) -> None:
     """How a conservative force shares its potential energy out: W_T + W_θ = -ΔU, half each if they are equal."""
-    from rbpsym.methods.work_energy import name_of
-
     for name, value in energy.potentials(draft.study.system).items():
         items = [i for i in draft.study.works if i.force == name and i.translational.parts and i.rotational.parts]
         if value is None or not items or name not in {i.force for i in draft.study.works}:
             continue
-        works = [
-            t.Sym(name_of(draft, i, half))
-            for i in draft.study.works
-            if i.force == name
-            for half, word in (("T", "translational"), ("theta", "rotational"))
-            if getattr(i, word).parts
-        ]
+        works = list(work_symbols(draft, [i for i in draft.study.works if i.force == name]))
         change = t.neg(t.Delta(t.Sym(draft.free(f"U_{name}"))))
         equal = len(works) == 2 and items[0].translational.parts == items[0].rotational.parts
         if equal:

@@ -17,7 +17,6 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics import motion
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork
-from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import over_coordinates
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
@@ -50,13 +49,8 @@ def work_symbols(draft: Draft, items: list[ForceWork]) -> Iterator[t.Sym]:
                 yield t.Sym(name_of(draft, item, half))
 
 
-def forces_of(draft: Draft, name: str) -> list[Force]:
-    """The forces of a name on all bodies."""
-    return [force for force in draft.study.system.forces if force.name == name]
-
-
 def _unknown(draft: Draft, name: str) -> bool:
-    return any(force.unknowns for force in forces_of(draft, name))
+    return any(force.unknowns for force in draft.study.system.named(name))
 
 
 def is_dissipative(draft: Draft, name: str) -> bool:
@@ -72,7 +66,7 @@ def is_kinetic(element: Element, name: str) -> bool:
 
 def net_power(draft: Draft, name: str) -> Scalar:
     """The rate of all works of a force together."""
-    return short(motion.net_power(draft.study.system, forces_of(draft, name)))
+    return short(motion.net_power(draft.study.system, draft.study.system.named(name)))
 
 
 # --- ideal forces
@@ -81,7 +75,7 @@ def net_power(draft: Draft, name: str) -> Scalar:
 def _cancelling(draft: Draft, name: str, items: list[ForceWork], terms: list[t.Sym]) -> None:
     """The sum of all works vanishes although the single ones don't."""
     bodies = list(dict.fromkeys(item.on for item in items))
-    force = forces_of(draft, name)[0]
+    force = draft.study.system.named(name)[0]
     manner = _manner(draft.study.system.element(name), name) if force.vector else "couple"
     opposite = manner == "grip" and len(terms) == 2 and len(bodies) == 1
     statement = t.equation(terms[0], t.neg(terms[1])) if opposite else t.equation(t.add(*terms), t.ZERO)
@@ -124,7 +118,7 @@ def _dissipated(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
         chain,
         f"work.dissipated.{'friction' if rough else 'damper'}",
         premises=[f"work.{i.force}.{i.on}" for i in items],
-        force=force_node(draft, forces_of(draft, name)[0]),
+        force=force_node(draft, draft.study.system.named(name)[0]),
         normal=t.Sym(element.name),
         variant="one" if len(terms) == 1 else "many",
         obligations=(t.relation(t.Sym(element.name), ">=", t.ZERO),) if rough else (),

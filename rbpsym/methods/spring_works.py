@@ -20,7 +20,7 @@ from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.placing import locator
 from rbpsym.methods.known_works import start_of
-from rbpsym.methods.net_work import HALVES, forces_of
+from rbpsym.methods.net_work import HALVES
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
 
@@ -53,7 +53,7 @@ def _spring(draft: Draft, item: ForceWork) -> Spring | None:
     element, system = draft.study.system.element(item.force), draft.study.system
     if element.kind != "spring" or isinstance(element["natural_length"], (t.Sym, t.Num)):
         return None
-    if len(forces_of(draft, item.force)) != 1 or not item.translational.value or not item.rotational.value:
+    if len(draft.study.system.named(item.force)) != 1 or not item.translational.value or not item.rotational.value:
         return None
     states = system.bodies
     where = locator(system.problem, {n: s.inertia for n, s in states.items()}, {n: s.pose for n, s in states.items()})
@@ -74,7 +74,7 @@ def _write(draft: Draft, spring: Spring) -> None:
     if any(length(node) > LONGEST for node in shown):
         return
     slots = {
-        "force": force_node(draft, forces_of(draft, spring.item.force)[0]),
+        "force": force_node(draft, draft.study.system.named(spring.item.force)[0]),
         "body": BodyRef(spring.item.on),
         "natural": natural,
         "value": t.equation(natural, draft.show(spring.natural)),

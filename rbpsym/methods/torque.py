@@ -94,7 +94,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     name = draft.free(
         f"tau_{_subscript(draft, balance)}" if not draft.is_single else f"tau_{_point(draft, balance).name}"
     )
-    parts = [short((f.point - balance.where).cross(f.vector) + f.couple) for f in forces]
+    parts = [short(f.torque(balance.where)) for f in forces]
     shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
     draft.context.vectors[name] = Space(z=balance.right)
     together = draft.show(balance.right, factor=True)

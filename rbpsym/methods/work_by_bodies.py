@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.chapters.forces import is_reaction
 from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
@@ -54,9 +53,9 @@ def _inner(draft: Draft) -> dict[str, Force]:
     """Ideal forces between two bodies that do work on each of them, by name: the action, not the reaction."""
     found = {}
     for force in draft.study.system.forces:
-        same = [f for f in draft.study.system.forces if f.name == force.name]
+        same = draft.study.system.named(force.name)
         pair = len({f.on for f in same}) == 2 and all(f.by in draft.study.system.bodies for f in same)
-        if pair and draft.study.dynamics.workless.get(force.name) and not is_reaction(draft, force):
+        if pair and draft.study.dynamics.workless.get(force.name) and not draft.study.system.is_reaction(force):
             found[force.name] = force
     return {name: force for name, force in found.items() if not is_zero(_power(draft, name, force.on))}
 
@@ -92,7 +91,7 @@ def write(draft: Draft, parts: Parts) -> None:
 def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]) -> Step:
     """± the works of the inner forces, and those that are known: the change of the kinetic energy of the body."""
     inner, known = parts.inner, parts.known[body]
-    parties = {name: {f.on for f in draft.study.system.forces if f.name == name} for name in inner}
+    parties = {name: {f.on for f in draft.study.system.named(name)} for name in inner}
     unknown = [n if inner[k].on == body else t.neg(n) for k, n in letters.items() if body in parties[k]]
     state = draft.study.system.bodies[body]
     growth = gained(draft, energy.translational_energy(state) + energy.rotational_energy(state))

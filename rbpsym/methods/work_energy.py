@@ -149,10 +149,7 @@ def _kinetic_nodes(draft: Draft, name: str) -> tuple[t.Node, t.Node]:
     mass = draft.show(draft.study.system.bodies[name].mass)
     velocity, omega = t.Vec(draft.of_body("V", name)), t.Sym(draft.of_body("omega", name))
     moment = t.Sym(draft.of_body("I", name))
-    return (
-        t.mul(t.Div(t.ONE, t.TWO), mass, t.Pow(velocity, t.TWO)),
-        t.mul(t.Div(t.ONE, t.TWO), moment, t.Pow(omega, t.TWO)),
-    )
+    return t.half_square(mass, velocity), t.half_square(moment, omega)
 
 
 def _whole(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:

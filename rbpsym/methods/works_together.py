@@ -215,7 +215,7 @@ def _kinetic(draft: Draft, these: Together, half: str) -> t.Node:
     if half == "rotational":
         return show_gained(draft, value)
     velocity, mass = t.Vec(draft.of_body("V", these.name)), draft.show(these.state.mass)
-    named = t.mul(t.Div(t.ONE, t.TWO), mass, t.Pow(velocity, t.TWO))
+    named = t.half_square(mass, velocity)
     return named if value == short(of(these.state)) else t.Delta(t.Group(named))
 
 

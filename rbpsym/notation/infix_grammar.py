@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import partial
 from types import MappingProxyType
 
-from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_names import (
     Reader,
@@ -21,16 +21,12 @@ from rbpsym.notation.infix_names import (
     symbol_named,
     unknown,
 )
-from rbpsym.notation.limits import check_exponent, number_of
+from rbpsym.notation.limits import number_of
 
 _ROOTS = frozenset(("sqrt", "cbrt", "root"))
 _POWERED = frozenset({
     "sin", "cos", "tan", "cot", "sec", "csc", "sen", "tg", "ctg", "cotg", "cosec", "sinh", "cosh", "tanh", "senh", "tgh",
 })  # fmt: skip
-
-
-def _spanned(node: t.Node, start: int, reader: Reader) -> t.Node:
-    return replace(node, span=(start, reader.previous_end))
 
 
 def expression(reader: Reader) -> t.Node:
@@ -44,7 +40,7 @@ def expression(reader: Reader) -> t.Node:
             if sign.text == "-":
                 term = t.Neg(term, span=(sign.start, reader.previous_end))
             terms.append(term)
-    return terms[0] if len(terms) == 1 else _spanned(t.Add(tuple(terms)), start, reader)
+    return terms[0] if len(terms) == 1 else reader.spanned(t.Add(tuple(terms)), start)
 
 
 def _term(reader: Reader) -> t.Node:
@@ -52,7 +48,7 @@ def _term(reader: Reader) -> t.Node:
     start = reader.token.start
     if reader.accept("-"):
         with reader.deeper():
-            return _spanned(t.Neg(_term(reader)), start, reader)
+            return reader.spanned(t.Neg(_term(reader)), start)
     if reader.accept("+"):
         with reader.deeper():
             return _term(reader)
@@ -77,7 +73,7 @@ def _product(reader: Reader) -> t.Node:
 def _one(factors: list[t.Node], start: int, reader: Reader) -> t.Node:
     if len(factors) == 1:
         return factors[0]
-    return _spanned(t.Mul(tuple(factors)), start, reader)
+    return reader.spanned(t.Mul(tuple(factors)), start)
 
 
 def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
@@ -86,15 +82,15 @@ def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
     reader.take()
     den = _signed_factor(reader)
     if inside:
-        return _spanned(in_last_argument(num, lambda arg: t.Div(arg, den)), start, reader)
-    return _spanned(t.Div(num, den), start, reader)
+        return reader.spanned(in_last_argument(num, lambda arg: t.Div(arg, den)), start)
+    return reader.spanned(t.Div(num, den), start)
 
 
 def _signed_factor(reader: Reader) -> t.Node:
     start = reader.token.start
     if reader.accept("-"):
         with reader.deeper():
-            return _spanned(t.Neg(_signed_factor(reader)), start, reader)
+            return reader.spanned(t.Neg(_signed_factor(reader)), start)
     return _factor(reader)
 
 
@@ -128,9 +124,9 @@ def _factor(reader: Reader) -> t.Node:
     base = _atom(reader)
     if reader.token.kind == "raised":
         exponent = _exponent_number(reader.take())
-        base = _power(base, exponent, start, reader)
+        base = reader.power(base, exponent, start)
     elif reader.accept("^"):
-        base = _power(base, _fraction(reader, _exponent(reader)), start, reader)
+        base = reader.power(base, _fraction(reader, _exponent(reader)), start)
     if reader.token.kind == "raised" or reader.sees("^"):
         raise reader.error("an exponent follows an exponent", "Use parentheses.")
     return base
@@ -151,20 +147,12 @@ def _fraction(reader: Reader, exponent: t.Node) -> t.Node:
     if not reader.decide(what, "Write x^(1/2), or (x^1)/2.", changes_value=True, usual=True):
         return exponent
     reader.take()
-    return _spanned(t.Div(exponent, _atom(reader)), exponent.span[0], reader)
+    return reader.spanned(t.Div(exponent, _atom(reader)), exponent.span[0])
 
 
 def _exponent_number(token: Token) -> t.Node:
     value = t.Num(abs(token.value), span=(token.start, token.end))
     return t.Neg(value, span=value.span) if token.value < 0 else value
-
-
-def _power(base: t.Node, exponent: t.Node, start: int, reader: Reader) -> t.Node:
-    try:
-        check_exponent(exponent)
-    except LimitError as error:
-        raise error.at(reader.source.at(*(exponent.span or (start, start + 1)))) from None
-    return _spanned(t.Pow(base, exponent), start, reader)
 
 
 def _atom(reader: Reader) -> t.Node:
@@ -224,7 +212,7 @@ def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
 
 def _root(reader: Reader) -> t.Node:
     sign = reader.take()
-    return _spanned(t.Sqrt(_radicand(reader)), sign.start, reader)
+    return reader.spanned(t.Sqrt(_radicand(reader)), sign.start)
 
 
 def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
@@ -239,14 +227,14 @@ def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
     if closed or not reader.sees("/") or not t.names(under) or not decided():
         return under
     reader.take()
-    return _spanned(t.Div(under, _factor(reader)), start, reader)
+    return reader.spanned(t.Div(under, _factor(reader)), start)
 
 
 def _bars(reader: Reader) -> t.Node:
     opening = reader.take()
     inner = _within(reader, bars=True)
     _close(reader, opening, "|")
-    return _spanned(t.Abs(inner), opening.start, reader)
+    return reader.spanned(t.Abs(inner), opening.start)
 
 
 _OPENINGS = MappingProxyType({"(": _parenthesis, "√": _root, "|": _bars})
@@ -269,8 +257,8 @@ def _call(token: Token, reader: Reader) -> t.Node:
     bare = _radicand if token.text in _ROOTS else _bare_argument
     arg = _parenthesis(reader) if reader.sees("(") else bare(reader, token)
     made = reader.functions[token.text](arg)  # cosh(x) is a quotient, but is none as it is typed
-    call = _spanned(t.Group(made) if isinstance(made, t.Div) else made, token.start, reader)
-    return _power(call, exponent, token.start, reader) if exponent else call
+    call = reader.spanned(t.Group(made) if isinstance(made, t.Div) else made, token.start)
+    return reader.power(call, exponent, token.start) if exponent else call
 
 
 def _function_power(token: Token, reader: Reader) -> t.Node | None:
@@ -297,7 +285,7 @@ def _bare_argument(reader: Reader, token: Token) -> t.Node:
         raise reader.error(f"{token.text} needs its argument", f"Write {token.text}(...).", token)
     arg = _atom(reader)
     if isinstance(arg, t.Num) and reader.token.kind == "name" and not is_call(reader):
-        arg = _spanned(t.Mul((arg, _atom(reader))), start, reader)
+        arg = reader.spanned(t.Mul((arg, _atom(reader))), start)
     if reader.sees("^") or reader.token.kind == "raised":
         raise reader.error("is the argument or the function raised to this power?",
                            f"Write {token.text}(x^2) or {token.text}(x)^2.")  # fmt: skip

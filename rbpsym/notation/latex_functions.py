@@ -25,7 +25,6 @@ from rbpsym.notation.latex_grammar import (
     expression,
     factor,
     number,
-    power_of,
     refuse_number,
 )
 from rbpsym.notation.latex_names import begins_name, read_name
@@ -152,7 +151,7 @@ def _function(reader: Reader) -> t.Node:
     arg = _argument(reader, token)
     made = t.Group(HYPERBOLIC[name](arg)) if name in HYPERBOLIC else t.Fn(name, arg)
     call = reader.spanned(made, token.start)
-    return power_of(reader, call, exponent, token.start) if exponent else call
+    return reader.power(call, exponent, token.start) if exponent else call
 
 
 def _argument(reader: Reader, head: Token) -> t.Node:

@@ -6,11 +6,11 @@ import re
 from dataclasses import replace
 from fractions import Fraction as Rational
 
-from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
-from rbpsym.notation.limits import check_exponent, number_of
+from rbpsym.notation.limits import number_of
 from rbpsym.notation.symbol_table import COMMANDS, Reader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
@@ -177,7 +177,7 @@ def factor(reader: Reader) -> t.Node:
     base = atom(reader)
     while reader.sees_sign("^"):
         reader.take()
-        base = power_of(reader, base, _exponent(reader), start)
+        base = reader.power(base, _exponent(reader), start)
     if reader.sees_sign("_", "'"):
         raise reader.error("only a symbol can have a subscript or prime")
     return base
@@ -191,15 +191,6 @@ def _exponent(reader: Reader) -> t.Node:
         return node
     reader.take()
     return t.Div(node, number(reader))
-
-
-def power_of(reader: Reader, base: t.Node, exponent: t.Node, start: int) -> t.Node:
-    """base^exponent. Raises LimitError for an exponent beyond the bounds."""
-    try:
-        check_exponent(exponent)
-    except LimitError as error:
-        raise error.at(reader.source.at(*(exponent.span or (start, start + 1)))) from None
-    return reader.spanned(t.Pow(base, exponent), start)
 
 
 def atom(reader: Reader) -> t.Node:

@@ -24,8 +24,9 @@ def to_machine(node: t.Node, notation: Notation = DEFAULT) -> str:
 
 
 def _written(node: t.Node) -> tuple[str, int]:
-    """(text, how tightly it binds)."""
-    return TABLE[type(node)](node)
+    """(text, how tightly it binds); what has no sign of its own is a call with all its parts."""
+    write = TABLE.get(type(node))
+    return write(node) if write else _call(type(node).__name__, *(getattr(node, name) for name in t.parts(type(node))))
 
 
 def _wrap(node: t.Node, least: int) -> str:
@@ -113,14 +114,6 @@ def _deriv(node: t.Deriv) -> tuple[str, int]:
     return _call(name, node.of, *([node.wrt] * node.order))
 
 
-def _integral(node: t.Integral) -> tuple[str, int]:
-    return _call("Integral", node.integrand, node.var, node.lower, node.upper)
-
-
-def _bracket(node: t.Bracket) -> tuple[str, int]:
-    return _call("Bracket", node.arg, node.var, node.lower, node.upper)
-
-
 def _path(node: t.PathIntegral) -> tuple[str, int]:
     return _call("PathIntegral", node.integrand, node.path, f'"{node.product}"')
 
@@ -144,13 +137,5 @@ def _system(node: t.System) -> tuple[str, int]:
 TABLE: dict[type, Callable[..., tuple[str, int]]] = {
     t.Num: _num, t.Sym: _name, t.Vec: _name, t.Unit: _unit, t.Add: _add, t.Neg: _neg,
     t.Mul: _mul, t.Div: _div, t.Pow: _pow, t.Sqrt: _sqrt, t.Fn: _fn, t.Abs: _abs,
-    t.Group: _group, t.Deriv: _deriv, t.Integral: _integral, t.Bracket: _bracket,
-    t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.System: _system,
-    t.Cross: lambda node: _call("Cross", node.left, node.right),
-    t.Dot: lambda node: _call("Dot", node.left, node.right),
-    t.BodyIntegral: lambda node: _call("BodyIntegral", node.integrand, node.body),
-    t.Sum: lambda node: _call("Sum", node.term, node.index),
-    t.Delta: lambda node: _call("Delta", node.arg),
-    t.At: lambda node: _call("At", node.arg, node.condition),
-    t.Limit: lambda node: _call("Limit", node.arg, node.var, node.to),
+    t.Group: _group, t.Deriv: _deriv, t.PathIntegral: _path, t.Word: _word, t.Chain: _chain, t.System: _system,
 }  # fmt: skip

@@ -5,10 +5,12 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
+from rbpsym.notation import tree as t
+from rbpsym.notation.limits import check_exponent
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +80,7 @@ class _Token(Protocol):
 class _Source(Protocol):
     text: str
 
+    def at(self, start: int, end: int) -> Place: ...
     def error(self, what: str, start: int, end: int, instead: str = "") -> RbpsymError: ...
     def limit(self, what: str, start: int = 0, end: int = 1) -> RbpsymError: ...
 
@@ -128,6 +131,18 @@ class Cursor(Generic[T]):
         """A ReadError at a token (the next one by default)."""
         token = token or self.token
         return self.source.error(what, token.start, token.end, instead)
+
+    def spanned(self, node: t.Node, start: int) -> t.Node:
+        """The node with its span from `start` to here."""
+        return replace(node, span=(start, self.previous_end))
+
+    def power(self, base: t.Node, exponent: t.Node, start: int) -> t.Node:
+        """base^exponent. Raises LimitError for an exponent beyond the bounds."""
+        try:
+            check_exponent(exponent)
+        except LimitError as error:
+            raise error.at(self.source.at(*(exponent.span or (start, start + 1)))) from None
+        return self.spanned(t.Pow(base, exponent), start)
 
     @contextmanager
     def deeper(self) -> Iterator[None]:

@@ -169,10 +169,6 @@ class Reader(Cursor[Token]):
             raise self.error(f"this “{opening.text}” is never closed", "", opening)
         raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected")
 
-    def spanned(self, node: t.Node, start: int) -> t.Node:
-        """The node with its span from `start` to here."""
-        return replace(node, span=(start, self.previous_end))
-
 
 Read = Callable[[Reader], t.Node]
 COMMANDS: dict[str, Read] = {}

@@ -263,13 +263,14 @@ def spread(integrand: Node) -> tuple[Node, str, Node] | None:
 
 
 @cache
-def _parts(kind: type[Node]) -> tuple[str, ...]:
+def parts(kind: type[Node]) -> tuple[str, ...]:
+    """The names of what a kind of node consists of."""
     return tuple(item.name for item in fields(kind) if item.name != "span")
 
 
 def children(node: Node) -> Iterator[Node]:
     """The direct parts of a node, in reading order."""
-    for name in _parts(type(node)):
+    for name in parts(type(node)):
         value = getattr(node, name)
         if isinstance(value, Node):
             yield value
@@ -289,7 +290,7 @@ def walk(node: Node) -> Iterator[Node]:
 def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
     """The node with each of its direct parts changed."""
     changed: dict[str, object] = {}
-    for name in _parts(type(node)):
+    for name in parts(type(node)):
         value = getattr(node, name)
         if isinstance(value, Node):
             changed[name] = change(value)
@@ -366,6 +367,11 @@ def div(num: Node, den: Node) -> Node:
     if isinstance(num, Num) and num.value < 0:
         return neg(div(Num(-num.value), den))
     return num if den == ONE else ZERO if num == ZERO else Div(num, den)
+
+
+def half_square(factor: Node, base: Node) -> Node:
+    """½ m v²."""
+    return mul(Div(ONE, TWO), factor, Pow(base, TWO))
 
 
 def power(base: Node, exponent: int | Fraction) -> Node:

@@ -22,39 +22,33 @@ def write(draft: Draft) -> None:
         _entry(draft, force)
 
 
-def is_reaction(draft: Draft, force: Force) -> bool:
-    """Whether it is the opposite of a force of the same name that comes first."""
-    first = next(f for f in draft.study.system.forces if f.name == force.name)
-    return first is not force and first.on == force.by and first.by == force.on
-
-
 def force_node(draft: Draft, force: Force) -> t.Node:
     """The vector as it is named: N on the second body, -N on the first, W_rod for one of several weights."""
-    same = [f for f in draft.study.system.forces if f.name == force.name]
+    same = draft.study.system.named(force.name)
     if not force.vector:
-        return t.neg(t.Sym(force.name)) if is_reaction(draft, force) else t.Sym(force.name)
-    if is_reaction(draft, force):
+        return t.neg(t.Sym(force.name)) if draft.study.system.is_reaction(force) else t.Sym(force.name)
+    if draft.study.system.is_reaction(force):
         return t.neg(t.Vec(force.name))
-    if len(same) > 1 and not any(is_reaction(draft, f) for f in same):
+    if len(same) > 1 and not any(draft.study.system.is_reaction(f) for f in same):
         return t.Vec(draft.free(f"{force.name}_{force.on}", taken=()))
     return t.Vec(force.name)
 
 
 def name_node(draft: Draft, name: str) -> t.Node:
     """What is called so on all bodies together: a vector, or a couple."""
-    vector = any(force.vector for force in draft.study.system.forces if force.name == name)
+    vector = any(force.vector for force in draft.study.system.named(name))
     return t.Vec(name) if vector else t.Sym(name)
 
 
 def tag(draft: Draft, force: Force) -> str:
     """Name by which works and torques of the force on its body are told apart."""
-    same = {f.on for f in draft.study.system.forces if f.name == force.name}
+    same = {f.on for f in draft.study.system.named(force.name)}
     return force.name if len(same) == 1 else f"{force.name}_{force.on}"
 
 
 def torque(force: Force, origin) -> Scalar:
     """Torque about a fixed point, the couple included."""
-    return short((force.point - origin).cross(force.vector) + force.couple)
+    return short(force.torque(origin))
 
 
 def torque_node(draft: Draft, force: Force, origin) -> t.Node:

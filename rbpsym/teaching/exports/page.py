@@ -15,6 +15,7 @@ from markupsafe import escape
 from rbpsym.document import model as d
 from rbpsym.document.figures.scene import Scene
 from rbpsym.document.pictures import drawings
+from rbpsym.document.writers.html import HTML
 from rbpsym.document.writers.page import Page, Print
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
@@ -95,17 +96,14 @@ def svg(scenes: tuple[Scene, ...], notation: Notation) -> bytes:
 
 def _table(paper: Paper) -> Mapping[type, Print]:
     return {
+        **HTML,
         d.Text: lambda inline, page: str(escape(inline.text)),
         d.Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
         d.Ref: lambda inline, page: str(
             escape(paper.marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
         ),
-        d.Emph: lambda inline, page: f"<em>{page.inlines(inline.inlines)}</em>",
-        d.Strong: lambda inline, page: f"<strong>{page.inlines(inline.inlines)}</strong>",
-        d.Paragraph: lambda block, page: f"<p>{page.inlines(block.inlines)}</p>",
         d.Display: lambda block, page: _display(block, page, paper),
         d.Table: _table_html,
-        d.ItemList: _list,
         d.Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
         d.FigureBlock: lambda block, page: _figure(block, page, paper),
     }
@@ -128,11 +126,6 @@ def _table_html(block: d.Table, page: Page) -> str:
     head = f"<thead>{_row(block.header, 'th', page)}</thead>" if any(block.header) else ""
     rows = "".join(_row(row, "td", page) for row in block.rows)
     return f"<table>{head}<tbody>{rows}</tbody></table>"
-
-
-def _list(block: d.ItemList, page: Page) -> str:
-    tag = "ol" if block.ordered else "ul"
-    return f"<{tag}>{''.join(f'<li>{page.inlines(item)}</li>' for item in block.items)}</{tag}>"
 
 
 def _figure(block: d.FigureBlock, page: Page, paper: Paper) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import partial
-from hashlib import sha256
 from unicodedata import category
 
 from markupsafe import Markup, escape
@@ -13,12 +12,12 @@ from rbpsym.document.model import Inlines, Math, Text
 from rbpsym.document.writers.page import shell
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.notation.mathml import to_mathml
-from rbpsym.teaching.exports.packing import slug
 from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.remarks import comment
 from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.papers.naming import own
 from rbpsym.teaching.units import number_text
 from rbpsym.teaching.wording import teaching_phrases
 
@@ -103,9 +102,4 @@ def _html(inlines: Inlines, worksheet: Worksheet) -> Markup:
 
 def file_name(student: str) -> str:
     """The name of a student's page: safe in any folder, and another one for each student."""
-    plain = slug(student)
-    return (
-        f"{plain}.html"
-        if plain == student == student.lower()
-        else f"{plain}-{sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}.html"
-    )
+    return f"{own(student)}.html"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
@@ -23,6 +24,7 @@ from rbpsym.teaching.model import Anticipated
 
 EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)
 _RADIANS = re.compile(r"(?<=[)\]}\s])\s*\b(?:rad|radians?|radianes)\s*$")  # a unit behind a formula of an angle
+T = TypeVar("T")
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
@@ -199,7 +201,7 @@ def _unfinished(answer: t.Node, sought: Sought) -> Judgement | None:
     return None
 
 
-def _tried(change: Callable[[Scalar], Scalar], value: Scalar) -> Scalar | None:
+def _tried(change: Callable[[T], Scalar], value: T) -> Scalar | None:
     try:
         return change(value)
     except OUTSIDE:
@@ -251,12 +253,7 @@ def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
 
 
 def _value(node: t.Node, ground: Ground) -> Scalar | None:
-    if not is_small(node):
-        return None
-    try:
-        return scalar(node, ground.scope)
-    except OUTSIDE:
-        return None
+    return _tried(lambda known: scalar(known, ground.scope), node) if is_small(node) else None
 
 
 def _rounded(answer: t.Node, sought: Sought) -> Judgement | None:

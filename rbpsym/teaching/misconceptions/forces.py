@@ -36,7 +36,7 @@ def _force_sign(study: Study) -> Iterator[Site]:
 
 def _is_couple(study: Study, name: str) -> bool:
     """Does an interaction only turn, and neither push nor pull?"""
-    return not any(f.vector for f in study.system.forces if f.name == name)
+    return not any(f.vector for f in study.system.named(name))
 
 
 def _one_torque_sign(study: Study) -> Iterator[Site]:

@@ -119,7 +119,7 @@ def _friction_is_mu_n(study: Study) -> Iterator[Site]:
 def _with_greatest_friction(study: Study, element: Element) -> Study:
     """Kinetic friction, to the side to which the static friction pushes."""
     name = element["friction"]
-    force = next(f for f in study.system.forces if f.name == name)
+    force = study.system.named(name)[0]
     push = force.vector.substitute({name: UNITY}).dot(meeting(element, geometry_of(study.system)).forward)
     way = change.sign_of(study, push) * change.sign_of(study, study.dynamics.reactions[name])
     slip = "backward" if way > 0 else "forward"

@@ -8,12 +8,12 @@ from fractions import Fraction
 from rbpsym.derivation.step import Derivation
 from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
-from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
+from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.papers.blocks import LETTERS, Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.units import measure_text, number_text
-from rbpsym.teaching.wording import plain_text, say, spoken
+from rbpsym.teaching.wording import plain_text, say
 
 SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
 
@@ -243,8 +243,7 @@ def _slips(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Inlines]:
 
 def feedback(slip: m.Slip, item: m.Item, worksheet: m.Worksheet) -> d.Inlines:
     """What is said of a slip, the bodies called as in the problem of the item."""
-    said = Words(worksheet.language, worksheet.problems[item.asked.problem])
-    return spoken(said, slip.phrase, **slip.slots)
+    return say_slip(slip, worksheet.language, (worksheet.problems[item.asked.problem],))
 
 
 # --- the solution

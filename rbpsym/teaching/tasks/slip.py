@@ -131,7 +131,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target, found: tuple[Told, ...])
         asks = spoken(setting.said, "ask.find-the-slip", left=target.left)
         prompt = (Paragraph((*asks, *_hint(setting, wish, slip))),)
         key = SlipKey(tuple(map(piece, told.lines)), told.first, told.corrected, slip)
-        solution = (Paragraph(feedback(setting, slip)), Display(told.corrected, numbered=False))
+        solution = (Paragraph(spoken(setting.said, slip.phrase, **slip.slots)), Display(told.corrected, numbered=False))
         return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=2)
 
     return Prepared("find-the-slip", target, (), make, content=_content(found))
@@ -151,8 +151,3 @@ def _content(found: tuple[Told, ...]) -> Content:
     right = claims(step.statement for told in found for step in told.right)
     asked = claims(told.corrected for told in found)
     return Content((lines & right) - asked, asked)
-
-
-def feedback(setting: Setting, slip: Slip) -> Inlines:
-    """What is said of a slip."""
-    return spoken(setting.said, slip.phrase, **slip.slots)
