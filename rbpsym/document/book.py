@@ -101,7 +101,7 @@ def references(labels: Iterable[str]) -> Inlines:
 def subjects(study: Study) -> set[str]:
     """The kinds of bodies, forces and constraints of a problem, and what happens in it."""
     problem = study.problem
-    elements = (*problem.interactions, *problem.constraints)
+    elements = problem.elements
     kinds = {body.shape.kind for body in problem.bodies} | {element.kind for element in elements}
     kinds |= {impulse.kind for phase in problem.phases for impulse in phase.impulses}
     slips = any(element.values.get("coefficient") is not None for element in elements)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.figures.sketch import Point, SketchArrow
 from rbpsym.document.pose import DrawnPose
-from rbpsym.document.sketch_supports import elements
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
@@ -36,7 +35,7 @@ def _letter(element: Element, parts: tuple[t.Node, ...]) -> t.Node:
 
 
 def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in elements(pose, "force"):
+    for element in pose.study.problem.of_kind("force"):
         acting = pose.study.system.named(element.name)[0]
         way = _unit(*(_value(pose, part) for part in (acting.vector.x, acting.vector.y)))
         if way:
@@ -51,7 +50,7 @@ def _value(pose: DrawnPose, value) -> float:
 
 
 def _couples(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in elements(pose, "couple"):
+    for element in pose.study.problem.of_kind("couple"):
         sense = math.copysign(1.0, pose.node(element["couple"]))
         yield SketchArrow("couple", pose.center(element["on"]), (sense, 0.0), _sized(element["couple"], element.name))
 
@@ -62,11 +61,11 @@ def _sized(node: t.Node, name: str) -> t.Node:
 
 
 def _driven(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in elements(pose, "prescribed"):
+    for element in pose.study.problem.of_kind("prescribed"):
         way = _unit(*(pose.node(part) for part in element["along"]))
         if way:
             yield SketchArrow("driven", pose.ref(element["point"]), way, element["distance"])
-    for element in elements(pose, "prescribed-angle"):
+    for element in pose.study.problem.of_kind("prescribed-angle"):
         yield SketchArrow("spin", pose.center(element["body"]), (1.0, 0.0), element["angle"])
 
 

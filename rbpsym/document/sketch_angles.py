@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from rbpsym.algebra.calculus import derivative
 from rbpsym.document.figures.sketch import AngleMark, Point
 from rbpsym.document.pose import DrawnPose, other_numbers
-from rbpsym.document.sketch_supports import elements, lines, points
+from rbpsym.document.sketch_supports import lines, points
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 
@@ -96,7 +96,7 @@ def _vertex(pose: DrawnPose, body: str) -> Point:
     hinges = [p.at for p in marked if body in p.bodies and p.kind == "pivot"]
     touches = [
         pose.ref(e["point"])
-        for e in elements(pose, "contact")
+        for e in pose.study.problem.of_kind("contact")
         if e["point"].body == body and e.values.get("line") is not None and abs(pose.node(e["line"].a)) < CLOSE
     ]
     pins = [p.at for p in marked if body in p.bodies]

@@ -18,12 +18,6 @@ from rbpsym.statement.paths import runs
 NEAR = 1e-9
 
 
-def elements(pose: DrawnPose, *kinds: str) -> list[Element]:
-    """Constraints and interactions of these kinds."""
-    both = (*pose.study.problem.constraints, *pose.study.problem.interactions)
-    return [element for element in both if element.kind in kinds]
-
-
 def touching(pose: DrawnPose) -> list[Element]:
     """Constraints on a line or a circle."""
     return [e for e in pose.study.problem.constraints if "line" in e.values]
@@ -31,16 +25,16 @@ def touching(pose: DrawnPose) -> list[Element]:
 
 def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
     """Pivots, pins, welds, led points, edges, and the fixed ends of springs and strings."""
-    for element in elements(pose, "pivot"):
+    for element in pose.study.problem.of_kind("pivot"):
         ref = element["point"]
         yield sk.SketchPoint("pivot", pose.ref(ref), origin_label(pose.ref(ref)), (ref.body,))
-    for element in elements(pose, "pin", "weld"):
+    for element in pose.study.problem.of_kind("pin", "weld"):
         yield _joined(pose, element)
     for element in touching(pose):
         yield from _led_or_edge(pose, element)
-    for element in elements(pose, "spring", "damper"):
+    for element in pose.study.problem.of_kind("spring", "damper"):
         yield from _anchors(pose, *element["between"])
-    for element in elements(pose, "string"):
+    for element in pose.study.problem.of_kind("string"):
         yield from _string_ends(pose, element["path"])
 
 
@@ -114,7 +108,7 @@ def lines(pose: DrawnPose) -> Iterator[sk.SketchLine]:
 def _edge_of_table(pose: DrawnPose, line: tuple[float, float, float], at: sk.Point) -> sk.Point | None:
     """Where a line ends before a pulley that stands at its end."""
     a, b, c = line
-    for element in elements(pose, "string"):
+    for element in pose.study.problem.of_kind("string"):
         for turn in element["path"]:
             x, y = pose.ref(turn.center)
             radius = pose.node(turn.radius) if turn.sense else 0.0
@@ -136,7 +130,7 @@ def circles(pose: DrawnPose) -> Iterator[sk.SketchCircle]:
             continue
         seen.add(centre.label)
         yield _touched(pose, element)
-    for element in elements(pose, "string"):
+    for element in pose.study.problem.of_kind("string"):
         for turn in element["path"]:
             if turn.body is None and turn.sense:
                 yield sk.SketchCircle(pose.ref(turn.center), pose.node(turn.radius), "convex", turn.radius)
@@ -164,7 +158,7 @@ def _hollow(pose: DrawnPose, element: Element, at: sk.Point) -> str:
 def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
     """Each string as a line of points, with arcs round its pulleys."""
     geometry = geometry_of(pose.study.system)
-    for element in elements(pose, "string"):
+    for element in pose.study.problem.of_kind("string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
         found: list[sk.Point] = []
         for number, piece in enumerate(pieces):
@@ -187,7 +181,7 @@ def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list
 
 def links(pose: DrawnPose) -> Iterator[sk.SketchLink]:
     """Springs and dampers."""
-    for element in elements(pose, "spring", "damper"):
+    for element in pose.study.problem.of_kind("spring", "damper"):
         key = "stiffness" if element.kind == "spring" else "coefficient"
         start, end = (pose.ref(ref) for ref in element["between"])
         yield sk.SketchLink(element.kind, start, end, element[key])
@@ -195,7 +189,7 @@ def links(pose: DrawnPose) -> Iterator[sk.SketchLink]:
 
 def coils(pose: DrawnPose) -> Iterator[sk.SketchCoil]:
     """Torsion springs and rotary dampers, at a hinge."""
-    for element in elements(pose, "torsion-spring", "rotary-damper"):
+    for element in pose.study.problem.of_kind("torsion-spring", "rotary-damper"):
         key = "stiffness" if element.kind == "torsion-spring" else "coefficient"
         name = next(n for n in reversed(element["between"]) if n in pose.study.system.bodies)
         yield sk.SketchCoil(_hinge(pose, name), element[key], element.kind.replace("-", "_"))

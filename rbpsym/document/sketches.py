@@ -167,7 +167,7 @@ def _couple_letter(force: Force) -> t.Sym:
 
 
 def _gravity(pose: DrawnPose) -> dict[str, object]:
-    for element in supports.elements(pose, "gravity"):
+    for element in pose.study.problem.of_kind("gravity"):
         x, y = (pose.node(n) for n in element["direction"])
         return {"gravity": (x, y), "gravity_label": element["g"]}
     return {"gravity": None}

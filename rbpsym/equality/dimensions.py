@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from rbpsym.errors import DimensionError, Place
 from rbpsym.notation import tree
+from rbpsym.notation.limits import number_of
 from rbpsym.notation.tree import Node
 from rbpsym.quantities import MASS, NUMBER, TIME, Dimension
 
@@ -118,27 +119,12 @@ def _pure(node: Node, dimensions: Dimensions, what: str) -> None:
         raise _error(node, f"{what} must be an angle or a number, but this is {a(found)}")
 
 
-def _rational(node: Node) -> Fraction | None:
-    """The value of a literal exponent."""
-    if isinstance(node, tree.Num):
-        return Fraction(node.value)
-    if isinstance(node, tree.Group):
-        return _rational(node.arg)
-    if isinstance(node, tree.Neg):
-        value = _rational(node.arg)
-        return None if value is None else -value
-    if isinstance(node, tree.Div):
-        num, den = _rational(node.num), _rational(node.den)
-        return num / den if den and num is not None else None
-    return None
-
-
 def _power(node: tree.Pow, dimensions: Dimensions) -> _Found:
     base = _find(node.base, dimensions)
     _pure(node.exponent, dimensions, "an exponent")
     if base in (None, NUMBER):
         return base
-    exponent = _rational(node.exponent)
+    exponent = number_of(node.exponent)
     if exponent is None:
         raise _error(node.exponent, f"the exponent of {a(base)} must be a plain number")
     return base**exponent
@@ -188,14 +174,11 @@ _RULES: dict[type[Node], Callable[[Node, Dimensions], _Found]] = {
     tree.Vec: _symbol,
     tree.Unit: lambda node, _: NUMBER,
     tree.Add: _sum,
-    tree.Neg: _inner,
     tree.Mul: _product(lambda node: node.factors),
     tree.Div: _quotient,
     tree.Pow: _power,
     tree.Sqrt: _root,
     tree.Fn: _function,
-    tree.Abs: _inner,
-    tree.Group: _inner,
     tree.Cross: _product(lambda node: (node.left, node.right)),
     tree.Dot: _product(lambda node: (node.left, node.right)),
     tree.Deriv: _derivative,
@@ -203,11 +186,8 @@ _RULES: dict[type[Node], Callable[[Node, Dimensions], _Found]] = {
     tree.BodyIntegral: lambda node, dimensions: _times(_find(node.integrand, dimensions), MASS),
     tree.PathIntegral: _path,
     tree.Sum: lambda node, dimensions: _find(node.term, dimensions),
-    tree.Bracket: _inner,
-    tree.Delta: _inner,
-    tree.At: _inner,
-    tree.Limit: _inner,
     tree.Word: lambda node, _: None,
     tree.Chain: _chain,
+    **dict.fromkeys((tree.Neg, tree.Abs, tree.Group, tree.Bracket, tree.Delta, tree.At, tree.Limit), _inner),
     tree.System: _system,
 }

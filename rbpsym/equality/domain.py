@@ -139,10 +139,7 @@ PLAINLY: dict[type, Callable[[Any, Assumptions], bool]] = {
     t.Pow: lambda node, given: _is_even(node.exponent) or _is_plainly_nonnegative(node.base, given),
     t.Sqrt: lambda node, given: True,
     t.Abs: lambda node, given: True,
-    t.Add: _all_plainly,
-    t.Mul: _all_plainly,
-    t.Div: _all_plainly,
-    t.Group: _all_plainly,
+    **dict.fromkeys((t.Add, t.Mul, t.Div, t.Group), _all_plainly),
 }
 
 

@@ -55,7 +55,7 @@ def shifted(phase: Phase, begins: Scalar | None) -> Problem:
 
 
 def _given(problem: Problem) -> list[Node]:
-    elements = (*problem.interactions, *problem.constraints)
+    elements = problem.elements
     found = [value for element in elements for value in element.values.values()]
     found += [part for body in problem.bodies for part in (body.angle, body.placed and body.placed[1])]
     parts = [part for value in found for part in (value if isinstance(value, tuple) else (value,))]

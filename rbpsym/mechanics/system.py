@@ -150,7 +150,7 @@ class System:
 
     def element(self, name: str) -> Element:
         """The interaction or constraint to which a force of that name belongs (its own name, f_N, T_1)."""
-        both = (*self.problem.interactions, *self.problem.constraints)
+        both = self.problem.elements
         known = {element.name: element for element in both}
         return known.get(name) or next(e for e in both if name in _names_of(e))
 

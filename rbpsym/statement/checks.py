@@ -204,7 +204,7 @@ def _rates(problem: Problem, suffix: str) -> list[str]:
 
 
 def _elements(problem: Problem) -> list[str]:
-    return [element.name for element in (*problem.interactions, *problem.constraints)]
+    return [element.name for element in problem.elements]
 
 
 def _same_contact(problem: Problem, table: Table) -> None:

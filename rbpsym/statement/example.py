@@ -85,7 +85,7 @@ def needed_signs(problem: Problem) -> Iterator[tuple[str, Node, str]]:
         if body.mass is not None:
             yield f"“mass” of the body “{body.name}”", body.mass, "nonnegative"
         yield from _sizes(body.shape, f"the body “{body.name}”")
-    for element in (*problem.interactions, *problem.constraints):
+    for element in problem.elements:
         for field in KINDS[element.kind].fields:
             if field.sign and isinstance(element.values.get(field.name), Node):
                 yield f"“{field.name}” of {element.kind} “{element.name}”", element[field.name], field.sign

@@ -65,7 +65,7 @@ def letters_of(problem: Problem) -> Letters:
     forces: set[str] = set()
     for each in (problem, *(phase.problem for phase in problem.phases)):
         found += [name for element in each.constraints for name in unknowns_of(element)]
-        forces |= {element.name for element in (*each.interactions, *each.constraints)}
+        forces |= {element.name for element in each.elements}
     notation = notation_for((*found, *forces), problem.notation)
     things = forces | {*problem.body_names, *problem.points}
     forces |= {f"{e.name}_{body}" for e in problem.interactions for body in problem.body_names}  # gravity on each body

@@ -236,6 +236,15 @@ class Problem(Shown):
     file: str = field(default="", compare=False)
     text: str = field(default="", compare=False, repr=False)
 
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        """What acts on the bodies, then what holds them."""
+        return (*self.interactions, *self.constraints)
+
+    def of_kind(self, *kinds: str) -> list[Element]:
+        """Constraints, then interactions, of these kinds."""
+        return [element for element in (*self.constraints, *self.interactions) if element.kind in kinds]
+
     def body(self, name: str) -> Body:
         """The body called `name` (KeyError if there is none)."""
         return {body.name: body for body in self.bodies}[name]

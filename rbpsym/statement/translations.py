@@ -37,7 +37,7 @@ _WORD = re.compile(r"[^\W\d_]\w*")
 def check_translated_names(problem: Problem, table: Table) -> None:
     """[names] speaks of what exists; in a language no two bodies or forces are called alike."""
     section = table.table("names", "names")
-    in_formulas = (*problem.body_names, *(e.name for e in (*problem.interactions, *problem.constraints)))
+    in_formulas = (*problem.body_names, *(e.name for e in problem.elements))
     elsewhere = (
         *problem.points,
         *(p for body in problem.bodies for p in body.points),

@@ -48,11 +48,6 @@ class Scenery:
         found = {name: list(of(self)) for name, of in KINDS.items()}
         return {name: parts for name, parts in found.items() if parts}
 
-    def elements(self, *kinds: str) -> Iterator[Element]:
-        """Constraints and interactions of these kinds."""
-        problem = self.study.problem
-        return (e for e in (*problem.constraints, *problem.interactions) if e.kind in kinds)
-
 
 def scenery(study: Study, put: Callable[[Scalar], int], elsewhere: tuple[Element, ...] = ()) -> dict[str, list[Part]]:
     """All that is drawn besides the forces."""
@@ -93,17 +88,17 @@ def part(seen: Scenery, placed) -> Part:
 def points(seen: Scenery) -> Iterator[Part]:
     """Pivots, pins, welds, slots, edges and the fixed ends of springs and strings."""
     where = seen.geometry.where
-    for element in seen.elements("pivot"):
+    for element in seen.study.problem.of_kind("pivot"):
         yield {"kind": "pivot", "at": seen.at(where(element["point"])), "of": element["point"].body}
-    for element in seen.elements("pin", "weld"):
+    for element in seen.study.problem.of_kind("pin", "weld"):
         first, second = element["points"]
         ground = first.body is None or second.body is None
         kind = "pivot" if ground and element.kind == "pin" else element.kind
         body = second if second.body else first
         yield {"kind": kind, "at": seen.at(where(body)), "of": body.body, "ground": ground}
-    for element in seen.elements("guide", "slider", "prescribed"):
+    for element in seen.study.problem.of_kind("guide", "slider", "prescribed"):
         yield {"kind": element.kind, "at": seen.at(where(element["point"])), "of": element["point"].body}
-    for element in seen.elements("contact", "sticking"):
+    for element in seen.study.problem.of_kind("contact", "sticking"):
         if element["point"].body is None and element["of"]:
             yield {"kind": "edge", "at": seen.at(where(element["point"])), "of": None}
     for ref in fixed_ends(seen):
@@ -112,9 +107,9 @@ def points(seen: Scenery) -> Iterator[Part]:
 
 def fixed_ends(seen: Scenery) -> Iterator[Any]:
     """Points of the ground to which springs, dampers and strings are tied."""
-    for element in seen.elements("spring", "damper"):
+    for element in seen.study.problem.of_kind("spring", "damper"):
         yield from (ref for ref in element["between"] if ref.body is None)
-    for element in seen.elements("string"):
+    for element in seen.study.problem.of_kind("string"):
         yield from (turn.center for turn in element["path"] if turn.body is None and not turn.sense)
 
 
@@ -145,7 +140,7 @@ def circles(seen: Scenery) -> Iterator[Part]:
             radius, at = seen.node(element["radius"]), seen.at(seen.geometry.where(centre))
             normal = None if element.kind == "guide" else seen.at(meeting(element, seen.geometry).normal)
             yield {"at": at, "r": radius, "through": touched(seen, element), "normal": normal}
-    for element in seen.elements("string"):
+    for element in seen.study.problem.of_kind("string"):
         for turn in element["path"]:
             if turn.body is None and turn.sense:
                 yield {"at": seen.at(seen.geometry.where(turn.center)), "r": seen.node(turn.radius)}
@@ -153,14 +148,14 @@ def circles(seen: Scenery) -> Iterator[Part]:
 
 def links(seen: Scenery) -> Iterator[Part]:
     """Springs and dampers."""
-    for element in seen.elements("spring", "damper"):
+    for element in seen.study.problem.of_kind("spring", "damper"):
         ends = [seen.at(seen.geometry.where(ref)) for ref in element["between"]]
         yield {"kind": element.kind, "ends": ends}
 
 
 def cords(seen: Scenery) -> Iterator[Part]:
     """The straight pieces of each string, and the circles round which it runs between them."""
-    for element in seen.elements("string"):
+    for element in seen.study.problem.of_kind("string"):
         for run in runs(element["path"]):
             for piece in segments(run, seen.geometry):
                 yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
@@ -176,14 +171,14 @@ def turn(seen: Scenery, found) -> Part | None:
 
 def coils(seen: Scenery) -> Iterator[Part]:
     """Torsion springs and rotary dampers, at the hinge of the second body."""
-    for element in seen.elements("torsion-spring", "rotary-damper"):
+    for element in seen.study.problem.of_kind("torsion-spring", "rotary-damper"):
         names = [name for name in reversed(element["between"]) if name in seen.study.system.bodies]
         yield {"kind": element.kind, "at": seen.at(hinge(seen, names[0]))}
 
 
 def hinge(seen: Scenery, body: str) -> Vector:
     """Where a body is hinged, else its centre of mass."""
-    for element in seen.elements("pivot", "pin", "weld"):
+    for element in seen.study.problem.of_kind("pivot", "pin", "weld"):
         refs = element["points"] if element.kind != "pivot" else (element["point"],)
         for ref in refs:
             if ref.body == body:
@@ -193,7 +188,7 @@ def hinge(seen: Scenery, body: str) -> Vector:
 
 def gravity(seen: Scenery) -> Iterator[Part]:
     """The direction of gravity."""
-    for element in seen.elements("gravity"):
+    for element in seen.study.problem.of_kind("gravity"):
         yield {"along": seen.at(pair(element["direction"]))}
 
 

@@ -98,7 +98,7 @@ def _open_starts(study: Study, numbers: Mapping[str, float]) -> Iterator[Slider]
 def angles(problem: Problem) -> frozenset[str]:
     """Names that stand under a sine, cosine or tangent anywhere in the statement."""
     nodes = [node for body in problem.bodies for node in _body_nodes(body)]
-    nodes += [node for e in (*problem.interactions, *problem.constraints) for node in _element_nodes(e)]
+    nodes += [node for e in problem.elements for node in _element_nodes(e)]
     turned = [part.arg for node in nodes for part in t.walk(node) if isinstance(part, t.Fn) and part.name in TURNS]
     found = {leaf.name for arg in turned for leaf in t.walk(arg) if isinstance(leaf, t.Sym)}
     return frozenset(found | {name for name, text in problem.example.items() if str(text).endswith(("deg", "°"))})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -48,21 +48,31 @@ def with_forces(study: Study, change: Callable[[Force], Force | None]) -> Study:
     return with_parts(study, system=replace(study.system, forces=tuple(f for f in found if f is not None)))
 
 
-def with_kinematics(study: Study, system: System) -> Study:
+def with_weight(study: Study, body: str, change: Callable[[Force], Force]) -> Study:
+    """The weight of a body changed."""
+    return with_forces(study, lambda f: change(f) if (f.law, f.on) == ("gravity", body) else f)
+
+
+def with_kinematics(study: Study, system: System, **more: object) -> Study:
     """Another kinematics of bodies in momenta, energies and works; the true dynamics stays."""
-    return with_parts(study, system=system, dynamics=study.dynamics, squares=study.squares)
+    return with_parts(study, system=system, **{"dynamics": study.dynamics, "squares": study.squares, **more})
+
+
+def with_reactions(study: Study, found: Mapping[str, Scalar]) -> Study:
+    """Other values of the unknown forces; the true motion stays."""
+    return with_kinematics(study, study.system, dynamics=replace(study.dynamics, reactions=found))
 
 
 def with_elements(study: Study, change: Callable[[Element], Element | None]) -> Study:
     """Interactions and constraints of the statement changed (None drops one), all else derived anew."""
     problem = study.problem
-    return Study(
-        replace(
-            problem,
-            interactions=tuple(e for e in map(change, problem.interactions) if e is not None),
-            constraints=tuple(e for e in map(change, problem.constraints) if e is not None),
-        )
-    )
+    kept = {key: tuple(filter(None, map(change, getattr(problem, key)))) for key in ("interactions", "constraints")}
+    return Study(replace(problem, **kept))
+
+
+def with_element(study: Study, element: Element, changed: Element) -> Study:
+    """One element of the statement changed, all else derived anew."""
+    return with_elements(study, lambda e: changed if e is element else e)
 
 
 def numbers_of(study: Study) -> dict[str, float]:
@@ -96,11 +106,6 @@ def weights(study: Study, body: str | None = None) -> list[Force]:
 def spinning(study: Study) -> Iterable[tuple[str, BodyState]]:
     """Bodies that turn and have a moment of inertia."""
     return [(n, s) for n, s in study.system.bodies.items() if s.moment and s.omega and not is_zero(s.omega)]
-
-
-def of_kind(study: Study, *kinds: str) -> list[Element]:
-    """Constraints of some kinds."""
-    return [e for e in study.problem.constraints if e.kind in kinds]
 
 
 def is_nonzero(node: object) -> bool:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.motion import ForceWork, Work
@@ -23,18 +24,9 @@ def _no_rotational_energy(study: Study) -> Iterator[Site]:
     """½ M V² is all: the works of the whole give the speed of the centre of mass."""
     if study.potential is None or not study.kinetic[1]:
         return
+    kept = {"system": study.system, "dynamics": study.dynamics, "kinetic": (study.kinetic[0], NOTHING)}
     energy = study.kinetic[0] + study.potential
-
-    def wrong() -> Study:
-        return change.with_parts(
-            study,
-            system=study.system,
-            dynamics=study.dynamics,
-            kinetic=(study.kinetic[0], NOTHING),
-            first_integral=energy,
-        )
-
-    yield Site({}, wrong)
+    yield Site({}, lambda: change.with_parts(study, **kept, first_integral=energy))
 
 
 def _losses(element: Element) -> bool:
@@ -44,7 +36,7 @@ def _losses(element: Element) -> bool:
 def _energy_kept(study: Study) -> Iterator[Site]:
     """Energy kept though a bearing, a damper or friction takes some."""
     problem = study.problem
-    if any(map(_losses, (*problem.interactions, *problem.constraints))):
+    if any(map(_losses, problem.elements)):
         yield Site({}, lambda: change.with_elements(study, _lossless))
 
 
@@ -124,8 +116,7 @@ def _small_angle(study: Study) -> Iterator[Site]:
 
 
 def _with_works(study: Study, turn) -> Study:
-    works = tuple(map(turn, study.works))
-    return change.with_parts(study, system=study.system, dynamics=study.dynamics, squares=study.squares, works=works)
+    return change.with_kinematics(study, study.system, works=tuple(map(turn, study.works)))
 
 
 NO_WORK = Work({}, NOTHING)
@@ -145,42 +136,30 @@ def _contact_forces_workless(study: Study) -> Iterator[Site]:
 def _at_application_point(study: Study) -> Iterator[Site]:
     """∫F·dr along the path of the point of application taken for the translational work."""
     if any(w.rotational.parts for w in study.works):
-        yield Site({}, lambda: _with_works(study, _whole_as_translational))
+        yield Site({}, lambda: _with_works(study, partial(_all_in, "translational")))
 
 
-def _whole_as_translational(item: ForceWork) -> ForceWork:
-    halves = (item.translational.value, item.rotational.value)
-    if None in halves:
-        return item
-    return replace(item, translational=Work(item.translational.parts, halves[0] + halves[1]))
-
-
-def _whole_as_rotational(item: ForceWork) -> ForceWork:
-    halves = (item.translational.value, item.rotational.value)
-    if None in halves:
-        return item
-    return replace(item, rotational=Work(item.rotational.parts, halves[0] + halves[1]))
+def _all_in(half: str, item: ForceWork) -> ForceWork:
+    """Both works of a force counted as one of them."""
+    values = (item.translational.value, item.rotational.value)
+    return item if None in values else replace(item, **{half: Work(getattr(item, half).parts, sum(values, NOTHING))})
 
 
 def _whole_in_rotation(study: Study) -> Iterator[Site]:
     """All the work of a force counted as rotational work: “it turns, so all of it is rotation”."""
     if any(w.translational.parts and w.rotational.parts for w in study.works):
-        yield Site({}, lambda: _with_works(study, _whole_as_rotational))
+        yield Site({}, lambda: _with_works(study, partial(_all_in, "rotational")))
 
 
 def _torque_about_axis(study: Study) -> Iterator[Site]:
     """The torque about the fixed axis, instead of the centre of mass, in the rotational work."""
     for name in axes(study):
         arm = change.arm_of(study, name)
-
-        def wrong(name: str = name, arm=arm) -> Study:
-            forces = tuple(
-                replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
-            )
-            system = replace(study.system, forces=forces)
-            return change.with_parts(study, system=system, dynamics=study.dynamics, squares=study.squares)
-
-        yield Site({"body": BodyRef(name)}, wrong)
+        forces = tuple(
+            replace(f, couple=f.couple + arm.cross(f.vector)) if f.on == name else f for f in study.system.forces
+        )
+        system = replace(study.system, forces=forces)
+        yield Site({"body": BodyRef(name)}, partial(change.with_kinematics, study, system))
 
 
 def _always_cancel(study: Study) -> Iterator[Site]:
@@ -190,27 +169,20 @@ def _always_cancel(study: Study) -> Iterator[Site]:
         halves = (item.translational.value, item.rotational.value)
         if workless.get(item.force) or None in halves or not all(halves):
             continue
-        yield Site(
-            {"force": t.Vec(item.force)},
-            lambda item=item: _with_works(study, lambda w: _cancelling(w) if w == item else w),
-        )
+        yield Site({"force": t.Vec(item.force)}, partial(_with_rotational, study, item, -item.translational.value))
 
 
-def _cancelling(item: ForceWork) -> ForceWork:
-    return replace(item, rotational=Work(item.rotational.parts, -item.translational.value))
+def _with_rotational(study: Study, item: ForceWork, value: Scalar) -> Study:
+    """Another rotational work of a force on a body."""
+    wrong = replace(item, rotational=Work(item.rotational.parts, value))
+    return _with_works(study, lambda w: wrong if w == item else w)
 
 
 def _never_cancel(study: Study) -> Iterator[Site]:
     """Both works of a force of contact with the same sign: they would add up instead of cancelling."""
     for item in study.works:
         if study.dynamics.workless.get(item.force) and item.rotational.parts and item.rotational.value is not None:
-            yield Site(
-                {"force": t.Vec(item.force)},
-                lambda item=item: _with_works(
-                    study,
-                    lambda w: replace(w, rotational=Work(w.rotational.parts, -w.rotational.value)) if w == item else w,
-                ),
-            )
+            yield Site({"force": t.Vec(item.force)}, partial(_with_rotational, study, item, -item.rotational.value))
 
 
 MISCONCEPTIONS = (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.normal import is_zero
@@ -17,7 +18,6 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Element
 from rbpsym.teaching.misconceptions import change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site
 
@@ -45,10 +45,8 @@ def _one_torque_sign(study: Study) -> Iterator[Site]:
         arm = force.point - study.system.bodies[force.on].center
         torque = arm.cross(force.vector)
         if not is_zero(torque):
-            yield Site(
-                {"force": t.Sym(force.name), "body": BodyRef(force.on)},
-                lambda force=force, torque=torque: _with_couple(study, force, -2 * torque),
-            )
+            slots = {"force": t.Sym(force.name), "body": BodyRef(force.on)}
+            yield Site(slots, partial(_with_couple, study, force, -2 * torque))
 
 
 def _contacts(study: Study) -> list[Force]:
@@ -71,9 +69,7 @@ def _whole_lever(study: Study) -> Iterator[Site]:
         if arm is not None and change.weights(study, name):
             yield Site(
                 {"body": BodyRef(name)},
-                lambda name=name, arm=arm: change.with_forces(
-                    study, lambda f: replace(f, point=f.point + arm) if (f.law, f.on) == ("gravity", name) else f
-                ),
+                lambda name=name, arm=arm: change.with_weight(study, name, lambda f: replace(f, point=f.point + arm)),
             )
 
 
@@ -83,9 +79,7 @@ def _weight_at_middle(study: Study) -> Iterator[Site]:
         if (state.inertia.x or state.inertia.y) and state.pose.origin and change.weights(study, name):
             yield Site(
                 {"body": BodyRef(name)},
-                lambda name=name, at=state.pose.origin: change.with_forces(
-                    study, lambda f: replace(f, point=at) if (f.law, f.on) == ("gravity", name) else f
-                ),
+                lambda name=name, at=state.pose.origin: change.with_weight(study, name, lambda f: replace(f, point=at)),
             )
 
 
@@ -96,13 +90,10 @@ def _swapped_weight(study: Study) -> Iterator[Site]:
         if along is None or not change.weights(study, name):
             continue
 
-        def swap(force: Force, name: str = name, along: Vector = along) -> Force:
-            return replace(force, vector=_mirrored(study, force.vector, along)) if force.on == name else force
+        def swap(force: Force, along: Vector = along) -> Force:
+            return replace(force, vector=_mirrored(study, force.vector, along))
 
-        yield Site(
-            {"body": BodyRef(name)},
-            lambda swap=swap: change.with_forces(study, lambda f: swap(f) if f.law == "gravity" else f),
-        )
+        yield Site({"body": BodyRef(name)}, partial(change.with_weight, study, name, swap))
 
 
 def _slope(study: Study, body: str) -> Vector | None:
@@ -137,10 +128,8 @@ def _swapped_lever(study: Study) -> Iterator[Site]:
         way = (change.sign_of(study, substitute(right, unit)) or 1) * (
             change.sign_of(study, substitute(wrong, unit)) or 1
         )
-        yield Site(
-            {"force": t.Sym(force.name), "body": BodyRef(force.on)},
-            lambda force=force, more=wrong * way - right: _with_couple(study, force, more),
-        )
+        slots = {"force": t.Sym(force.name), "body": BodyRef(force.on)}
+        yield Site(slots, partial(_with_couple, study, force, wrong * way - right))
 
 
 def _as_at_rest(study: Study) -> Iterator[Site]:
@@ -154,12 +143,7 @@ def _resting(study: Study) -> Study:
     rows = [value for _, axis, value in newton_euler_rows(_still(study.system)) if axis != "rotation"]
     found = solve_linear(rows, study.system.unknowns, keep_free=True)
     known = {n: v for n, v in found.values.items() if not set(_unknowns(v)) & set(study.system.unknowns)}
-    return change.with_parts(
-        study,
-        system=study.system,
-        dynamics=replace(study.dynamics, reactions=known),
-        squares=study.squares,
-    )
+    return change.with_reactions(study, known)
 
 
 def _unknowns(value: Scalar) -> list[str]:
@@ -189,8 +173,7 @@ def _at_the_contact(study: Study) -> Iterator[Site]:
             images = study.dynamics.accelerations or {}
             solved = solve_linear([r for r in rows if r], study.system.unknowns).values
             found = {name: short(substitute(value, images)) for name, value in solved.items()}
-            dynamics = replace(study.dynamics, reactions=found)
-            return change.with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
+            return change.with_reactions(study, found)
 
         yield Site({"force": t.Sym(force.name), "body": BodyRef(force.on)}, wrong)
 
@@ -201,27 +184,17 @@ def _no_centripetal(study: Study) -> Iterator[Site]:
     if not any(set(_unknowns(value)) & set(speeds) for value in study.dynamics.reactions.values()):
         return
 
-    def wrong() -> Study:
-        still = dict.fromkeys(speeds, NOTHING)
-        found = {name: substitute(value, still) for name, value in study.dynamics.reactions.items()}
-        dynamics = replace(study.dynamics, reactions=found)
-        return change.with_parts(study, system=study.system, dynamics=dynamics, squares=study.squares)
-
-    yield Site({}, wrong)
+    still = dict.fromkeys(speeds, NOTHING)
+    reactions = study.dynamics.reactions.items()
+    yield Site({}, lambda: change.with_reactions(study, {name: substitute(value, still) for name, value in reactions}))
 
 
 def _whole_length(study: Study) -> Iterator[Site]:
     """The force of a spring from its length instead of its elongation."""
     for element in study.problem.interactions:
         if element.kind == "spring" and change.is_nonzero(element["natural_length"]):
-            yield Site(
-                {"force": t.Vec(element.name)},
-                lambda element=element: change.with_elements(study, lambda e: _slack_at_zero(e) if e is element else e),
-            )
-
-
-def _slack_at_zero(element: Element) -> Element:
-    return element.with_values(natural_length=t.ZERO)
+            wrong = element.with_values(natural_length=t.ZERO)
+            yield Site({"force": t.Vec(element.name)}, partial(change.with_element, study, element, wrong))
 
 
 def _wrong_sense(study: Study) -> Iterator[Site]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.evaluate import scalar
@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.teaching.misconceptions.change import of_kind, spinning, with_inertia, with_parts
+from rbpsym.teaching.misconceptions.change import spinning, with_body, with_inertia, with_parts
 from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
 from rbpsym.teaching.targets import axes
 
@@ -29,16 +29,9 @@ def _spin_dropped(study: Study) -> Iterator[Site]:
 
 def _all_at_centers(study: Study) -> Iterator[Site]:
     """Every body a point mass (the simple pendulum instead of the compound one)."""
-    if len(list(spinning(study))) < 2:
-        return
-
-    def wrong() -> Study:
-        found = study
-        for name, _ in spinning(study):
-            found = with_inertia(found, name, moment=NOTHING)
-        return found
-
-    yield Site({}, wrong)
+    names = [name for name, _ in spinning(study)]
+    if len(names) > 1:
+        yield Site({}, lambda: reduce(lambda found, name: with_inertia(found, name, moment=NOTHING), names, study))
 
 
 def _axis_forgotten(study: Study) -> Iterator[Site]:
@@ -98,18 +91,16 @@ def _another_shape(study: Study) -> Iterator[Site]:
 
 def _mass_dropped(study: Study) -> Iterator[Site]:
     """A body that hangs on another is left out: its weight and its inertia (but for a spin of its own)."""
-    for element in of_kind(study, "pin", "weld"):
+    for element in study.problem.of_kind("pin", "weld"):
         name = element["points"][1].body
         if name is None or len(study.system.bodies) < 2:
             continue
 
-        def wrong(name: str = name, spin: dict = {"moment": NOTHING} if element.kind == "weld" else {}) -> Study:
-            own = replace(study.system.bodies[name].inertia, mass=NOTHING, **spin)
-            bodies = {**study.system.bodies, name: replace(study.system.bodies[name], inertia=own)}
-            forces = tuple(f for f in study.system.forces if not (f.law == "gravity" and f.on == name))
-            return with_parts(study, system=replace(study.system, bodies=bodies, forces=forces))
-
-        yield Site({"body": BodyRef(name)}, wrong)
+        spin = {"moment": NOTHING} if element.kind == "weld" else {}
+        wrong = replace(study.system.bodies[name].inertia, mass=NOTHING, **spin)
+        forces = tuple(f for f in study.system.forces if not (f.law == "gravity" and f.on == name))
+        system = replace(with_body(study, name, inertia=wrong), forces=forces)
+        yield Site({"body": BodyRef(name)}, partial(with_parts, study, system=system))
 
 
 MISCONCEPTIONS = (

@@ -19,15 +19,12 @@ from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_INERTIA, SPI
 
 def _free_as_welded(study: Study) -> Iterator[Site]:
     """A body on a bearing turns with the one that carries it."""
-    for element in change.of_kind(study, "pin"):
+    for element in study.problem.of_kind("pin"):
         first, second = (ref.body for ref in element["points"])
         body = None if second is None else study.problem.body(second)
         if first is None or body is None or body.angle is None or not study.system.bodies[second].moment:
             continue
-        yield Site(
-            {"body": BodyRef(second), "carrier": BodyRef(first)},
-            lambda element=element, second=second: _welded(study, element, second),
-        )
+        yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(_welded, study, element, second))
 
 
 def _welded(study: Study, element: Element, body: str) -> Study:
@@ -54,7 +51,7 @@ def _names(body) -> set[str]:
 
 def _welded_as_free(study: Study) -> Iterator[Site]:
     """A body that is fixed to another is taken not to turn with it: its I_cm is missing."""
-    for element in change.of_kind(study, "weld"):
+    for element in study.problem.of_kind("weld"):
         name = element["points"][1].body
         if name is not None and study.system.bodies[name].moment:
             yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
@@ -62,17 +59,14 @@ def _welded_as_free(study: Study) -> Iterator[Site]:
 
 def _spin_of_carrier(study: Study) -> Iterator[Site]:
     """The angular velocity of the carrier is used for the body on it (in momentum and energy)."""
-    for element in change.of_kind(study, "pin"):
+    for element in study.problem.of_kind("pin"):
         first, second = (ref.body for ref in element["points"])
         if first is None or second is None or not study.system.bodies[second].moment:
             continue
 
-        def wrong(first: str = first, second: str = second) -> Study:
-            carrier = study.system.bodies[first]
-            state = replace(study.system.bodies[second], omega=carrier.omega, alpha=carrier.alpha)
-            return change.with_kinematics(study, replace(study.system, bodies={**study.system.bodies, second: state}))
-
-        yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, wrong)
+        carrier = study.system.bodies[first]
+        system = change.with_body(study, second, omega=carrier.omega, alpha=carrier.alpha)
+        yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(change.with_kinematics, study, system))
 
 
 def _third_law_forgotten(study: Study) -> Iterator[Site]:
@@ -93,14 +87,10 @@ def _without(study: Study, name: str, body: str) -> Study:
 
 def _rolling_as_sliding(study: Study) -> Iterator[Site]:
     """No friction where a body rolls: it slides down like a block."""
-    for element in change.of_kind(study, "rolling"):
+    for element in study.problem.of_kind("rolling"):
         friction = element["friction"]
-        yield Site(
-            {"body": BodyRef(element["body"]), "friction": t.Sym(friction)},
-            lambda element=element: change.with_elements(
-                study, lambda e: _touching(e, None, "auto") if e is element else e
-            ),
-        )
+        slots = {"body": BodyRef(element["body"]), "friction": t.Sym(friction)}
+        yield Site(slots, partial(change.with_element, study, element, _touching(element, None, "auto")))
 
 
 def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Element:
@@ -110,7 +100,7 @@ def _touching(element: Element, coefficient: t.Node | None, slip: str) -> Elemen
 
 def _friction_is_mu_n(study: Study) -> Iterator[Site]:
     """f = μN though nothing slips: the balance of forces with the greatest friction there can be."""
-    for element in change.of_kind(study, "rolling"):
+    for element in study.problem.of_kind("rolling"):
         if element["limit"] is not None:
             slots = {"friction": t.Sym(element["friction"]), "normal": t.Sym(element.name), "mu": element["limit"]}
             yield Site(slots, partial(_with_greatest_friction, study, element))
@@ -123,12 +113,12 @@ def _with_greatest_friction(study: Study, element: Element) -> Study:
     push = force.vector.substitute({name: UNITY}).dot(meeting(element, geometry_of(study.system)).forward)
     way = change.sign_of(study, push) * change.sign_of(study, study.dynamics.reactions[name])
     slip = "backward" if way > 0 else "forward"
-    return change.with_elements(study, lambda e: _touching(e, e["limit"], slip) if e is element else e)
+    return change.with_element(study, element, _touching(element, element["limit"], slip))
 
 
 def _friction_wrong_way(study: Study) -> Iterator[Site]:
     """Static friction drawn to the other side in the balance of forces, its torque left right."""
-    for element in change.of_kind(study, "rolling"):
+    for element in study.problem.of_kind("rolling"):
         friction = element["friction"]
 
         def turned(force, name: str = friction):
@@ -142,7 +132,7 @@ def _friction_wrong_way(study: Study) -> Iterator[Site]:
 
 def _held_is_weight(study: Study) -> Iterator[Site]:
     """The tension (or the force of the joint) equals the weight of what hangs on it: that body's M a is forgotten."""
-    for element in change.of_kind(study, "string", "pin"):
+    for element in study.problem.of_kind("string", "pin"):
         for name in _hanging(study, element):
             yield Site(
                 {"force": t.Sym(element.name), "body": BodyRef(name)},
@@ -159,7 +149,7 @@ def _hanging(study: Study, element: Element) -> list[str]:
 
 def _pulley_at_rest(study: Study) -> Iterator[Site]:
     """A string's tension is the same on both sides of a round body that it turns: its I_cm is left out."""
-    for element in change.of_kind(study, "string"):
+    for element in study.problem.of_kind("string"):
         for turn in element["path"]:
             name = turn.body
             if turn.sense and name is not None and study.system.bodies[name].moment:
