@@ -63,7 +63,7 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
 def lines(derivation: Derivation, detail: str, method: str, language: str) -> Iterator[str]:
     """The chapters with their steps, then what was proved."""
     from rbpsym.commands.solve import verdict_line
-    from rbpsym.commands.terminal import terminal_lines
+    from rbpsym.document.writers.terminal import terminal_lines
 
     document = document_of(derivation, detail, method, language)
     yield from terminal_lines(document, verdicts(derivation))

@@ -18,7 +18,6 @@ from rbpsym.document.speaking import spoken
 from rbpsym.document.words import Words, capital
 from rbpsym.document.writers import html, latex
 from rbpsym.document.writers.page import body, page_for
-from rbpsym.document.writers.plain_blocks import plain_document
 from rbpsym.equality.verdict import Verdict
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.glyphs import DEFAULT, Notation, notation_for
@@ -44,12 +43,14 @@ def formula(node: Node) -> Bundle:
 
 def of_document(document: Document) -> Bundle:
     """A document without the shell of a page."""
+    from rbpsym.document.writers.terminal import plain_lines
+
     done = numbered(document)
     page = page_for(done, latex.LATEX, latex.COLUMN)
     return {
         "text/html": html_part(done),
         "text/latex": "\n\n".join(filter(None, [page.inlines(done.title), body(done, page)])),
-        "text/plain": plain_document(done),
+        "text/plain": "\n".join(plain_lines(document)),
     }
 
 

@@ -221,18 +221,14 @@ def _velocity_of_element(world: TheoryWorld) -> Space:
 
 def _works() -> dict[str, object]:
     """work of all forces; translational and rotational work of some of them."""
-    found: dict[str, object] = {}
-    for which, words in (
-        ("all", "the forces"),
-        ("conservative", "the conservative forces"),
-        ("non-conservative", "the non-conservative forces"),
-        ("conservative", "a force"),
-    ):
-        for part, tail in (("both", ""), ("translational", ", translational"), ("rotational", ", rotational")):
-            found[f"work of {words}{tail}"] = lambda w, which=which, part=part: number(
-                w.motion.work(w.power(which, part))
-            )
-    return found
+    forces = {f"the {which} forces": which for which in ("conservative", "non-conservative")}
+    forces |= {"the forces": "all", "a force": "conservative"}
+    tails = {"": "both", ", translational": "translational", ", rotational": "rotational"}
+    return {
+        f"work of {words}{tail}": lambda w, which=which, part=part: number(w.motion.work(w.power(which, part)))
+        for words, which in forces.items()
+        for tail, part in tails.items()
+    }
 
 
 PHRASES: Mapping[str, object] = {

@@ -257,7 +257,7 @@ def test_output_without_a_terminal_has_no_colours() -> None:
 
 @pytest.mark.parametrize("columns", ["50", "80"])
 def test_prose_is_wrapped(columns: str) -> None:
-    from rbpsym.commands.columns import columns as wide
+    from rbpsym.document.columns import columns as wide
 
     text = CliRunner().invoke(main, ["derive", "sliding-ladder"], env={"COLUMNS": columns}).output
     prose = [line for line in text.splitlines() if line.startswith("  ") and not line.startswith("   ")]
@@ -267,8 +267,8 @@ def test_prose_is_wrapped(columns: str) -> None:
 def test_every_block_of_a_document_can_be_shown() -> None:
     from typing import get_args
 
-    from rbpsym.commands.terminal import BLOCKS
     from rbpsym.document.model import Block
+    from rbpsym.document.writers.terminal import BLOCKS
 
     assert set(BLOCKS) == set(get_args(Block))
 

@@ -9,8 +9,8 @@ from textwrap import wrap
 
 import click
 
-from rbpsym.commands.columns import columns, padded
 from rbpsym.document import model as d
+from rbpsym.document.columns import columns, padded
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of
@@ -45,6 +45,11 @@ def terminal_lines(document: d.Document, verdicts: Mapping[str, Verdict]) -> Ite
     yield click.style(screen.text(document.title), bold=True)
     for section in document.sections:
         yield from _section(section, screen)
+
+
+def plain_lines(document: d.Document) -> Iterator[str]:
+    """The same without marks and colours."""
+    yield from map(click.unstyle, terminal_lines(document, {}))
 
 
 def _section(section: d.Section, screen: Screen) -> Iterator[str]:
