@@ -11,11 +11,10 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rbpsym.errors import LimitError, Place, RbpsymError
+from rbpsym.errors import Place, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_grammar import expression
 from rbpsym.notation.infix_names import FUNCTIONS, Reader, tokenize
-from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 
 MOST_WAYS = 32
@@ -40,7 +39,7 @@ def read_infix(
     node = expression(reader)
     if reader.token.kind != "end":
         raise _left_over(reader)
-    return _checked(node, reader)
+    return reader.source.bounded(node, len(text))
 
 
 def read_relation(
@@ -56,7 +55,7 @@ def read_relation(
     found = _whole(reader)
     if not isinstance(found, t.Chain):
         raise reader.error("a relation is expected here", "Write left = right, or <, >, <=, >=.")
-    return _checked(replace(found, span=(0, len(text))), reader)
+    return reader.source.bounded(replace(found, span=(0, len(text))), len(text))
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +85,7 @@ def read_ways(
             script = waiting.pop(0)
             reader = _reader(text, symbols, functions, MappingProxyType({}), None)
             reader.script, reader.plain = script, plain
-            trees.append(_checked(_whole(reader), reader))
+            trees.append(reader.source.bounded(_whole(reader), len(text)))
             error = error or next(iter(reader.met), None)
             parted.append(reader.parted)
             chosen = (*script, *(False,) * (len(reader.met) - len(script)))
@@ -117,16 +116,6 @@ def _reader(
     source = Source(text, place)
     known = frozenset(symbols) | {"pi"}
     return Reader(source, tokenize(source), symbols=known, functions=functions, aliases=aliases)
-
-
-def _checked(node: t.Node, reader: Reader) -> t.Node:
-    """The node, if it keeps the bounds. Raises LimitError."""
-    try:
-        check_size(node)
-        check_degree(node)
-    except LimitError as error:
-        raise error.at(reader.source.at(0, len(reader.source.text))) from None
-    return node
 
 
 def _left_over(reader: Reader) -> RbpsymError:

@@ -55,14 +55,8 @@ def slashed_derivative(reader: Reader) -> t.Node | None:
         reader.position = start
         return None
     reader.take()
-    wrt = "t" if _is_plain_time(reader) else read_symbol(reader)
+    wrt = "t" if _is_time(reader) else read_symbol(reader)
     return reader.spanned(t.Deriv(of, wrt, 1, partial), token.start)
-
-
-def _is_plain_time(reader: Reader) -> bool:
-    found = reader.token.kind == "letter" and reader.token.text == "t"
-    reader.position += found
-    return found
 
 
 def _order(reader: Reader) -> int:
@@ -90,17 +84,17 @@ def _below(reader: Reader, order: int) -> str:
         raise reader.error("a d is expected here, as in the numerator")
     reader.take()
     token = reader.token
-    wrt = "t" if _is_time(reader) else read_symbol(reader)
+    wrt = "t" if _is_time(reader, "}", "^") else read_symbol(reader)
     if _order(reader) != order:
         raise reader.error("the orders above and below are different", "", token)
     reader.expect("}", opening)
     return wrt
 
 
-def _is_time(reader: Reader) -> bool:
-    """Pass a plain t; was it there?"""
+def _is_time(reader: Reader, *behind: str) -> bool:
+    """Pass a plain t (with one of these behind it); was it there?"""
     found = reader.token.kind == "letter" and reader.token.text == "t"
-    found = found and reader.ahead().text in ("}", "^")
+    found = found and (not behind or reader.ahead().text in behind)
     reader.position += found
     return found
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rbpsym.errors import LimitError, Place, RbpsymError
+from rbpsym.errors import Place, RbpsymError
 from rbpsym.notation import latex_calculus, latex_functions
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
@@ -20,7 +20,6 @@ from rbpsym.notation.latex_functions import relation
 from rbpsym.notation.latex_grammar import BELOW
 from rbpsym.notation.latex_rows import GAP, laid_out
 from rbpsym.notation.latex_tokens import CONDITION, Token, tokenize
-from rbpsym.notation.limits import check_degree, check_size
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import Question, Reader, SymbolTable, equally, symbol_table
 
@@ -135,7 +134,7 @@ def read_latex(
         symbols = symbol_table(symbols, notation, spellings)
     source = Source(text, place)
     tokens = _formula_tokens(text, source)
-    return _checked(best_reading(source, tokens, symbols, _rows), source)
+    return source.bounded(best_reading(source, tokens, symbols, _rows))
 
 
 def latex_ways(text: str, symbols: SymbolTable) -> Ways:
@@ -146,7 +145,7 @@ def latex_ways(text: str, symbols: SymbolTable) -> Ways:
     met = [question for reading in readings for question in reading.met]
     what, instead, token = met[0] if met else ("", "", tokens[0])
     error = source.error(what, token.start, token.end, instead) if met else None
-    trees = tuple(_checked(reading.node, source) for reading in readings)
+    trees = tuple(source.bounded(reading.node) for reading in readings)
     return Ways(trees, error, tuple(_parted(reading) for reading in readings))
 
 
@@ -166,16 +165,6 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
         text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
         frame, end = _FRAME.match(text), len(text.rstrip()) - 1
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
-
-
-def _checked(node: t.Node, source: Source) -> t.Node:
-    """The node, if it keeps the bounds. Raises LimitError."""
-    try:
-        check_size(node)
-        check_degree(node)
-    except LimitError as error:
-        raise error.at(source.at(0, 1)) from None
-    return node
 
 
 def _rows(reader: Reader) -> t.Node:

@@ -10,7 +10,7 @@ from typing import Generic, Protocol, TypeVar
 
 from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.notation import tree as t
-from rbpsym.notation.limits import check_exponent
+from rbpsym.notation.limits import check_degree, check_exponent, check_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +40,15 @@ class Source:
     def limit(self, what: str, start: int = 0, end: int = 1) -> RbpsymError:
         """A LimitError at a place."""
         return LimitError(what, place=self.at(start, end))
+
+    def bounded(self, node: t.Node, end: int = 1) -> t.Node:
+        """A tree read from the text, if it keeps the bounds. Raises LimitError at the text up to `end`."""
+        try:
+            check_size(node)
+            check_degree(node)
+        except LimitError as error:
+            raise error.at(self.at(0, end)) from None
+        return node
 
 
 _LIKE = {"‐": "-", "‑": "-", "‒": "-", "—": "-", "―": "-", "⁃": "-", "﹣": "-", "ꞏ": "*", "•": "*", "⸱": "*", "∣": "|"}
