@@ -7,11 +7,11 @@ from time import perf_counter
 
 import click
 
-from rbpsym.commands.terminal import MARKS
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.model import Display, Document
 from rbpsym.document.notes import notation_of
 from rbpsym.document.numbering import numbered, parts
+from rbpsym.document.writers.terminal import MARKS
 from rbpsym.errors import ReadError
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
