@@ -17,7 +17,7 @@ EQUIVALENT: dict[str, str] = {
     "algebra/squares.py _squared: total + Scalar(part) * odd * square ** (power // 2) -> "
     "(total) - (Scalar(part) * odd * square ** (power // 2))": "numerator and denominator both change their sign",
     "algebra/normal.py _multiple: denominator > 1 -> denominator >= 1": "a number over 1 is that number",
-    "notation/text.py _rows: 0 -> 1": "where there is no row, none is moved to the right",
+    "notation/text.py _Text.rows: 0 -> 1": "where there is no row, none is moved to the right",
     "equality/points.py _pick: k > 0 -> k >= 0": SAMPLE,
     "equality/points.py points: 0 -> 1": SAMPLE,
     "algebra/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",

@@ -37,7 +37,7 @@ AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
     "printers": (
         60,
         (
-            *(f"notation/{name}.py" for name in "latex mathml omml typst text machine speech levels glyphs boxes".split()),
+            *(f"notation/{name}.py" for name in "latex mathml omml typst text printer machine speech glyphs boxes".split()),
             *(f"notation/{name}_layout.py" for name in ("algebra", "atom", "calculus", "function")),
             "document/figures/svg.py", "document/figures/tikz.py", "document/writers/word_math.py",
             "teaching/exports/canvas.py",

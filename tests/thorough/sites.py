@@ -87,7 +87,7 @@ class _Finder(ast.NodeVisitor):
         body = node.body[1:] if _is_text(node.body[0]) else node.body
         for default in (*node.args.defaults, *(d for d in node.args.kw_defaults if d)):
             self.visit(default)
-        name = f"<locals>.{node.name}" if self.around and not self.around[-1][:1].isupper() else node.name
+        name = f"<locals>.{node.name}" if self.around and not self.around[-1].lstrip("_")[:1].isupper() else node.name
         self._within(name, body)
 
     def visit_ClassDef(self, node: ast.ClassDef) -> None:
