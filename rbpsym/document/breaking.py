@@ -38,6 +38,10 @@ class Line:
         """In em."""
         return width(self.left) + width(self.right) + (INDENT if self.indent else 0.0)
 
+    def shown(self, render: Callable[[b.Box], str], mark: str = "", indent: str = "") -> str:
+        """What a format prints of it, its alignment mark before the relation sign."""
+        return f"{render(self.left)} {mark}{indent if self.indent else ''}{render(self.right)}".strip()
+
 
 def node_width(node: Node, notation: Notation = DEFAULT) -> float:
     """The width of a formula on one line, in em."""

@@ -64,8 +64,7 @@ def write_done(draft: Draft) -> None:
 
 def name_of(draft: Draft, item: ForceWork, half: str) -> str:
     """𝒲_T or 𝒲_θ of a force on a body."""
-    force = next(f for f in draft.study.system.forces if (f.name, f.on) == (item.force, item.on))
-    return draft.free(f"cal_W_{half}_{tag(draft, force)}")
+    return draft.free(f"cal_W_{half}_{tag(draft, _forces(draft, item)[0])}")
 
 
 def _forces(draft: Draft, item: ForceWork):

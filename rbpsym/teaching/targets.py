@@ -23,6 +23,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
+from rbpsym.methods.net_work import HALVES
 from rbpsym.notation import tree as t
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
@@ -231,9 +232,6 @@ def momentum(study: Study, bodies: tuple[str, ...]) -> Scalar:
 
 def _kinetic(derivation: Derivation) -> Iterator[Target]:
     yield Target("kinetic", t.Sym("K"), lambda study: sum(study.kinetic, NOTHING), DIMENSIONS["energy"])
-
-
-HALVES = (("T", "translational"), ("theta", "rotational"))
 
 
 def _works(derivation: Derivation) -> Iterator[Target]:

@@ -15,6 +15,7 @@ from rbpsym.algebra.evaluate import value as exact_value
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.errors import NoNumber, RbpsymError
+from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.verify.claims_bound import Motion
@@ -132,14 +133,8 @@ def _power(node: t.Pow, at: Sample) -> float:
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    "sin": math.sin,
-    "cos": math.cos,
+    **OF_SCALARS,
     "tan": math.tan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "atan": math.atan,
-    "exp": math.exp,
-    "ln": math.log,
     "cot": lambda x: 1 / math.tan(x),
     "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),

@@ -95,20 +95,9 @@ def formula(block: d.Display, page: Page) -> str:
 def formula_text(lines: tuple[breaking.Line, ...]) -> str:
     """One line as it is, several aligned."""
     if len(lines) == 1:
-        return f"  {single_line(lines[0])}"
-    inner = " \\\\\n  ".join(map(aligned_line, lines))
+        return f"  {lines[0].shown(render)}"
+    inner = " \\\\\n  ".join(line.shown(render, "&", r"\qquad {}") for line in lines)
     return f"\\begin{{aligned}}\n  {inner}\n\\end{{aligned}}"
-
-
-def single_line(line: breaking.Line) -> str:
-    """A formula on one line."""
-    return f"{render(line.left)} {render(line.right)}".strip()
-
-
-def aligned_line(line: breaking.Line) -> str:
-    """A line of an aligned block, its mark before the relation sign."""
-    lead = r"\qquad {}" if line.indent else ""
-    return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 
 def framed(block: d.Display, content: str) -> str:

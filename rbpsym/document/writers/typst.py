@@ -74,8 +74,7 @@ def spoken(node: Node, page: Page) -> str:
 def display(block: d.Display, page: Page) -> str:
     """A displayed formula; the shell sets number, box and reason."""
     lines = breaking.display_lines(block, page.notation, page.column)
-    written = aligned_line if len(lines) > 1 else single_line
-    content = " \\\n  ".join(map(written, lines))
+    content = " \\\n  ".join(line.shown(render, "&" if len(lines) > 1 else "", 'wide ""') for line in lines)
     settings = [f"alt: {spoken(block.node, page)}"]
     settings += number(block, page)
     settings += ["boxed: true"] if block.boxed else []
@@ -97,17 +96,6 @@ def reason(block: d.Display, page: Page) -> list[str]:
         return []
     beside = "true" if breaking.reason_fits(block, page.notation, page.column) else "false"
     return [f"reason: [{page.inlines(block.reason)}]", f"beside: {beside}"]
-
-
-def single_line(line: breaking.Line) -> str:
-    """A formula on one line."""
-    return f"{render(line.left)} {render(line.right)}".strip()
-
-
-def aligned_line(line: breaking.Line) -> str:
-    """A line of an aligned block, its mark before the relation sign."""
-    lead = 'wide ""' if line.indent else ""
-    return f"{render(line.left)} &{lead}{render(line.right)}".strip()
 
 
 def table(block: d.Table, page: Page) -> str:
