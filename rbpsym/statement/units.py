@@ -133,7 +133,7 @@ def unit_named(text: str) -> tuple[Dimension, float] | None:
     >>> unit_named("km/h")[1] == 1000 / 3600
     True
     """
-    if not all(map(_signed, re.findall(r"[^\W\d_]+|°", text))):
+    if not all(map(_signed, re.findall(r"[A-Za-zµμΩΩ°%]+", text))):
         return None
     try:
         found = read_unit(text)
