@@ -23,4 +23,6 @@ EQUIVALENT: dict[str, str] = {
     "algebra/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",
     "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": "a sign is its own inverse",
     "mechanics/endings.py _time_until: speed * sense -> (speed) / (sense)": "a sign is its own inverse",
+    "mechanics/phase_checks.py check_still_slipping: _at(study, slip_speed(geometry, meeting(element, geometry)), known) * "
+    "sense < -CLOSE -> _at(study, slip_speed(geometry, meeting(element, geometry)), known) * sense <= -CLOSE": NEVER_EQUAL,
 }
