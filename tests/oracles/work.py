@@ -28,9 +28,9 @@ def at_most(most: int) -> Iterator[None]:
         if left < 0:
             raise TooHeavy
 
-    def made(self, terms) -> None:
+    def made(self, terms, *more) -> None:
         spend(1 + len(terms))
-        make(self, terms)
+        make(self, terms, *more)
 
     def at(self, where, speed):
         spend(A_PLACE)
