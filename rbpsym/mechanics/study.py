@@ -213,7 +213,8 @@ class Study:
     def sides(self) -> tuple[sides.Side, ...]:
         """What becomes of each one-sided force."""
         known = self.reactions_along_motion or self.dynamics.reactions
-        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions)
+        ahead = events.never_left(self.system, self.dynamics, self.squares, self.assumptions)
+        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions, ahead)
 
     @cached_property
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

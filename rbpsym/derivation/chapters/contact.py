@@ -104,7 +104,10 @@ def _holds(draft: Draft, side: Side) -> None:
         t.relation(t.Sym(side.force), ">=" if never else ">", t.ZERO),
         f"contact.{'until' if side.until else 'never' if never else lasts}",
         level=STANDARD if moving else FULL,
-        premises=_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
+        premises=[
+            *_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
+            *ground(draft, *draft.study.system.independent),
+        ],
         force=t.Sym(side.force),
         lost=t.Sym(side.until),
         data={"until": side.until},
