@@ -11,16 +11,14 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.checks import divides
 from rbpsym.derivation.step import Step
 from rbpsym.derivation.view import View
-from rbpsym.equality.domain import Condition, conditions, divisors, obligations
+from rbpsym.equality.domain import Condition, conditions, divisors, nonzero, obligations
 from rbpsym.equality.verdict import Obligation
 from rbpsym.errors import RbpsymError
-from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
 
 
@@ -53,7 +51,7 @@ def _conditions(view: View, step: Step) -> Iterator[Condition]:
 def _poles(view: View, factor: Scalar) -> Iterator[Condition]:
     """What must not vanish for the factor to have a value, each as it is printed, whose sign is seen more easily."""
     for node in (present(value, view.whole.style, factor=True) for value in divisors(factor)):
-        yield Condition(node, "!=", scalar(node))
+        yield from nonzero(node, view.scope)
 
 
 def _discharged(view: View, one: Condition) -> Obligation:
@@ -64,16 +62,8 @@ def _discharged(view: View, one: Condition) -> Obligation:
         if not made.is_discharged and (seen := _along(view, one.value)) is not None:
             [other] = obligations([Condition(one.node, one.op, seen)], view.whole.assumptions)
             made = replace(made, why=other.why)
-        made = made if made.is_discharged else replace(made, why=_told(view, one))
-        view.rows[key] = made, None if made.is_discharged else _shorter(view, one)
-    made, shorter = view.rows[key]
-    return replace(made, relation=one.relation if shorter is None else t.relation(shorter, one.op, t.ZERO))
-
-
-def _shorter(view: View, one: Condition) -> t.Node | None:
-    """What must not vanish without the factors that do not, if there are some."""
-    left = essential(one.value, view.whole.assumptions) if one.op == "!=" else one.value
-    return present(left, view.whole.style, factor=True) if len(left.num) < len(one.value.num) else None
+        view.rows[key] = made if made.is_discharged else replace(made, why=_told(view, one))
+    return replace(view.rows[key], relation=one.relation)
 
 
 def _told(view: View, one: Condition) -> str:

@@ -167,14 +167,14 @@ def _bare(node: Node) -> Node:
     return kept[0] if len(kept) == 1 else replace(node, factors=kept) if kept else node
 
 
-def _nonzero(node: Node, scope: Scope) -> Iterator[Condition]:
+def nonzero(node: Node, scope: Scope) -> Iterator[Condition]:
     """A product or power is not zero where none of its factors is; a number is none."""
     factors = FACTORS.get(type(node), lambda node: (node,))(node)
     if factors == (node,):
         yield _condition(node, "!=", scope)
         return
     for factor in factors:
-        yield from _nonzero(factor, scope)
+        yield from nonzero(factor, scope)
 
 
 def _base(node: t.Pow) -> tuple[Node, ...]:
@@ -196,7 +196,7 @@ FACTORS: dict[type, Callable[[Any], tuple[Node, ...]]] = {
 def _of_power(node: t.Pow, scope: Scope) -> Iterator[Condition]:
     exponent = scalar(node.exponent, scope).number()
     if exponent is not None and exponent < 0:
-        yield from _nonzero(node.base, scope)
+        yield from nonzero(node.base, scope)
     if exponent is not None and exponent.denominator != 1:
         yield _condition(node.base, ">=", scope)
 
@@ -222,7 +222,7 @@ FUNCTIONS = {
 }
 
 RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
-    t.Div: lambda node, scope: _nonzero(node.den, scope),
+    t.Div: lambda node, scope: nonzero(node.den, scope),
     t.Pow: _of_power,
     t.Sqrt: lambda node, scope: iter([_condition(_bare(node.arg), ">=", scope)]),
     t.Fn: _of_function,
