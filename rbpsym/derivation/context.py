@@ -8,7 +8,7 @@ of the speeds from the first integral as well).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import Scope, Value, at_start, rate, time_derivative, value
@@ -21,7 +21,10 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Condition
-from rbpsym.notation.tree import Add, Delta, Deriv, Integral, Node, PathIntegral, Sym, walk
+from rbpsym.notation.tree import Add, Bracket, Delta, Deriv, Integral, Limit, Node, PathIntegral, Sym, walk
+
+# what asks how something changes -> the field that holds this
+INNER: Mapping[type[Node], str] = {Deriv: "of", Bracket: "arg", Limit: "arg", Integral: "integrand"}
 
 
 @dataclass(frozen=True)
@@ -107,17 +110,16 @@ class Context:
 
     def value(self, node: Node) -> Value:
         """The value of a tree in coordinates, speeds, accelerations and unknown forces."""
-        for part in self.parts(node, Deriv):
-            if part.wrt == "t":
-                self._refuse_unknown_rates(value(part.of, self.scope))
+        for part in self.parts(node, *INNER):
+            self._refuse_unknown(part)
         return value(node, self.scope)
 
     def rate(self, node: Node) -> Scalar:
         """d/dt of a tree that may hold integrals along the motion."""
         if isinstance(node, Add):
             return sum((self.rate(term) for term in node.terms), NOTHING)
-        if not self.grows(node):
-            self._refuse_unknown_rates(value(node, self.scope))
+        for part in self.parts(node, Delta) if self.grows(node) else (node,):
+            self._refuse_unknown_rates(value(part.arg if isinstance(part, Delta) else part, self.scope))
         return rate(node, self.scope)
 
     def rate_of(self, found: Scalar) -> Scalar:
@@ -125,13 +127,31 @@ class Context:
         self._refuse_unknown_rates(found)
         return time_derivative(found, self.scope)
 
-    def _refuse_unknown_rates(self, found: Value) -> None:
-        """Raises Undecided for a value with accelerations or unknown forces, whose rates no one knows: they are no constants."""
-        parts = found.components() if isinstance(found, Space) else (found,)
+    @property
+    def unsettled(self) -> frozenset[str]:
+        """Of what nobody knows how it changes: accelerations and unknown forces are no constants."""
         system = self.study.system
-        held = [n for n in (*system.accelerations, *system.unknowns) if any(depends_on(part, n) for part in parts)]
+        return frozenset((*system.accelerations, *system.unknowns))
+
+    def _refuse_unknown_rates(self, found: Value) -> None:
+        """Raises Undecided for a value whose rate is not known."""
+        self._refuse(found, frozenset((*self.study.system.accelerations, *self.study.system.unknowns)), "with time")
+
+    def _refuse_unknown(self, part: Node) -> None:
+        """Raises Undecided for a derivative, or what is taken between places, of what is not known as a function."""
+        inner = getattr(part, INNER[type(part)])
+        if isinstance(part, Deriv) and part.wrt == "t":
+            for order in range(part.order):
+                self._refuse_unknown_rates(value(replace(part, order=order) if order else inner, self.scope))
+            return
+        free = self.study.system.accelerations if isinstance(part, Deriv) and part.partial else ()
+        self._refuse(value(inner, self.scope), self.unsettled.difference(free), "from place to place")
+
+    def _refuse(self, found: Value, names: frozenset[str], how: str) -> None:
+        parts = found.components() if isinstance(found, Space) else (found,)
+        held = sorted(n for n in names if any(depends_on(part, n) for part in parts))
         if held:
-            raise Undecided(f"the rate of change of {held[0]} is not known")
+            raise Undecided(f"it is not known how {held[0]} changes {how}")
 
     def start(self, found: Scalar) -> Scalar:
         """The value in the start state."""

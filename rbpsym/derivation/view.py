@@ -121,14 +121,23 @@ class View(Context):
     @cached_property
     def scope(self) -> Scope:
         """The meanings that the premises grant; the start state as far as it is a premise."""
-        base = self.whole.system.scope
-        start = {key: found for key, found in base.start.items() if self._is_granted_start(key)}
         tables = (_Letters(self, self.scalars, self._opaque), _Letters(self, self.vectors, self._opaque_vector))
-        return Scope(*tables, self._rates, start, self.body_integral, _Letters(self, self.works, self._opaque_rate))
+        return Scope(*tables, self._rates, self._starts, self.body_integral, _Letters(self, self.works, self._opaque_rate))
 
     @cached_property
     def _rates(self) -> dict[str, Scalar]:
         return dict(self.whole.system.scope.rates)
+
+    @cached_property
+    def _starts(self) -> dict[str, Scalar]:
+        """What the premises say of the start; an unknown force is another one there."""
+        granted = {key: found for key, found in self.whole.system.scope.start.items() if self._is_granted_start(key)}
+        return granted | {name: symbol(f"{name}°'") for name in self._moving}
+
+    @property
+    def unsettled(self) -> frozenset[str]:
+        """Letters without meaning, too."""
+        return super().unsettled.union(self.opaque, (f"{name}'" for name in self.opaque))
 
     def _is_granted_start(self, key: str) -> bool:
         id = f"start.{key.removesuffix('_dot')}"
@@ -148,7 +157,9 @@ class View(Context):
 
     def _opaque(self, name: str) -> Scalar:
         self.opaque.add(name)
-        self._rates.setdefault(name, symbol(f"{name}'"))
+        for letter in (name, f"{name}'"):
+            self._rates.setdefault(letter, symbol(f"{letter}'"))
+            self._starts.setdefault(letter, symbol(f"{letter}°'"))
         return symbol(name)
 
     def _opaque_rate(self, name: str) -> Scalar:
