@@ -57,7 +57,7 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
     said = introducers(context, [context.steps[id].statement for id in named if id in context.steps])
     works = {id for name, (id, _) in context.introduced.items() if name in context.works}
     told = [id for id, other in context.steps.items() if other.rule in TELLS_MOTION]
-    near = (*named, *letters, *fixed(context))
+    near = (*named, *letters, *sorted(fixed(context)))
     quiet = [id for id in said if id not in works]
     few = [*quiet, *laws] if len(laws) <= MOST_LAWS else []
     steps_up = ((), quiet, said, few, (*said, *told), (MOTION,), (*said, *told, MOTION))
