@@ -202,7 +202,12 @@ def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: A
                 (found if surely else open_).append(Loss(force, factor, {}, way.name))
                 reasons += [] if surely else [f"where {force} vanishes has no closed form"]
             for place in _places(factor, way, given):
-                valid = _asked(way, place, value, held, given)
+                try:
+                    valid = _asked(way, place, value, held, given)
+                except ZeroDivisionError:
+                    open_.append(Loss(force, factor, {way.name: place}, way.name, way.asked))
+                    reasons.append(f"where {force} vanishes something else has no value")
+                    continue
                 if valid is None or any(_is_behind(place, loss, way, assuming(given, valid)) for loss in found):
                     continue
                 first = _comes_first(way, place, held, assuming(given, valid))
@@ -260,19 +265,21 @@ def _turns(place: Scalar) -> Fraction:
 def _asked(
     way: Way, place: Scalar, force: Scalar, held: list[Scalar], given: Assumptions
 ) -> tuple[Demand, ...] | None:
-    """Under which conditions a force goes through zero at a place to which the motion comes; None if it does not."""
+    """Under which conditions a force goes through zero at a place to which the motion comes; None if it does not.
+
+    Raises ZeroDivisionError where something has no value there.
+    """
     there = {way.name: place}
     lower, upper = given.range_of(way.name)
     asked = [*existence(place), Demand(way.ahead(place))]
     asked += [] if lower is None else [Demand(place - lower)]
     asked += [] if upper is None else [Demand(upper - place)]
-    try:
-        asked.append(Demand(short(substitute(way.square, there))))
-        asked.append(Demand(short(substitute(derivative(force, way.name), there)) * -way.sense))
-        asked += [Demand(short(substitute(value, there)), ">=") for value in held if value is not force]
-        return settle(asked, given)
-    except ZeroDivisionError:
+    if settle(asked, given) is None:
         return None
+    asked.append(Demand(short(substitute(way.square, there))))
+    asked.append(Demand(short(substitute(derivative(force, way.name), there)) * -way.sense))
+    asked += [Demand(short(substitute(value, there)), ">=") for value in held if value is not force]
+    return settle(asked, given)
 
 
 def _comes_first(way: Way, place: Scalar, held: list[Scalar], given: Assumptions) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from rbpsym.algebra import atoms
@@ -67,8 +68,10 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
         tied = all(dynamics.ideal.values()) and system.implicit and not system.has_clock
         values = [*forces, *(condition.value for condition in system.implicit)]
         stated = [at for at in _stated(system, system.coordinates) if _balances(values, at, given)] if tied else []
-        kept = [(at, valid) for at in stated if (valid := _demands(system, dynamics, at, given)) is not None]
-        return Rest(tuple(place for place in kept if not _doubt(system, dynamics, place[0], given)), None, reason)
+        with suppress(ZeroDivisionError):  # a force has no value there: the list is open anyhow
+            kept = [(at, valid) for at in stated if (valid := _demands(system, dynamics, at, given)) is not None]
+            return Rest(tuple(place for place in kept if not _doubt(system, dynamics, place[0], given)), None, reason)
+        return Rest((), None, reason)
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return Rest((), True, "the forces are the same everywhere")
@@ -77,7 +80,11 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     places: list[tuple[At, tuple[Demand, ...]]] = []
     doubts: list[str] = []
     for at in candidates:
-        valid = _demands(system, dynamics, at, given)
+        try:
+            valid = _demands(system, dynamics, at, given)
+        except ZeroDivisionError:
+            doubts.append("where the forces balance, another force has no value")
+            continue
         if valid is not None and not any(_is_one_place(at, old, given) for old, _ in places):
             doubt = _doubt(system, dynamics, at, given)
             places += [] if doubt else [(at, valid)]
@@ -153,14 +160,14 @@ def _all_turns(given: Assumptions, name: str, root: Scalar, period: Scalar | Non
 
 
 def _demands(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> tuple[Demand, ...] | None:
-    """What is asked of the parameters for the place to be one of rest; None if it is none."""
-    try:
-        if is_zero(determinant(_there(dynamics.mass_matrix, at))):
-            return None  # the coordinates do not describe its neighbourhood, as r = 0 of polar ones does not
-        asked = [*_of_place(at, given, system.scope.start), *_of_tied(system, at, given)]
-        return settle([*asked, *_of_forces(system, dynamics, at, given)], given)
-    except ZeroDivisionError:
-        return None
+    """What is asked of the parameters for the place to be one of rest; None if it is none.
+
+    Raises ZeroDivisionError where a force has no value, though the place lies in the ranges.
+    """
+    asked = [*_of_place(at, given, system.scope.start), *_of_tied(system, at, given)]
+    if settle(asked, given) is None or is_zero(determinant(_there(dynamics.mass_matrix, at))):
+        return None  # outside, or not described with its neighbourhood by the coordinates, as r = 0 by polar ones
+    return settle([*asked, *_of_forces(system, dynamics, at, given)], given)
 
 
 def _there(matrix: Matrix, at: At) -> Matrix:
