@@ -33,7 +33,7 @@ def under(context: Context, step: Step) -> Context:
 
 def stays(context: Context, step: Step) -> Verdict:
     """The stated sign, in each position; else where no square of a speed is negative, nor a force that is lost first, B:
-    the force is a B + c with a not negative and c positive (`data`: "until"); else on the way from rest."""
+    the force is a B + c with a not negative and c positive (`data`: "until")."""
     found, until = along_motion(context, step), step.data["until"]
     if found.is_proved:
         return found
@@ -42,20 +42,7 @@ def stays(context: Context, step: Step) -> Verdict:
     bounds = [context.along(symbol(until))] if until else context.study.squares.values()
     if any(_is_kept(value, bound, context.assumptions) for bound in bounds):
         return Verdict(PROVED, how="it is more than a multiple of what is not negative")
-    if any(compare(NOTHING, value, ahead).is_proved for ahead in _from_rest(context)):
-        return Verdict(PROVED, how="it holds from the start on, and the motion from rest never comes behind that")
     return found
-
-
-def _from_rest(context: Context) -> Iterator[Assumptions]:
-    """What the only coordinate keeps to on its way from rest: behind the start the square of its speed would be negative."""
-    for name in context.study.squares if len(context.study.system.independent) == 1 else ():
-        begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
-        drive = context.start(context.on_motion(symbol(f"{name}_ddot")))
-        lower, upper = context.assumptions.range_of(name)
-        for low, high, side in ((begin, upper, 1), (lower, begin, -1)):
-            if is_zero(speed) and None not in (low, high) and compare(NOTHING, drive * side, context.assumptions).is_proved:
-                yield context.assumptions.with_range(name, low, high)
 
 
 def _is_kept(value: Scalar, bound: Scalar, given: Assumptions) -> bool:

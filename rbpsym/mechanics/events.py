@@ -127,19 +127,6 @@ def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: A
     return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
 
-def never_left(system: System, dynamics: Dynamics, squares: Mapping[str, Scalar], given: Assumptions) -> Assumptions:
-    """The assumptions with the range from the start on, where the only coordinate moves from rest and never comes behind it."""
-    names = system.independent
-    if len(names) != 1 or system.implicit or not set(names) <= squares.keys() & system.scope.start.keys():
-        return given
-    [name] = names
-    for way in ways(system, dynamics, name, squares[name], given):
-        end = given.range_of(name)[way.sense > 0]
-        if end is not None and not way.asked and _is_driven_from_rest(way):
-            return way.until(end, given)
-    return given
-
-
 def ways_of(
     system: System, dynamics: Dynamics, value: Scalar, squares: Mapping[str, Scalar], given: Assumptions
 ) -> list[Way]:

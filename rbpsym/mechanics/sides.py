@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Losses, pushes
 from rbpsym.mechanics.friction import FrictionNeed
@@ -30,21 +29,21 @@ class Side:
 
 
 def sides(
-    constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions, ahead: Assumptions
+    constraints: tuple[Element, ...], known: Mapping[str, Scalar], ended: Losses, given: Assumptions
 ) -> tuple[Side, ...]:
-    """All one-sided forces, from their values along the motion as far as these are known; `ahead` is what holds on its way."""
+    """All one-sided forces, from their values along the motion as far as these are known."""
     names = [name for element in constraints for name in pushes(element) if name in known]
-    return tuple(_side(name, known[name], ended, given, ahead) for name in names)
+    return tuple(_side(name, known[name], ended, given) for name in names)
 
 
-def _side(name: str, value: Scalar, ended: Losses, given: Assumptions, ahead: Assumptions) -> Side:
+def _side(name: str, value: Scalar, ended: Losses, given: Assumptions) -> Side:
     asked = (Demand(value, ">="),)
     if len(value.num) * len(value.den) <= LARGEST:
         asked = asked if (left := settle(asked, given)) is None else left
     lost = next((loss for loss in ended.found if loss.force == name), None)
     if lost is not None:
         return Side(name, value, "lost", "", lost.valid)
-    if not asked or sign(value, ahead).kind == "positive":
+    if not asked:
         return Side(name, value, "kept")
     if ended.complete is True:
         return Side(name, value, "kept", next((loss.force for loss in ended.found), ""))

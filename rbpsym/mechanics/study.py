@@ -213,8 +213,7 @@ class Study:
     def sides(self) -> tuple[sides.Side, ...]:
         """What becomes of each one-sided force."""
         known = self.reactions_along_motion or self.dynamics.reactions
-        ahead = events.never_left(self.system, self.dynamics, self.squares, self.assumptions)
-        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions, ahead)
+        return sides.sides(self.problem.constraints, known, self.ended, self.assumptions)
 
     @cached_property
     def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:

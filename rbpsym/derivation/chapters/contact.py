@@ -104,10 +104,7 @@ def _holds(draft: Draft, side: Side) -> None:
         t.relation(t.Sym(side.force), ">=" if never else ">", t.ZERO),
         f"contact.{'until' if side.until else 'never' if never else lasts}",
         level=STANDARD if moving else FULL,
-        premises=[
-            *_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
-            *ground(draft, *draft.study.system.independent),
-        ],
+        premises=_told(draft, side.force, *([f"loss.{side.until}"] if side.until else ())),
         force=t.Sym(side.force),
         lost=t.Sym(side.until),
         data={"until": side.until},
