@@ -200,9 +200,10 @@ def commands_page() -> str:
     from rbpsym.cli import COMMANDS, main
 
     parts = ["# The command line\n", "Every command tells the same with `--help`.\n"]
+    group = click.Context(main, info_name="rbpsym", **main.context_settings)
     for name in COMMANDS:
-        command = main.get_command(click.Context(main), name)
-        context = click.Context(command, info_name=f"rbpsym {name}", max_content_width=100, terminal_width=100)
+        command = main.get_command(group, name)
+        context = click.Context(command, info_name=name, parent=group, terminal_width=100)
         parts += [f"## `rbpsym {name}`\n", f"```text\n{command.get_help(context)}\n```\n"]
     return "\n".join(parts)
 

@@ -12,13 +12,14 @@ from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.normal import is_rooted
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.mass import power
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 
@@ -348,7 +349,17 @@ def _vanishes(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
     return [Claim(t.Sym(step.data["force"]), t.ZERO, given=tuple(claims))]
 
 
+def _asked(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
+    """The force is a positive multiple of what is said not to be negative."""
+    force, shown = t.Sym(step.data["force"]), rows(step.statement)[0].items[0]
+    if shown == force:
+        return [Claim(force, force)]
+    ratio = tree_of(short(source.letters.along(symbol(force.name)) / source.letters.value(shown)))
+    return [Claim(force, t.Mul((ratio, shown))), Claim(ratio, t.ZERO, "more")]
+
+
 MORE: Mapping[str, Callable[[Source, Step, list[Claim]], list[Claim]]] = {
     "conservation": _conserved, "potential": _lost, "rest": _at_rest, "open_balance": _open_rest, "equilibrium": _equilibrium,
     "linearization": _tangent, "vanishing": _vanishes, "value_there": _there,
+    "asked": _asked,
 }  # fmt: skip

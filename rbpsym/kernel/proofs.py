@@ -336,9 +336,12 @@ class Search:
         return Scalar(found) * Scalar(by.den) / Scalar(value.den) if below <= self.positive | self.nonzero else None
 
     def _above(self, goal: Scalar, known: Sequence[Known]) -> Proof:
-        """left - right is a positive multiple of a square, and something positive."""
+        """left - right is something positive, or that and a positive multiple of a square."""
         rest, _ = self.follow(goal, known)
         rest = wound(rest, "cos")
+        if self.is_positive(rest):
+            _, found = self.follow(goal - rest, known)
+            return self._proof(found, square=(t.ONE, t.ZERO, self.tree(rest)))
         for index in sorted(filter(partner, rest.num.atoms())):
             parts = {power: Scalar(part, rest.den) for power, part in rest.num.by_power(index).items()}
             if set(parts) <= {0, 1, 2} and 2 in parts and self.is_positive(parts[2]):

@@ -33,10 +33,12 @@ def sides(
 ) -> tuple[Side, ...]:
     """All one-sided forces, from their values along the motion as far as these are known."""
     names = [name for element in constraints for name in pushes(element) if name in known]
-    return tuple(_side(name, known[name], ended, given) for name in names)
+    slips = any(element.values.get("limit") is not None for element in constraints)
+    return tuple(_side(name, known[name], ended, given, slips) for name in names)
 
 
-def _side(name: str, value: Scalar, ended: Losses, given: Assumptions) -> Side:
+def _side(name: str, value: Scalar, ended: Losses, given: Assumptions, slips: bool) -> Side:
+    """`slips`: a force that is nowhere lost may be so because something slips before."""
     asked = (Demand(value, ">="),)
     if len(value.num) * len(value.den) <= LARGEST:
         asked = asked if (left := settle(asked, given)) is None else left
@@ -45,7 +47,7 @@ def _side(name: str, value: Scalar, ended: Losses, given: Assumptions) -> Side:
         return Side(name, value, "lost", "", lost.valid)
     if not asked:
         return Side(name, value, "kept")
-    if ended.complete is True:
+    if ended.complete is True and (ended.found or not slips):
         return Side(name, value, "kept", next((loss.force for loss in ended.found), ""))
     return Side(name, value, "open" if any(loss.force == name for loss in ended.open_) else "asked", "", asked)
 

@@ -30,13 +30,14 @@ HOUSE = Path(rbpsym.__file__).parent
 READERS = (
     *sorted((HOUSE / "notation").glob("infix*.py")),
     *(HOUSE / "notation" / f"{name}.py" for name in ("limits", "source")),
+    HOUSE / "statement" / "units.py",
     *(
         HOUSE / "notation" / f"latex_{name}.py"
         for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "tokens")
     ),
     *(
         HOUSE / "teaching" / "grading" / f"{name}.py"
-        for name in ("integrals", "quantity", "reading", "standard", "typed", "units")
+        for name in ("integrals", "quantity", "reading", "standard", "typed")
     ),
 )
 FOREIGN = tuple(language for language in languages() if language != "en")
