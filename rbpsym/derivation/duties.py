@@ -67,9 +67,10 @@ def _discharged(view: View, one: Condition) -> Obligation:
 
 
 def _told(view: View, one: Condition) -> str:
-    """The step before it that says so of the very letter."""
+    """The step before it that says so of the very letter, if that was proved."""
     said = t.relation(one.node, ">", t.ZERO)
-    return next((id for id, step in view.steps.items() if step.rule == "stays" and step.statement == said), "")
+    told = (step for step in view.steps.values() if step.rule == "stays" and step.statement == said)
+    return next((step.id for step in told if step.certificate is not None and step.certificate.verdict.is_proved), "")
 
 
 def _along(view: View, value: Scalar) -> Scalar | None:

@@ -49,9 +49,11 @@ def slip_ends(study: Study, phase: Phase) -> State:
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
     start = at_start(study)
     first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
-    if is_zero(gain) or all(_float(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
-        raise _never(study, phase, what="does not stop slipping")
-    asked = [Demand(-(first * gain))]
+    asked, what = [Demand(-(first * gain))], "does not stop slipping"
+    if is_zero(gain) or settle(asked, study.assumptions) is None:
+        raise _never(study, phase, what=what)
+    if all(_float(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
+        raise _never(study, phase, UNKNOWN, what)
     return _after(study, phase, start, short(-(first / gain)), asked)
 
 

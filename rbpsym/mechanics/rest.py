@@ -82,13 +82,13 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     for at in candidates:
         try:
             valid = _demands(system, dynamics, at, given)
-        except ZeroDivisionError:
-            doubts.append("where the forces balance, another force has no value")
-            continue
-        if valid is not None and not any(_is_one_place(at, old, given) for old, _ in places):
+            if valid is None or any(_is_one_place(at, old, given) for old, _ in places):
+                continue
             doubt = _doubt(system, dynamics, at, given)
-            places += [] if doubt else [(at, valid)]
-            doubts += [doubt] if doubt else []
+        except ZeroDivisionError:
+            doubt = "where the forces balance, something else has no value"
+        places += [] if doubt else [(at, valid)]
+        doubts += [doubt] if doubt else []
     open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
     doubts += ["an equation was not solved in closed form"] if open_ else []
     return Rest(tuple(places), None if doubts else True, "; ".join(dict.fromkeys(doubts)), open_)
