@@ -21,8 +21,8 @@ from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.text import to_text
+from rbpsym.quantity.bound import World
 from rbpsym.verify import claims_decide as d
-from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
 from rbpsym.verify.claims_integrals import valued, with_dimensions
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst

@@ -20,9 +20,9 @@ from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided
 from rbpsym.errors import Undecided
+from rbpsym.quantity.path import is_along_one_path, look_different, on_path, path_of
 from rbpsym.verify.claims_ground import HOW, Question, are_same
 from rbpsym.verify.claims_integrals import as_vector
-from rbpsym.verify.claims_path import is_along_one_path, look_different, on_path, path_of
 from rbpsym.verify.claims_refute import disorder, refutation, witness_of
 
 MOST_RATES = 2

@@ -26,7 +26,7 @@ from rbpsym.notation.latex_tokens import tokenize
 from rbpsym.notation.letters import NAME_OF_LETTER
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import Drawn, SymbolTable, spelling
-from rbpsym.verify.claims_bound import Bound, Motion, World
+from rbpsym.quantity.bound import Bound, Motion, World
 from rbpsym.verify.claims_model import Meaning, Setting
 
 

@@ -29,7 +29,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.symbol_table import SymbolTable
 from rbpsym.quantities import ENERGY, NUMBER, Dimension
-from rbpsym.verify.claims_bound import Bound, World
+from rbpsym.quantity.bound import Bound, World
 from rbpsym.verify.claims_ground import Glossary, Ground
 from rbpsym.verify.claims_model import Setting
 

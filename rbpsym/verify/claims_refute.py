@@ -14,20 +14,17 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.integration import definite
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import Scalar, show, symbol
+from rbpsym.algebra.scalar import Scalar, show
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.enclosure import Number, are_disjoint, sign_of
 from rbpsym.equality.verdict import Kind, Verdict, refuted, undecided
 from rbpsym.errors import RbpsymError, Undecided
-from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_bound import Motion
+from rbpsym.quantity.bound import Motion
+from rbpsym.quantity.path import Path, on_path, path_of, reachable, with_energy, work_done
 from rbpsym.verify.claims_ground import Question, holds_unknowns, tells_of_start
-from rbpsym.verify.claims_path import Path, on_path, path_of, reachable, with_energy
 
 ORDERS = ("at the start", "rates of change at the start", "second rates at the start", "third rates at the start")
 PARTS = (Fraction(1, 10), Fraction(1, 2), Fraction(9, 10))
@@ -147,20 +144,6 @@ def carried_out(value: Scalar, question: Question) -> Scalar | None:
                 return None
             images[name] = done
     return question.seen(substitute(value, images), "start")
-
-
-def work_done(power: Scalar, motion: Motion) -> Scalar | None:
-    """∫ power dt from the start over the one coordinate along which it is done; None without a closed form."""
-    known = motion.moved(power)
-    for name in motion.scope.start:
-        speed = f"{name}_dot"
-        if not depends_on(known, speed) or name not in motion.scope.rates:
-            continue
-        integrand = along_motion(substitute(known / symbol(speed), {}), motion.squares)
-        if integrand is None or (integrand.den is not ONE and depends_on(Scalar(integrand.den), name)):
-            return None
-        return definite(integrand, name, motion.scope.start[name], symbol(name))
-    return None
 
 
 def disorder(low: Scalar, high: Scalar, question: Question, *, strict: bool) -> Verdict:

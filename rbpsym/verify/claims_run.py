@@ -16,8 +16,8 @@ from hashlib import blake2b
 from pathlib import Path
 
 from rbpsym.errors import RbpsymError, ReadError, StatementError
+from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import World
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, ClaimsFile, Link, Outcome, Printed, Result, Setting, told_of
 
@@ -181,8 +181,8 @@ class Worlds:
         """A problem by its name in the library or the path of its file, from the claims file's folder."""
         if name not in self.problems:
             from rbpsym.mechanics.study import Study
+            from rbpsym.quantity.problem import ProblemWorld
             from rbpsym.statement.loader import load_problem
-            from rbpsym.verify.claims_problem import ProblemWorld
 
             path = problem_path(name, self.folder, setting)
             self.problems[name] = ProblemWorld(Study(load_problem(path)), self.problem)

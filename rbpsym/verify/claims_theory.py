@@ -22,8 +22,8 @@ from rbpsym.algebra.vector import Space, cartesian
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided
+from rbpsym.quantity.bound import Bound, Motion, axial, number, plane
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Motion, axial, number, plane
 
 ALPHA, OMEGA, MASS, MOMENT = theory.ALPHA, theory.OMEGA, theory.MASS, theory.MOMENT
 COUNT = 3

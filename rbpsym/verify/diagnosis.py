@@ -20,7 +20,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.places import Path, put, sites
 from rbpsym.notation.text import to_text
-from rbpsym.verify.claims_bound import Bound
+from rbpsym.quantity.bound import Bound
 from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared

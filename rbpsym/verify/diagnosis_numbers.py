@@ -18,9 +18,9 @@ from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_bound import Motion
+from rbpsym.quantity.bound import Motion
+from rbpsym.quantity.path import sense
 from rbpsym.verify.claims_ground import Question
-from rbpsym.verify.claims_path import sense
 from rbpsym.verify.claims_refute import carried_out
 
 Value = float | np.ndarray  # of a vector, its three components

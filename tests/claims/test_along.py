@@ -17,13 +17,13 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
+from rbpsym.quantity.path import first_push, sense
 from rbpsym.statement.library import library_folder, problem_files
 from rbpsym.statement.loader import load_problem
 from rbpsym.verify import claims_check
 from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground, glossary, with_own_symbols
 from rbpsym.verify.claims_model import Outcome, Setting
-from rbpsym.verify.claims_path import first_push, sense
 from rbpsym.verify.claims_run import Worlds
 from tests.mutants.changed import is_different, mutants
 from tests.mutants.run import trials

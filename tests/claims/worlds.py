@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from rbpsym.mechanics.study import Study
+from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement import build as rb
-from rbpsym.verify.claims_problem import ProblemWorld
 from tests.mechanics.constraints.closed_forms import stated
 
 

@@ -22,11 +22,11 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.tree import Sym
 from rbpsym.quantities import TIME, Dimension
+from rbpsym.quantity.bound import Bound, Motion, number
+from rbpsym.quantity.phrases import EXAMPLES, PHRASES
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.model import PointRef
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Motion, number
-from rbpsym.verify.claims_phrases import EXAMPLES, PHRASES
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.phases import Stage

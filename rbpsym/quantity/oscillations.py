@@ -10,11 +10,11 @@ from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.oscillation import decaying
-from rbpsym.verify.claims_bound import Bound, Phrase, number
-from rbpsym.verify.claims_path import SENSES
+from rbpsym.quantity.bound import Bound, Phrase, number
+from rbpsym.quantity.path import SENSES
 
 if TYPE_CHECKING:
-    from rbpsym.verify.claims_problem import ProblemWorld
+    from rbpsym.quantity.problem import ProblemWorld
 
 ORDINALS = {None: None, "lowest ": 0, "second ": 1, "third ": 2, "highest ": -1}
 

@@ -21,15 +21,14 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
+from rbpsym.quantity.bound import Bound, Phrase, number, plane
+from rbpsym.quantity.oscillations import PHRASES as OSCILLATIONS
+from rbpsym.quantity.path import SENSES, first_push, work_done
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Phrase, number, plane
-from rbpsym.verify.claims_oscillations import PHRASES as OSCILLATIONS
-from rbpsym.verify.claims_path import SENSES, first_push
-from rbpsym.verify.claims_refute import work_done
 
 if TYPE_CHECKING:
     from rbpsym.mechanics.phases import Stage
-    from rbpsym.verify.claims_problem import ProblemWorld
+    from rbpsym.quantity.problem import ProblemWorld
 
 See = Callable[[Scalar], Scalar]
 

@@ -17,12 +17,12 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
 from rbpsym.notation.infix import read_infix
+from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
+from rbpsym.quantity.moments import PHRASES as MOMENTS
 from rbpsym.statement.source import did_you_mean
-from rbpsym.verify.claims_bound import Bound, Phrase, axial, number, plane
-from rbpsym.verify.claims_moments import PHRASES as MOMENTS
 
 if TYPE_CHECKING:
-    from rbpsym.verify.claims_problem import ProblemWorld
+    from rbpsym.quantity.problem import ProblemWorld
 
 
 def _minus(world: ProblemWorld, phrase: str) -> Bound:

@@ -15,16 +15,19 @@ from hashlib import blake2b
 from itertools import product
 
 from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
+from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import Point
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
+from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
-from rbpsym.verify.claims_bound import Motion
+from rbpsym.quantity.bound import Motion
 
 SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}
 STEPS, EDGE = 32, 1e-9
@@ -99,6 +102,20 @@ def reachable(motion: Motion) -> list[Condition]:
     """What holds on the path: the squares of the speeds are not negative, declared ranges are kept."""
     squares = [Condition(t.Sym(f"{name}_dot"), ">=", square) for name, square in motion.squares.items()]
     return [*squares, *motion.kept]
+
+
+def work_done(power: Scalar, motion: Motion) -> Scalar | None:
+    """∫ power dt from the start over the one coordinate along which it is done; None without a closed form."""
+    known = motion.moved(power)
+    for name in motion.scope.start:
+        speed = f"{name}_dot"
+        if not depends_on(known, speed) or name not in motion.scope.rates:
+            continue
+        integrand = along_motion(substitute(known / symbol(speed), {}), motion.squares)
+        if integrand is None or (integrand.den is not ONE and depends_on(Scalar(integrand.den), name)):
+            return None
+        return definite(integrand, name, motion.scope.start[name], symbol(name))
+    return None
 
 
 @dataclass(frozen=True)
