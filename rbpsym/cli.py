@@ -26,6 +26,7 @@ COMMANDS: dict[str, str] = {
     "plot": "rbpsym.commands.plot",
     "derive": "rbpsym.commands.derive",
     "solve": "rbpsym.commands.solve",
+    "ask": "rbpsym.commands.ask",
     "check": "rbpsym.commands.check",
     "certify": "rbpsym.commands.certify",
     "explore": "rbpsym.commands.explore",

@@ -22,7 +22,7 @@ Entry = tuple[Condition, str]
 MOST_PRODUCTS = 100_000
 
 IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
-CHAPTERS = "kinematics inertia momentum torque newton_euler work energy oscillations contact phases comparison theory"
+CHAPTERS = "ask kinematics inertia momentum torque newton_euler work energy oscillations contact phases comparison theory"
 RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided
 """

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
@@ -18,7 +18,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System
@@ -55,6 +55,8 @@ def reached_then(context: Context, step: Step) -> Verdict:
     phase, time = step.data["ending"].phase, context.value(right)
     if phase.event == "reaches":
         return same(context, _at(time, _course(context, _of(context, phase.subject))[0]), scalar(phase.value))
+    if phase.event == "rests":
+        return same(context, _at(time, _course(context, _of(context, phase.subject))[1]), NOTHING)
     slip = slip_at(context.study.system, context.study.system.element(phase.subject))
     gain = context.on_motion(time_derivative(slip, context.study.system.scope))
     return same(context, context.start(slip) + gain * time, NOTHING)
@@ -66,6 +68,9 @@ def reached_there(context: Context, step: Step) -> Verdict:
     phase, place = step.data["ending"].phase, {step.data["name"]: context.value(right)}
     if phase.event == "reaches":
         return same(context, substitute(_of(context, phase.subject), place), scalar(phase.value))
+    if phase.event == "rests":
+        speed = time_derivative(_of(context, phase.subject), context.study.system.scope)
+        return same(context, substitute(context.along(speed * speed), place), NOTHING)
     if phase.event == "no slip":
         slip = slip_at(context.study.system, context.study.system.element(phase.subject))
         return same(context, substitute(context.along(slip * slip), place), NOTHING)
@@ -102,6 +107,25 @@ def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> V
         return same(context, substitute(value, here), stated)
     rate = time_derivative(value, context.study.system.scope)
     return same(context, substitute(context.along(rate * rate), here), stated * stated)
+
+
+def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]:
+    """The value with the places and speeds of a moment, and whether these are those of the motion, or of rest."""
+    state, found, image = moment.state, [Verdict(PROVED, how="nothing in it moves")], {}
+    for name in names_in(value) & {*state.places, *(f"{n}_dot" for n in state.speeds), "t"}:
+        coordinate = name.removesuffix("_dot")
+        if name == "t":
+            image[name] = state.time
+            continue
+        what = "place" if name == coordinate else "speed"
+        image[name] = (state.places if what == "place" else state.speeds)[coordinate]
+        if moment.how != "rest":
+            see = _uniform if state.time is not None else _placed
+            found.append(see(context, moment, what, coordinate, image[name]))
+    for id in ("moment", "place"):
+        if id in context.steps and moment.how == "event":
+            context.use(id)
+    return weakest(found), substitute(value, image)
 
 
 def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:

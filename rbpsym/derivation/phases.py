@@ -15,12 +15,16 @@ def hand_overs(problem: Problem) -> list[tuple[Phase, Stage, Draft]]:
 
     Raises NotApplicable where the end of a phase has no closed form.
     """
-    found, all_stages = [], stages(problem)
-    for number, (phase, before, stage) in enumerate(zip(problem.phases, all_stages, all_stages[1:], strict=False), 1):
-        draft = Draft(before.study)
-        draft.chapter = "phase"
-        endings.write(draft, Ending(phase, number, stage.began.before))
-        if stage.began.is_blow:
-            impulses.write(draft, Blow(before.study.system, stage.study.system, phase, stage.began, number))
-        found.append((phase, stage, draft))
-    return found
+    all_stages = stages(problem)
+    rows = zip(problem.phases, all_stages, all_stages[1:], strict=False)
+    return [(phase, stage, hand_over(k, phase, before, stage)) for k, (phase, before, stage) in enumerate(rows, 1)]
+
+
+def hand_over(number: int, phase: Phase, before: Stage, stage: Stage) -> Draft:
+    """The draft of the steps from the end of the phase of that number (from 1) to the start of the next one."""
+    draft = Draft(before.study)
+    draft.chapter = "phase"
+    endings.write(draft, Ending(phase, number, stage.began.before))
+    if stage.began.is_blow:
+        impulses.write(draft, Blow(before.study.system, stage.study.system, phase, stage.began, number))
+    return draft

@@ -14,6 +14,7 @@ from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation import checks_places as places
 from rbpsym.derivation import checks_stability as s
+from rbpsym.derivation import checks_values as values
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.duties import duties
 from rbpsym.derivation.step import Certificate, Step
@@ -70,6 +71,9 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "asked": (places.has_sign_of_force,),
     "vanishing": (c.vanishing, c.holds_there, places.comes_first),
     "value_there": (c.identity, c.value_there),
+    "value_then": (values.value_then,),
+    "value_told": (values.value_told,),
+    "value_along": (values.value_along,),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then),

@@ -119,6 +119,38 @@ def grip_ends(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, place)
 
 
+def comes_to_rest(study: Study, phase: Phase) -> State:
+    """The first moment or place after the start at which the speed of a coordinate vanishes."""
+    if _are_uniform(study):
+        start, gain = at_start(study), _gain(study, phase, phase.subject)
+        speed = start.speeds[phase.subject]
+        asked = [Demand(-(speed * gain))]
+        if is_zero(gain) or settle(asked, study.assumptions) is None:
+            raise _never(study, phase, what="does not come to rest")
+        return _after(study, phase, start, short(-(speed / gain)), asked)
+    name = _mover(study)
+    if name is None or is_zero(of_coordinate(study, phase.subject)[1]):
+        raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
+    place = _next(study, name, study.squares[name])
+    if place is None:
+        raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
+    return _met(study, phase, name, place)
+
+
+def uniform_motion(study: Study, time: Scalar) -> State:
+    """All coordinates and speeds at a time after the start. Raises NotApplicable where the accelerations are not constant."""
+    return _after(study, Phase("", "at once", None, (), study.problem), at_start(study), time, ())
+
+
+def is_before(study: Study, first: State, second: State) -> bool:
+    """Whether one state comes before another, or with it, at the sample numbers."""
+    numbers, start = sample(study.problem), at_start(study)
+    if None not in (first.time, second.time):
+        return _float(first.time - second.time, numbers) <= EDGE
+    ways = ((abs(_float(s.places[n] - start.places[n], numbers)) for s in (first, second)) for n in start.places)
+    return all(one <= other + EDGE for one, other in ways)
+
+
 ENDINGS = {
     "at once": at_start,
     "no slip": slip_ends,

@@ -24,6 +24,7 @@ class Bound:
     scalar, vector: its value; a quantity along the axis has both. kind: "value", "constant" (some
     constant of the motion), "unknown", "defined here", "up to a constant". points: the values at
     the points where the external forces act; density: what d(it) is for a mass element, over dm.
+    told: the chapter of a derivation that says it, for what is found there and not from its definition.
     """
 
     scalar: Scalar | None = None
@@ -31,6 +32,7 @@ class Bound:
     kind: str = "value"
     points: tuple[Space, ...] = ()
     density: Space | None = None
+    told: str = ""
 
 
 def axial(value: Scalar) -> Bound:
@@ -45,9 +47,9 @@ def plane(value: Vector | Space) -> Bound:
     return Bound(function("sqrt", Scalar(shorten(square.num), square.den)), space)
 
 
-def number(value: Scalar) -> Bound:
+def number(value: Scalar, told: str = "") -> Bound:
     """A scalar."""
-    return Bound(value)
+    return Bound(value, told=told)
 
 
 @dataclass(frozen=True)

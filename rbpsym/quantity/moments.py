@@ -207,12 +207,13 @@ def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
     found = stage.began.impulses
     if force not in found:
         raise StatementError(f"no impulse “{force}” is known there", instead=did_you_mean(force, found, "impulses"))
-    return number(found[force])
+    return number(found[force], f"phase {_stage(world, name)[0]}")
 
 
 def energy_lost(world: ProblemWorld, name: str) -> Bound:
     """Kinetic energy lost when PHASE begins."""
-    return number(_stage(world, name)[1].began.energy_lost)
+    place, stage = _stage(world, name)
+    return number(stage.began.energy_lost, f"phase {place}")
 
 
 def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
@@ -222,19 +223,22 @@ def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
         raise StatementError(
             f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts")
         )
-    return number(needs[contact].ratio)
+    return number(needs[contact].ratio, "contact")
 
 
 def needed_friction(world: ProblemWorld, contact: str) -> Bound:
     """|f|/N of a contact that static friction holds: the coefficient that it needs."""
     ratio = friction_ratio(world, contact).scalar
-    return number(ratio * _sense(world, ratio))
+    return number(ratio * _sense(world, ratio), "contact")
 
 
 _W = r"([\w-]+)"
-PHRASES: tuple[Phrase, ...] = (
+JUMPS: tuple[Phrase, ...] = (
     (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of FORCE when PHASE begins"),
-    (rf"energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
+    (rf"(?:kinetic )?energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
+)
+PHRASES: tuple[Phrase, ...] = (
+    *JUMPS,
     (rf"(.+) when {_W} begins", when_begins, "speed of COORDINATE when PHASE begins"),
     (rf"(.+) just before {_W}", just_before, "speed of COORDINATE just before PHASE"),
     (r"time until (\w+) = (.+)", time_until, "time until COORDINATE = VALUE"),

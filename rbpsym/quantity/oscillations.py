@@ -37,7 +37,7 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
         raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
     if place is not None and place >= len(squares):
         raise StatementError(f"there are only {len(squares)} frequencies")
-    return number(function("sqrt", _ordered(world, squares)[place or 0]))
+    return number(function("sqrt", _ordered(world, squares)[place or 0]), "oscillations")
 
 
 def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
@@ -57,7 +57,7 @@ def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
     modes = [decaying(powers) for item in _equilibria(world, name, True)[:1] for powers in item.linear.factors]
     if len(modes) != 1 or not modes[0][1]:
         raise StatementError(f"the motion of “{name}” is not that of one mode")
-    return number(OF_MODE[kind](*modes[0]))
+    return number(OF_MODE[kind](*modes[0]), "oscillations")
 
 
 OF_MODE = {
@@ -69,7 +69,7 @@ OF_MODE = {
 
 def period(world: ProblemWorld, name: str) -> Bound:
     """The period of small oscillations."""
-    return number(PI * 2 / frequency(world, None, name).scalar)
+    return number(PI * 2 / frequency(world, None, name).scalar, "oscillations")
 
 
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
@@ -77,7 +77,7 @@ def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
     found = _equilibria(world, name, not unstable)
     if len(found) > 1:
         raise StatementError(f"“{name}” has {len(found)} such equilibria")
-    return number(found[0].at[name])
+    return number(found[0].at[name], "oscillations")
 
 
 PHRASES: tuple[Phrase, ...] = (

@@ -105,17 +105,24 @@ def reachable(motion: Motion) -> list[Condition]:
 
 
 def work_done(power: Scalar, motion: Motion) -> Scalar | None:
-    """∫ power dt from the start over the one coordinate along which it is done; None without a closed form."""
+    """∫ power dt from the start, coordinate by coordinate along which it is done; None without a closed form."""
     known = motion.moved(power)
-    for name in motion.scope.start:
+    names = [n for n in motion.scope.start if n in motion.scope.rates and depends_on(known, f"{n}_dot")]
+    total = NOTHING
+    for name in names:
         speed = f"{name}_dot"
-        if not depends_on(known, speed) or name not in motion.scope.rates:
-            continue
-        integrand = along_motion(substitute(known / symbol(speed), {}), motion.squares)
-        if integrand is None or (integrand.den is not ONE and depends_on(Scalar(integrand.den), name)):
+        part = derivative(known, speed) if len(names) > 1 else substitute(known / symbol(speed), {})
+        integrand = along_motion(part, motion.squares)
+        others = (*(n for n in motion.scope.rates if n != name), "t") if len(names) > 1 else ()
+        if integrand is None or any(depends_on(integrand, other) for other in others):
             return None
-        return definite(integrand, name, motion.scope.start[name], symbol(name))
-    return None
+        if integrand.den is not ONE and depends_on(Scalar(integrand.den), name):
+            return None
+        done = definite(integrand, name, motion.scope.start[name], symbol(name))
+        if done is None:
+            return None
+        total = total + done
+    return total if names else None
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from rbpsym.mechanics.energy import potentials, rotational_energy, translational
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
+from rbpsym.quantity.vectors import PHRASES as VECTORS
 from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
@@ -47,6 +48,12 @@ def _rate(world: ProblemWorld, phrase: str) -> Bound:
     if found.vector is not None:
         return Bound(time_derivative(found.scalar, scope), space_derivative(found.vector, scope))
     return number(time_derivative(found.scalar, scope))
+
+
+def _rate_of(world: ProblemWorld, letter: str, name: str | None, about: str | None) -> Bound:
+    """dL/dt about a point, or dP/dt."""
+    what = f"angular momentum of {name or 'system'}" + (f" about {about}" if about else "")
+    return _rate(world, what if letter == "L" else f"linear momentum of {name or 'system'}")
 
 
 def _of_coordinate(order: int):
@@ -165,18 +172,34 @@ def _lagrangian(world: ProblemWorld) -> Bound:
     return number(_kinetic(world, None, None).scalar - _potential(world, None).scalar)
 
 
+def _mechanical(world: ProblemWorld) -> Bound:
+    """Kinetic energy and the potential energies that there are."""
+    return number(sum(potentials(world.study.system).values(), _kinetic(world, None, None).scalar))
+
+
+def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
+    """A force by its name alone: an unknown one as it is stated, with its sign; of a known one the magnitude."""
+    if name in world.study.system.unknowns or (noun is None and name not in world.forces_known):
+        return world.expression(name)
+    found = world.forces(name, "system")
+    if len({force.on for force in found if force.vector}) > 1 and len(found) > 2:
+        raise StatementError(f"“{name}” acts on several bodies", instead=f"write “force {name} on {found[0].on}”.")
+    return _magnitude(world, f"force {name} on {found[0].on}") if found[0].vector else number(found[0].couple)
+
+
 def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     mass = sum((state.mass for state in world.bodies(name)), NOTHING)
     return number(function("sqrt", _moment(world, name, about).scalar / mass))
 
 
-_B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+)", r"([\w, ]+?)"
+_B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
 _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
 PHRASES: tuple[Phrase, ...] = (
     *MOMENTS,
-    (r"kinetic energy of the system relative to its centre of mass", _relative, ""),
+    *VECTORS,
+    (r"kinetic energy of (?:the )?system relative to its centre of mass", _relative, ""),
     (r"minus (.+)", _minus, ""),
     (r"magnitude of (.+)", _magnitude, ""),
     (r"([xyz]) component of (.+)", _component, ""),
@@ -185,7 +208,8 @@ PHRASES: tuple[Phrase, ...] = (
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
-    (rf"acceleration of {_P}", _of_point(2), ""),
+    (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
+    (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),
     (rf"angular velocity of {_B}", lambda world, name: axial(world.body(name).omega), ""),
     (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha), ""),
     (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING)), ""),
@@ -205,6 +229,14 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"potential energy(?: of {_B})?", _potential, ""),
     (r"energy(, up to a constant)?", _energy, "energy"),
     (r"Lagrangian", _lagrangian, ""),
+    (r"mechanical energy", _mechanical, "mechanical energy"),
+    (r"dE/dt", lambda world: _rate(world, "mechanical energy"), "dE/dt"),
+    (rf"d([LP])/dt(?: of {_B})?{_ABOUT}", lambda world, letter, name, about: _rate_of(world, letter, name, about), "dL/dt"),
+    (r"(?:total )?momentum(?: of (.+))?", lambda world, name: _momentum(world, name or "system"), "momentum of BODY"),
+    (rf"total angular momentum{_ABOUT}", lambda world, about: _angular_momentum(world, "system", about, None),
+     "total angular momentum about O"),
+    (rf"cent(?:re|er) of mass(?: of {_B})?", lambda world, name: plane(world.centre(name or "system")), "centre of mass of BODY"),
+    (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),
     (rf"radius of gyration of {_B}{_ABOUT}", _gyration, ""),
     (rf"power of {_F}{_ON}?{_HALF}", _power, ""),
 )

@@ -109,17 +109,37 @@ class ProblemWorld:
             found = re.fullmatch(pattern, text)
             if found:
                 return resolve(self, *found.groups())
-        return self._expression(text)
+        return self.expression(text)
 
-    def _expression(self, text: str) -> Bound:
+    @property
+    def forces_known(self) -> set[str]:
+        """Names of all forces that act on bodies."""
+        return {force.name for force in self.study.system.forces}
+
+    def expression(self, text: str) -> Bound:
+        """The value of a formula in the names of the problem. Raises StatementError."""
         names = self.names
         try:
             return number(substitute(scalar(read_infix(text, names), self.study.system.scope), self.dependent))
         except RbpsymError:
+            hint = did_you_mean(text, [*names, *self.offered], "")[:200]
             raise StatementError(
                 f"“{text}” means nothing in the problem “{self.study.problem.name}”",
-                instead=did_you_mean(text, [*names, *EXAMPLES], "write a name, an expression, or a phrase such as"),
+                instead=hint if hint.startswith("did") else f"write a name ({', '.join(names)}), an expression, or a phrase such "
+                f"as “{'”, “'.join(EXAMPLES)}”.",
             ) from None
+
+    @cached_property
+    def offered(self) -> list[str]:
+        """The phrases that are offered to who writes something else, with the names of this problem."""
+        system = self.study.system
+        forces = list(dict.fromkeys(force.name for force in system.forces))
+        known = {"BODY": list(system.bodies), "FORCE": forces, "COORDINATE": list(system.independent), "VALUE": ["0"]}
+        known |= {"PHASE": [phase.name for phase in self.study.problem.phases], "CONTACT": list(system.unknowns)}
+        found = list(EXAMPLES)
+        for slot, names in known.items():
+            found = [text.replace(slot, name) for text in found for name in (names if slot in text else [""])]
+        return found
 
     @cached_property
     def names(self) -> list[str]:
@@ -161,15 +181,20 @@ class ProblemWorld:
         return [self.body(part) for part in name.split(" and ")]
 
     def place(self, name: str | None) -> Vector:
-        """The position of a point: O, a named point, body.point. Raises StatementError."""
+        """The position of a point: O, a named point, body.point, body.cm, or body(1/3): so far on the way from its start to
+        its end. Raises StatementError."""
         problem, system = self.study.problem, self.study.system
+        if name is not None and name.endswith(")"):
+            body, _, part = name[:-1].partition("(")
+            first, last = (self.place(f"{body}.{end}") for end in ("start", "end"))
+            return first + (last - first) * scalar(read_infix(part, self.names))
         if name is None:
             return ORIGIN
         if name in problem.points:
             return pair(problem.points[name])
         body, _, point = name.partition(".")
         if body in SYSTEM and point == "cm":
-            return _center(self)
+            return self.centre(body)
         state = self.body(body)
         known = [*problem.body(body).points, "cm"]
         if point not in known:
@@ -180,6 +205,12 @@ class ProblemWorld:
             {n: s.inertia for n, s in system.bodies.items()},
             {state.name: state.pose},
         )
+
+    def centre(self, name: str) -> Vector:
+        """The centre of mass of a body, of several, or of all."""
+        states = self.bodies(name)
+        mass = sum((state.mass for state in states), NOTHING)
+        return sum((state.center * (state.mass / mass) for state in states), ORIGIN)
 
     def forces(self, names: str, on: str) -> list[Force]:
         """The forces of these names on a body, several or the system; "net" means all, "external" those from outside."""
@@ -193,13 +224,6 @@ class ProblemWorld:
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))
         return [force for force in here if force.name in wanted]
-
-
-def _center(world: ProblemWorld) -> Vector:
-    """The centre of mass of all bodies."""
-    states = world.bodies("system")
-    mass = sum((state.mass for state in states), NOTHING)
-    return sum((state.center * (state.mass / mass) for state in states), ORIGIN)
 
 
 def _names(value: Scalar) -> set[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from rbpsym.errors import StatementError
@@ -43,6 +43,7 @@ SECTIONS: dict[str, str] = {
     "names": "what bodies, points and phases are called in other languages: [names.es]",
     "example": "values with units, for numbers and plots",
     "claims": "what a source says, to be confirmed or refuted",
+    "ask": 'what is asked: question = "N at the start"',
 }
 
 
@@ -99,6 +100,7 @@ def _about(table: Table, name: str) -> dict[str, object]:
         "names": _translations(table, "names", "rod"),
         "example": _values(table, "example"),
         "claims": _claims(table),
+        "questions": tuple(_questions(table)),
         "file": table.source.file,
     }
 
@@ -139,3 +141,11 @@ def _translations(table: Table, key: str, example: str) -> dict[str, dict[str, s
 
 def _claims(table: Table) -> tuple[Mapping[str, object], ...]:
     return tuple(dict(row.data) for row in table.rows("claims", "“claims”"))
+
+
+def _questions(table: Table) -> Iterator[str]:
+    """What is asked in [[ask]]."""
+    for row in table.rows("ask", "“ask”"):
+        row.check_keys(("question",), "a question")
+        row.require("question", "a question", 'add question = "N at the start".')
+        yield row.string("question")

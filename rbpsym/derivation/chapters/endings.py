@@ -132,7 +132,7 @@ def _place(draft: Draft, ending: Ending) -> None:
     )
 
 
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "no slip": "rest"}
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "no slip": "rest", "rests": "rest"}
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:

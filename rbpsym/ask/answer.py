@@ -1,0 +1,256 @@
+"""The answer to a question about a quantity: its exact value, and the steps from which it follows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.squares import with_squares
+from rbpsym.ask.certified import certified
+from rbpsym.ask.moments import Asked, Moment, at_time, image_of, moment_of
+from rbpsym.ask.question import Question, is_jump
+from rbpsym.derivation.step import Step
+from rbpsym.equality.verdict import Verdict
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.quantity.bound import Bound
+from rbpsym.quantity.path import even, sense, work_done
+from rbpsym.quantity.problem import ProblemWorld
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
+    of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
+    it; `ways`: in which sense a speed is taken; `told`: the chapter that says it."""
+
+    study: Study
+    named: tuple[Scalar, ...]
+    values: tuple[Scalar, ...]
+    of: str = ""
+    moment: Moment | None = None
+    works: Mapping[str, tuple[Scalar, Scalar]] = field(default_factory=dict)
+    ways: Mapping[str, int] = field(default_factory=dict)
+    told: str = ""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The answer to a question: one value, or the components along x and y of a vector, as they are and as they are
+    printed; `holds`: of what they are functions; the conditions under which they hold; the steps from which they follow."""
+
+    question: Question
+    study: Study
+    values: tuple[Scalar, ...]
+    nodes: tuple[t.Node, ...]
+    verdict: Verdict
+    holds: str
+    valid: tuple[t.Node, ...] = ()
+    steps: tuple[Step, ...] = ()
+
+    @property
+    def value(self) -> Scalar:
+        """The value. Raises StatementError for a vector."""
+        if len(self.values) == 1:
+            return self.values[0]
+        raise StatementError(f"“{self.question.quantity}” is a vector", instead="ask for its magnitude or a component.")
+
+    @property
+    def is_angle(self) -> bool:
+        """Is it asked for an angle: a coordinate that is one, or a direction?"""
+        angles = {c.name for c in self.study.problem.coordinates}
+        return self.question.quantity in angles or self.question.quantity.startswith(("direction", "angle"))
+
+
+def answer(asked: Asked, question: Question) -> Answer:
+    """The answer about a quantity. Raises StatementError for what means nothing, never happens or has no closed form."""
+    if question.quantity in ("time", "the time"):
+        found = _time(asked, question)
+    elif question.when is None:
+        found = _along(asked, question)
+    else:
+        found = _then(asked, question)
+    return certified(asked, question, found)
+
+
+# --- what it is about
+
+
+def parts(bound: Bound) -> tuple[Scalar, ...]:
+    """The value of a quantity, or both components of a vector in the plane. Raises StatementError if it has none."""
+    if bound.vector is not None and (bound.scalar is None or bound.vector.plane.parts):
+        return bound.vector.plane.x, bound.vector.plane.y
+    if bound.scalar is None:
+        raise StatementError("this has no value of its own", instead="name a quantity.")
+    return (bound.scalar,)
+
+
+def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bound]:
+    """The phase in which the quantity is known, and what it is there."""
+    if is_jump(question.quantity):
+        return 0, asked.whole.bound(question.quantity)
+    if place is None and question.phase:
+        place = asked.named(question.phase)
+    if place is not None:
+        return place, asked.world(place).bound(question.quantity)
+    refused = None
+    for number in range(len(asked.names)):
+        try:
+            return number, asked.world(number).bound(question.quantity)
+        except RbpsymError as error:
+            refused = refused or error
+    raise refused
+
+
+def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[Scalar, Scalar]]:
+    """(rate, value) of each work in the values. Raises StatementError for a work that has no closed form."""
+    found = {}
+    for name, power in world.motion.ledger.items():
+        if any(depends_on(value, name) for value in values):
+            done = work_done(power, world.motion)
+            if done is None:
+                raise StatementError("a work in this has no closed form", instead="ask for its power instead.")
+            found[name] = (power, done)
+    return found
+
+
+# --- at a moment
+
+
+def _then(asked: Asked, question: Question) -> Found:
+    """The value at a moment; what is counted since another moment, from there."""
+    if question.of:
+        raise StatementError("what is asked at one moment is no function", instead="leave out “as a function of …”.")
+    _bound(asked, question, None)  # an unknown word is told before a moment is looked for
+    return _at_moment(asked, question, moment_of(asked, question.when, question))
+
+
+def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
+    place, bound = _bound(asked, question, moment.place)
+    world, study, named = asked.world(place), asked.study(place), parts(bound)
+    works = _works(world, named)
+    values = _at(world, named, works, moment, question)
+    if question.since is not None:
+        before = moment_of(asked, question.since, question)
+        if before.place != moment.place:
+            raise StatementError("both moments must lie in one phase", instead="ask phase by phase.")
+        values = tuple(b - a for a, b in zip(_at(world, named, works, before, question), values, strict=True))
+    return Found(study, named, values, moment=moment, works=works)
+
+
+def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
+    closed = {name: done for name, (_, done) in works.items()}
+    image = image_of(world.study, moment.state)
+    found = tuple(_tidy(world, substitute(world.motion.moved(substitute(value, closed)), image)) for value in named)
+    return tuple(_settled(world, value, question) for value in found)
+
+
+def _tidy(world: ProblemWorld, value: Scalar) -> Scalar:
+    return short(even(value))
+
+
+def _settled(world: ProblemWorld, value: Scalar, question: Question) -> Scalar:
+    """The value, which must hold nothing that moves. Raises StatementError."""
+    moving = names_in(value) & {*world.motion.scope.rates, *world.motion.unsettled, *world.motion.speeds} - {"t"}
+    if moving:
+        name = min(moving)
+        raise StatementError(
+            f"“{question.quantity}” still depends on {name} there",
+            instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."?',
+        )
+    return value
+
+
+def _time(asked: Asked, question: Question) -> Found:
+    """The time from the start of the first phase to a moment."""
+    if question.when is None:
+        raise StatementError("the time until when?", instead="write “time until x = 0”, or “time until PHASE”.")
+    moment = moment_of(asked, question.when, question)
+    clock = asked.stage(moment.place).clock if moment.place else NOTHING
+    if None in (moment.state.time, clock):
+        what = f"the time {question.when.text} has no closed form"
+        raise StatementError(what, instead="ask for it with numbers: --with “…”.")
+    value = short(clock + moment.state.time)
+    return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
+
+
+# --- as a function
+
+
+def _along(asked: Asked, question: Question) -> Found:
+    """The value along the motion: a function of the position where the speeds are such, else of the state."""
+    place, bound = _bound(asked, question, None)
+    world, study, named = asked.world(place), asked.study(place), parts(bound)
+    if bound.told:
+        return Found(study, named, tuple(map(short, named)), told=bound.told)
+    works = _works(world, named)
+    closed = {name: done for name, (_, done) in works.items()}
+    values = tuple(short(world.motion.moved(substitute(value, closed))) for value in named)
+    unsolved = next((n for value in values for n in world.motion.unsettled if depends_on(value, n)), None)
+    if unsolved is not None:
+        raise StatementError(f"{unsolved} has no closed form here", instead="ask for it with numbers: --with “…”.")
+    if question.of == "t" and _moving(world, values) - {"t"}:
+        return _in_time(asked, question, place)
+    found = Found(study, named, values, "state", works=works)
+    if question.of != "state" and question.of not in study.system.speeds:
+        found = _without_speeds(world, found)
+    return _of(world, found, question) if question.of not in ("", "state") else found
+
+
+def _without_speeds(world: ProblemWorld, found: Found) -> Found:
+    """The values with the speeds as functions of the position, as far as these and their senses are known."""
+    motion, ways, values = world.motion, {}, found.values
+    values = tuple(with_squares(value, motion.squares) for value in values)
+    for name, square in motion.squares.items():
+        speed = f"{name}_dot"
+        if any(depends_on(value, speed) for value in values):
+            way = sense(motion, name)
+            if not way:
+                return found
+            ways[name] = way
+            values = tuple(even(substitute(value, {speed: root(square) * way})) for value in values)
+    left = any(depends_on(value, speed) for value in values for speed in motion.speeds)
+    if left:
+        return found
+    moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
+    of = "position" if moves or values != found.values else "state"
+    return replace(found, values=tuple(map(short, values)), of=of, ways=ways)
+
+
+def _moving(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
+    """What moves in the values."""
+    return {n for value in values for n in names_in(value)} & {*world.motion.scope.rates, *world.motion.speeds}
+
+
+def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
+    """The values as functions of one quantity. Raises StatementError if they are not."""
+    name, rates = question.of, world.motion.scope.rates
+    if name not in (*rates, *world.coordinates, *world.names, "t"):
+        world.bound(name)
+    moving = _moving(world, found.values)
+    if name in world.dependent and moving:
+        found = _inverted(world, found, name, moving)
+        moving = {name}
+    left = sorted(moving - {name, f"{name}_dot"})
+    if left:
+        why = "it is not known how it moves" if name == "t" else f"{left[0]} is no known function of {name}"
+        what = f"“{question.quantity}” depends on {left[0]}, and {why}"
+        raise StatementError(what, instead="ask for it “as a function of the state”.")
+    return found
+
+
+def _in_time(asked: Asked, question: Question, place: int) -> Found:
+    """The value as a function of the time since the start of the phase."""
+    try:
+        return _at_moment(asked, question, at_time(asked, place, symbol("t")))
+    except NotApplicable:
+        what = f"“{question.quantity}” has no closed form as a function of the time"
+        raise StatementError(what, instead="ask for it “as a function of” a coordinate.") from None
+
+
+def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) -> Found:
+    raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")

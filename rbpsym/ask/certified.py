@@ -1,0 +1,190 @@
+"""The steps from which an answer follows, each certified by the rules of derivations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.ask.moments import Asked, contacts_last
+from rbpsym.ask.question import Question
+from rbpsym.derivation.chapters import contact, endings, oscillations
+from rbpsym.derivation.checks_values import TURNED
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.phases import hand_over
+from rbpsym.derivation.step import Step
+from rbpsym.equality.verdict import all_of
+from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.pushing import start_valid
+from rbpsym.mechanics.sides import grips
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+
+if TYPE_CHECKING:
+    from rbpsym.ask.answer import Answer, Found
+
+LETTER = "Q"
+LONGEST_NAME = 3  # nodes of what a step gives a value: ϑ², f/N
+TOLD = ("solution", "first_integral", "work_done", "event_time", "event_place", "end_state")
+
+
+def certified(asked: Asked, question: Question, found: Found) -> Answer:
+    """The answer with its steps and its verdict."""
+    from rbpsym.ask.answer import Answer
+
+    place = found.moment.place if found.moment else asked_place(asked, found.study)
+    before = tuple(_before(asked, place))
+    draft = _told_by(asked, found) if found.told else Draft(found.study)
+    draft.chapter = "ask"
+    _grounds(draft, found)
+    if found.moment is not None and found.moment.how == "event" and found.moment.phase.event != "at once":
+        endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
+    last = _last(draft, question, found)
+    steps = needed(draft.steps, last)
+    verdict = all_of(step.certificate.verdict for step in (*before, *steps) if step.certificate)
+    nodes = tuple(row.items[-1] for row in _rows(last.statement))
+    valid = _valid(draft, found, (*before, *steps))
+    return Answer(question, found.study, found.values, nodes, verdict, found.of, valid, (*before, *steps))
+
+
+def asked_place(asked: Asked, study: Study) -> int:
+    """The place of a phase among all."""
+    return next((k for k in range(len(asked.names)) if asked.study(k) is study), 0)
+
+
+def _before(asked: Asked, place: int) -> Iterator[Step]:
+    """The steps by which the phases up to this one begin."""
+    for number in range(1, place + 1):
+        phase = asked.problem.phases[number - 1]
+        yield from hand_over(number, phase, asked.stage(number - 1), asked.stage(number)).steps
+
+
+def _grounds(draft: Draft, found: Found) -> None:
+    """What the laws make of the accelerations and forces that are needed, and the squares of speeds from the start."""
+    study, dynamics = draft.study, draft.study.dynamics
+    known = {**(dynamics.accelerations or {}), **dynamics.reactions}
+    named = [*found.named, *(power for power, _ in found.works.values())]
+    speeds = _speeds(found)
+    wanted = {name for value in named for name in names_in(value) & known.keys()}
+    wanted |= {f"{name}_ddot" for name in speeds} & known.keys()
+    laws = [id for id, fact in draft.context.facts.items() if fact.kind == "law" and fact.subject]
+    for name in sorted(wanted):
+        kind = f"motion.{name.removesuffix('_ddot')}" if name.endswith("_ddot") else f"reaction.{name}"
+        draft.add(kind, "solution", t.equation(t.Sym(name), draft.show(known[name])), "ask.law", premises=laws)
+    for name in speeds:
+        square = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(study.squares[name], factor=True))
+        draft.add(f"square.{name}", "first_integral", square, "ask.speed", premises=draft.those(f"motion.{name}"),
+                  data={"name": name, "value": study.squares[name]})  # fmt: skip
+    for letter, (power, done) in found.works.items():
+        draft.context.works[letter] = power
+        draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
+                  premises=draft.those(*(step.id for step in draft.steps)))  # fmt: skip
+
+
+def _speeds(found: Found) -> list[str]:
+    """The coordinates whose speeds are needed as functions of the place."""
+    named = [*found.named, *(power for power, _ in found.works.values())]
+    told = {name for value in map(found.study.on_motion, named) for name in names_in(value)}
+    needed = found.of == "position" or bool(found.works)
+    return [name for name in found.study.squares if needed and f"{name}_dot" in told]
+
+
+def _last(draft: Draft, question: Question, found: Found) -> Step:
+    """The step that states the answer."""
+    letters = [LETTER] if len(found.values) == 1 else [f"{LETTER}_x", f"{LETTER}_y"]
+    letters = [draft.free(letter) for letter in letters]
+    pairs = zip(letters, found.values, strict=True)
+    rows = [t.equation(t.Sym(letter), draft.show(value, factor=True)) for letter, value in pairs]
+    of = dict(zip(letters, found.named, strict=True))
+    rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
+    data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
+    data |= {"moment": found.moment, "ways": found.ways, **_said(draft, found)}
+    for letter, value in of.items():
+        draft.define(letter, value)
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    told = (step.id for step in draft.steps if step.rule in TOLD)
+    named = draft.those(*([data["told"]] if found.told else told), "law.motion")
+    return draft.add("answer", rule, statement, "ask.answer", premises=named, is_result=True, data=data)
+
+
+def _told_by(asked: Asked, found: Found) -> Draft:
+    """The draft of the chapter that says what is asked for."""
+    kind, _, place = found.told.partition(" ")
+    if kind == "phase":
+        number = int(place)
+        return hand_over(number, asked.problem.phases[number - 1], asked.stage(number - 1), asked.stage(number))
+    draft = Draft(found.study)
+    CHAPTERS[kind](draft)
+    return draft
+
+
+CHAPTERS: Mapping[str, Callable[[Draft], None]] = {"oscillations": oscillations.write, "contact": contact.write}
+
+
+def _said(draft: Draft, found: Found) -> dict[str, str]:
+    """The step that says what is asked for, and how that is made of it. Raises Undecided where none does."""
+    if not found.told:
+        return {}
+    for turned, turn in TURNED.items():
+        value = turn(found.values[0]) if found.values[0] or turned != "the square of its frequency" else found.values[0]
+        for step in draft.steps:
+            for left, op, right in t.relations(step.statement):
+                is_name = op == "=" and len(list(t.walk(left))) <= LONGEST_NAME and not draft.context.grows(right)
+                said = draft.context.value(right) if is_name else None
+                if isinstance(said, Scalar) and is_zero(said - value):
+                    return {"told": step.id, "turned": turned}
+    raise Undecided("no step of the derivation says this", instead="ask for what it is made of.")
+
+
+def needed(steps: list[Step], last: Step) -> tuple[Step, ...]:
+    """The steps from which the last one follows, in their order."""
+    known, wanted = {step.id: step for step in steps}, [last.id]
+    found: set[str] = set()
+    while wanted:
+        id = wanted.pop()
+        if id in known and id not in found:
+            found.add(id)
+            wanted += known[id].reasons
+    return tuple(step for step in steps if step.id in found)
+
+
+def _rows(statement: t.Node) -> tuple[t.Chain, ...]:
+    return statement.rows if isinstance(statement, t.System) else (statement,)
+
+
+def _valid(draft: Draft, found: Found, steps: tuple[Step, ...]) -> tuple[t.Node, ...]:
+    """The conditions under which it holds: what the steps ask for, and the motion that is stated."""
+    told = (step.certificate.verdict.open_obligations for step in steps if step.certificate)
+    duties = [duty.relation for open_ in told for duty in open_]
+    own = (t.relations(duty) for duty in duties)
+    asked = [Demand(value, op) for rows in own for left, op, _ in rows if (value := _valued(draft, left)) is not None]
+    left = settle((*_demands(found), *asked), found.study.assumptions) if len(asked) == len(duties) else None
+    return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(_demands(found)))))
+
+
+def _valued(draft: Draft, node: t.Node) -> Scalar | None:
+    """The value of one side of a condition; None where a letter of another phase stands in it."""
+    try:
+        return draft.context.value(node)
+    except RbpsymError:
+        return None
+
+
+def _demands(found: Found) -> Iterator[Demand]:
+    study = found.study
+    yield from (found.moment.state.valid if found.moment else ())
+    if found.of == "position":
+        yield from (demand for _, demand in contacts_last(study, {n: symbol(n) for n in study.system.coordinates}))
+    if found.told:
+        return
+    kept = [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
+    moves = found.of == "position" or (found.moment is not None and found.moment.how != "start")
+    moving = study.system.scope.rates.keys()
+    yield from (d for d in (*kept, *grips(study.friction_needs)) if moves or not names_in(d.value) & moving)
+    try:
+        yield from start_valid(study) or ()
+    except LimitError:
+        return

@@ -1,0 +1,302 @@
+"""When and where of a question: the state of the motion at a moment, and the ending that leads there.
+
+A place that the motion comes to is found as the end of a phase is (`mechanics.endings`), with the conditions under which
+it comes there; a new kind of moment is a new entry of MOMENTS.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.ask.question import Question, When
+from rbpsym.equality.dimensions import require_dimension
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before, uniform_motion
+from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.infix import read_infix
+from rbpsym.quantities import TIME
+from rbpsym.quantity.path import sense
+from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.statement.model import Phase, Problem
+from rbpsym.statement.source import did_you_mean
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
+    which `phase` would begin, at "rest", at a "time"."""
+
+    place: int
+    state: State
+    how: str = "start"
+    phase: Phase | None = None
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A problem that is asked, its phases worked out when a question needs them."""
+
+    problem: Problem
+
+    @cached_property
+    def _known(self) -> tuple[tuple[Stage, ...], NotApplicable | None]:
+        return known_stages(self.problem)
+
+    @cached_property
+    def first(self) -> Study:
+        """The mechanics of the first phase."""
+        return Study(replace(self.problem, phases=()) if self.problem.phases else self.problem)
+
+    @property
+    def names(self) -> list[str]:
+        """Names of all phases; the first is called as the problem is."""
+        return [self.problem.name, *(phase.name for phase in self.problem.phases)]
+
+    def study(self, place: int) -> Study:
+        """The mechanics of a phase. Raises NotApplicable where its beginning has no closed form."""
+        if place == 0:
+            return self.first
+        stages, reason = self._known
+        if place >= len(stages):
+            raise reason
+        return stages[place].study
+
+    def stage(self, place: int) -> Stage:
+        """A phase with how it began. Raises NotApplicable."""
+        self.study(place)
+        return self._known[0][place]
+
+    @property
+    def held(self) -> list[str]:
+        """Names of all constraints."""
+        problems = (self.problem, *(phase.problem for phase in self.problem.phases))
+        return list(dict.fromkeys(element.name for each in problems for element in each.constraints))
+
+    @cached_property
+    def whole(self) -> ProblemWorld:
+        """The quantities of the whole motion: what happens when its phases begin."""
+        return ProblemWorld(Study(self.problem))
+
+    @cached_property
+    def _worlds(self) -> dict[int, ProblemWorld]:
+        return {}
+
+    def world(self, place: int) -> ProblemWorld:
+        """The quantities of a phase by their names."""
+        if place not in self._worlds:
+            self._worlds[place] = ProblemWorld(self.study(place))
+        return self._worlds[place]
+
+    def named(self, name: str) -> int:
+        """The place of a phase, by its name or that of a blow at its beginning. Raises StatementError."""
+        name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
+        blows = {e.name: k for k, phase in enumerate(self.problem.phases, 1) for e in phase.impulses}
+        known = {name: k for k, name in reversed(list(enumerate(self.names)))} | blows | {"first": 0}
+        if name not in known:
+            hint = did_you_mean(name, list(known), "phases") if self.problem.phases else "the problem has no [[phases]]."
+            raise StatementError(f"there is no phase or blow “{name}”", instead=hint)
+        return known[name]
+
+
+def moment_of(asked: Asked, when: When, question: Question) -> Moment:
+    """The moment that the words mean. Raises StatementError where the motion never comes there."""
+    return MOMENTS[when.kind](asked, when, asked.named(question.phase) if question.phase else None)
+
+
+def _start(asked: Asked, when: When, place: int | None) -> Moment:
+    return Moment(place or 0, at_start(asked.study(place or 0)))
+
+
+def _begins(asked: Asked, when: When, place: int | None) -> Moment:
+    place = asked.named(when.words[0])
+    return Moment(place, at_start(asked.study(place)))
+
+
+def _ends(asked: Asked, when: When, place: int | None) -> Moment:
+    """The end of a phase: the beginning of the next, before its blows."""
+    return _before(asked, asked.named(when.words[0]) + 1)
+
+
+def _before(asked: Asked, place: int) -> Moment:
+    if not 0 < place < len(asked.names):
+        known = ", ".join(asked.names[1:])
+        told = f"after it a phase must begin; those that begin are: {known}." if known else "the problem has no [[phases]]."
+        raise StatementError("nothing ends this phase", instead=told)
+    return Moment(place - 1, asked.stage(place).began.before, "event", asked.problem.phases[place - 1])
+
+
+def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None) -> Moment:
+    """The first phase in which the motion comes to an event before that phase ends."""
+    refused: RbpsymError | None = None
+    for number in [place] if place is not None else range(len(asked.names)):
+        try:
+            study = asked.study(number)
+            phase = Phase("", event, subject, (), study.problem, value)
+            state = FINDERS[event](study, phase)
+        except (NotApplicable, StatementError) as error:
+            refused = refused or error
+            continue
+        if number + 1 < len(asked.names) and place is None and not _comes_before(asked, number, state):
+            continue
+        begun = _is_begun(study, state)
+        return Moment(number, at_start(study)) if begun else Moment(number, _clear(study, state), "event", phase)
+    raise _told(refused, event, subject)
+
+
+def _comes_before(asked: Asked, number: int, state: State) -> bool:
+    """Whether a state comes before the end of its phase, at the sample numbers."""
+    try:
+        return is_before(asked.study(number), state, asked.stage(number + 1).began.before)
+    except NotApplicable:
+        return True
+
+
+def _is_begun(study: Study, state: State) -> bool:
+    begun = at_start(study)
+    return state.time == NOTHING or (state.time is None and all(is_zero(q - begun.places[n]) for n, q in state.places.items()))
+
+
+def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[str, Demand]]:
+    """(force, what it asks) for each contact that is lost on the way: a place lies not beyond that; where the contact is
+    lost under conditions only, its force still pushes there."""
+    motion = ProblemWorld(study).motion
+    for loss in study.losses:
+        if loss.valid or not loss.at:
+            yield loss.force, Demand(short(substitute(study.reactions_along_motion[loss.force], places)), ">=")
+        elif loss.coordinate in places:
+            name, there = loss.coordinate, loss.at[loss.coordinate]
+            way = sense(motion, name) or there - study.system.scope.start[name]
+            yield loss.force, Demand((there - places[name]) * way, ">=")
+
+
+def _clear(study: Study, state: State) -> State:
+    """The state, if no contact is lost on the way to it; what that asks of the parameters is a condition."""
+    asked = list(contacts_last(study, state.places))
+    for force, demand in asked:
+        if settle([demand], study.assumptions) is None:
+            raise StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
+    valid = settle([*state.valid, *(demand for _, demand in asked)], study.assumptions)
+    return replace(state, valid=state.valid + tuple(demand for _, demand in asked) if valid is None else valid)
+
+
+def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
+    """The reason why a moment is not found, without the name of a phase."""
+    if isinstance(error, NotApplicable):
+        return StatementError(error.what.replace("the phase “” begins when ", "the question is when "), instead=error.instead)
+    if error is not None and "the phase “”" in error.what:
+        what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
+                "no slip": "does not stop slipping", "slips": "does not begin to slip"}[event]  # fmt: skip
+        return StatementError(f"“{subject}” {what} in this motion, as far as is known", instead=error.instead)
+    return error or StatementError("this moment is not known")
+
+
+def _vanishes(asked: Asked, when: When, place: int | None) -> Moment:
+    return _ahead(asked, "lost", _subject(asked, when.words[0], "force"), place)
+
+
+def _rests(asked: Asked, when: When, place: int | None) -> Moment:
+    names = asked.study(place or 0).system.independent
+    if not when.words and len(names) != 1:
+        said = f"write “at the turning point of {names[0]}”." if names else "nothing can move."
+        raise StatementError("which coordinate turns round?", instead=said)
+    name = when.words[0] if when.words else names[0]
+    return _ahead(asked, "rests", _coordinate(asked, name), place)
+
+
+def _grips(asked: Asked, when: When, place: int | None) -> Moment:
+    return _ahead(asked, "no slip", _subject(asked, when.words[0], "contact"), place)
+
+
+def _slips(asked: Asked, when: When, place: int | None) -> Moment:
+    return _ahead(asked, "slips", _subject(asked, when.words[0], "contact"), place)
+
+
+def _subject(asked: Asked, name: str, what: str) -> str:
+    if name not in asked.held:
+        hint = did_you_mean(name, asked.held, f"{what}s")
+        raise StatementError(f"there is no {what} “{name}” that a constraint holds", instead=hint)
+    return name
+
+
+def _coordinate(asked: Asked, name: str) -> str:
+    known = [c.name for c in asked.problem.coordinates]
+    if name not in known:
+        raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, known, "coordinates"))
+    return name
+
+
+def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
+    name, text = when.words
+    if name.endswith("_dot") and text == "0":
+        return _ahead(asked, "rests", _coordinate(asked, name.removesuffix("_dot")), place)
+    if text == "0" and name in asked.held:
+        return _vanishes(asked, When("vanishes", (name,)), place)
+    world = asked.world(place or 0)
+    node = read_infix(text, world.names)
+    if name == "t":
+        require_dimension(node, world.dimensions, TIME, "the time")
+        return at_time(asked, place or 0, scalar(node))
+    name = _coordinate(asked, name)
+    require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
+    return _ahead(asked, "reaches", name, place, node)
+
+
+def at_time(asked: Asked, place: int, time: Scalar) -> Moment:
+    """The state at a time after the start of a phase. Raises NotApplicable where that has no closed form."""
+    return Moment(place, uniform_motion(asked.study(place), time), "time")
+
+
+def _until(asked: Asked, when: When, place: int | None) -> Moment:
+    return _before(asked, asked.named(when.words[0]))
+
+
+def _over(asked: Asked, when: When, place: int | None) -> Moment:
+    return _before(asked, asked.named(when.words[0]) + 1)
+
+
+def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
+    def find(asked: Asked, when: When, place: int | None) -> Moment:
+        study = asked.study(place or 0)
+        found = [item for item in study.equilibria if bool(item.stable) is stable or (stable and item.stable is None)]
+        if not found:
+            raise StatementError(f"no {'' if stable else 'un'}stable equilibrium is known")
+        if len(found) > 1:
+            raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
+        still = dict.fromkeys(study.system.independent, NOTHING)
+        return Moment(place or 0, State(None, dict(found[0].at), still, found[0].valid), "rest")
+
+    return find
+
+
+FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest}
+MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
+    "start": _start,
+    "begins": _begins,
+    "before": lambda asked, when, place: _before(asked, asked.named(when.words[0])),
+    "end": _ends,
+    "over": _over,
+    "until": _until,
+    "vanishes": _vanishes,
+    "rests": _rests,
+    "grips": _grips,
+    "slips": _slips,
+    "reaches": _reaches,
+    "rest": _in_rest(True),
+    "unstable": _in_rest(False),
+}
+
+
+def image_of(study: Study, state: State) -> dict[str, Scalar]:
+    """What stands for coordinates, speeds and time in a state."""
+    found = {**state.places, **{f"{name}_dot": speed for name, speed in state.speeds.items()}}
+    return found if state.time is None else {**found, "t": state.time}

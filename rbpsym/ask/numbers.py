@@ -1,0 +1,175 @@
+"""Numbers with units for the letters of an answer, and its value at them: “M = 10 kg, theta_0 = 70 deg, theta = 10..60 deg”."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.evaluate import value as value_of
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.text import to_text
+from rbpsym.quantities import NUMBER, TIME, Dimension
+from rbpsym.statement.checks import dimensions_with_unknowns
+from rbpsym.statement.example import SIGNS
+from rbpsym.statement.hints import unit_example
+from rbpsym.statement.model import Problem
+from rbpsym.statement.premises import OPS
+from rbpsym.statement.printed_units import unit_of
+from rbpsym.statement.source import did_you_mean
+from rbpsym.statement.units import read_unit
+
+_NUMBER = r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
+_ONE = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+_RANGE = re.compile(rf"\s*({_NUMBER}\s*[^.]*?)\s*\.\.\s*({_NUMBER}.*?)(?:\s+step\s+({_NUMBER}.*?))?\s*")
+STEPS, MOST = 10, 1000  # places of a range without a step, and at most
+NEAR, LEAST = 1e-9, 3
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """Numbers in SI units by name, one or more of each; to how many significant figures they are given at least."""
+
+    values: Mapping[str, tuple[float, ...]]
+    digits: int = LEAST
+
+    @property
+    def ranges(self) -> list[str]:
+        """The names with several values."""
+        return [name for name, values in self.values.items() if len(values) > 1]
+
+    def rows(self) -> list[dict[str, float]]:
+        """One set of numbers for each place of the range; the ranges go on together."""
+        count = max(map(len, self.values.values()), default=1)
+        return [{n: v[k] if len(v) > 1 else v[0] for n, v in self.values.items()} for k in range(count)]
+
+
+def read_numbers(text: str, problem: Problem) -> Given:
+    """The numbers of “M = 10 kg, theta = 10..60 deg step 5 deg”; “example” stands for those of the problem. Raises
+    ReadError for what can't be read, StatementError for what contradicts the declared signs and ranges."""
+    known = {**dimensions_with_unknowns(problem), "t": TIME}
+    found, digits = {}, []
+    for part in filter(None, (part.strip() for part in re.split(r"[,;](?!\d)", text))):
+        if part == "example":
+            rows = problem.example.items()
+        else:
+            name, is_given, value = (word.strip() for word in part.partition("="))
+            if not is_given:
+                raise ReadError(f"“{part}” gives no number", instead="write it as in “M = 10 kg, theta_0 = 70 deg”.")
+            rows = [(name, value)]
+        for name, value in rows:
+            if name not in known:
+                raise ReadError(f"“{name}” is no letter of this problem", instead=did_you_mean(name, list(known), "letters"))
+            found[name] = _values(name, str(value), known[name])
+            digits += [_digits(number) for number in re.findall(_NUMBER, str(value)[:40])[:1]]
+    if len({len(values) for values in found.values() if len(values) > 1}) > 1:
+        raise ReadError("two ranges have different numbers of places", instead="give both the same number of steps.")
+    given = Given(found, max(min(digits, default=LEAST), LEAST))
+    for row in given.rows():
+        _check_declared(problem, row)
+    return given
+
+
+def _digits(text: str) -> int:
+    return len(re.sub(r"[eE].*|[^\d]", "", text).lstrip("0")) or 1
+
+
+def _values(name: str, text: str, dimension: Dimension) -> tuple[float, ...]:
+    """One number, or those of a range."""
+    ends = _RANGE.fullmatch(text)
+    if ends is None:
+        return (_single(name, text, dimension),)
+    unit = _ONE.fullmatch(ends[2])[2]
+    low, high, step = (None if end is None else end if _ONE.fullmatch(end)[2] else f"{end} {unit}" for end in ends.groups())
+    first, last = (_single(name, end, dimension) for end in (low, high))
+    size = abs(_single(name, step, dimension)) if step else abs(last - first) / STEPS
+    count = round(abs(last - first) / size) if size else 0
+    if not 0 < count <= MOST or abs(count * size - abs(last - first)) > 1e-6 * abs(last - first):
+        what = f"the range of “{name}” has no whole number of steps up to {MOST}"
+        raise ReadError(what, instead="write 10 deg .. 80 deg step 10 deg.")
+    return tuple(first + (last - first) * k / count for k in range(count + 1))
+
+
+def _single(name: str, text: str, dimension: Dimension) -> float:
+    """A number with a unit in SI units; without one it is in SI units."""
+    found = _ONE.fullmatch(text.replace("−", "-"))
+    if not found:
+        raise ReadError(f"“{text}” is no number for “{name}”", instead=unit_example(dimension))
+    unit = read_unit(found[2])
+    if unit.of_mechanics != dimension and found[2]:
+        raise ReadError(f"“{text}” does not fit “{name}”, which is {a(dimension)}", instead=unit_example(dimension))
+    size = float(found[1]) * unit.factor * (2 * math.pi if unit.counts_cycles else 1)
+    if not math.isfinite(size):
+        raise ReadError(f"“{text}” is no size of a thing", instead=unit_example(dimension))
+    return size
+
+
+def _check_declared(problem: Problem, numbers: Mapping[str, float]) -> None:
+    for quantity in problem.parameters:
+        if quantity.name in numbers and quantity.sign in OPS and not SIGNS[OPS[quantity.sign]](numbers[quantity.name]):
+            raise StatementError(
+                f"{quantity.name} = {numbers[quantity.name]:.4g} contradicts the statement: it is declared to be {quantity.sign}",
+                instead="change the number, or its declaration.",
+            )
+    bounds = [(q.name, q.lower, q.upper) for q in (*problem.parameters, *problem.coordinates)]
+    bounds += [(c.start.name, c.lower, c.upper) for c in problem.coordinates if isinstance(c.start, t.Sym)]
+    for name, *ends in bounds:
+        for end, side in zip(ends, (1, -1), strict=True):
+            if name in numbers and end is not None and names_in(scalar(end)) <= {*numbers, "pi"}:
+                room = side * (numbers[name] - number(scalar(end), numbers))
+                if room < -NEAR * max(1.0, abs(numbers[name])):
+                    raise StatementError(
+                        f"{name} = {numbers[name]:.4g} contradicts the statement: it lies {'below' if side > 0 else 'above'} "
+                        f"the declared range, which ends at {to_text(end)}",
+                        instead="change the number, or the range.",
+                    )
+
+
+def value_at(study: Study, values: Sequence[Scalar], valid: Iterable[t.Node], numbers: Mapping[str, float]) -> list[float]:
+    """The values at some numbers. Raises StatementError for a letter without one, or where a condition is not met."""
+    missing = sorted({n for value in values for n in names_in(value)} - {*numbers, "pi"})
+    if missing:
+        dimensions = {**dimensions_with_unknowns(study.problem), "t": TIME}
+        told = ", ".join(f"{n} ({dimensions[n]})" if n in dimensions else n for n in missing)
+        raise StatementError(f"a number is missing for {told}", instead=f'add it: --with "…, {missing[0]} = …".')
+    for node in valid:
+        for left, op, right in t.relations(node):
+            gap = value_of(t.add(left, t.neg(right)), study.system.scope)
+            if names_in(gap) <= {*numbers, "pi"} and not _holds(gap, op, numbers):
+                raise StatementError(
+                    f"with these numbers the answer does not hold: it needs {to_text(node)}", instead="change a number."
+                )
+    try:
+        return [number(value, numbers) for value in values]
+    except NoNumber as error:
+        raise StatementError(f"the answer has no value at these numbers: {error.what}", instead="change a number.") from None
+
+
+def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:
+    try:
+        found = number(gap, numbers)
+    except NoNumber:
+        return False
+    return {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR}.get(op, True)
+
+
+def unit_for(node: t.Node, study: Study, *, is_angle: bool = False) -> str:
+    """The unit of a value, as printed: "" for a number, rad for an angle."""
+    try:
+        dimension = dimension_of(node, {**dimensions_with_unknowns(study.problem), "t": TIME})
+    except DimensionError:
+        return ""
+    return "rad" if is_angle and dimension == NUMBER else unit_of(dimension)
+
+
+def rounded(value: float, digits: int) -> str:
+    """The value to so many significant figures."""
+    return f"{value:.{digits}g}" if not value or 1e-4 <= abs(value) < 10**digits else f"{value:.{digits - 1}e}"

@@ -1,0 +1,128 @@
+"""A question in the problem's own words: a quantity, and when, where or as a function of what.
+
+“normal force N where theta = pi/2”, “speed of rod.end as a function of theta”, “work of f until rolling”. A
+new way to say when or where is a new row of CLAUSES.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+
+from rbpsym.errors import ReadError
+from rbpsym.quantity.moments import JUMPS
+
+LONGEST = 400  # characters of a question
+
+
+@dataclass(frozen=True, slots=True)
+class When:
+    """A moment or place of the motion: its kind, a key of `moments.MOMENTS`, and the words that say which."""
+
+    kind: str
+    words: tuple[str, ...] = ()
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What is asked: the words of a quantity, when (None: all along), since when a change or work is counted, in which
+    phase, as a function of what (“state”: of places and speeds)."""
+
+    text: str
+    quantity: str
+    when: When | None = None
+    since: When | None = None
+    phase: str = ""
+    of: str = ""
+
+
+_N, _W = r"(\w+)", r"([\w-]+(?: [\w-]+)??)"
+_AT = r"(?:where|when|at|once|until|as soon as)"
+
+# what a clause says -> how it may be written, with an example for the page of the grammar
+CLAUSES: tuple[tuple[str, str, str], ...] = (
+    ("of", r"(?:as (?:a )?functions? of|in terms of) (?:the )?(state|positions? and speeds?)", "F_x as a function of the state"),
+    ("of", rf"(?:as (?:a )?functions? of|in terms of) (?:the )?{_N}", "speed of rod.end as a function of theta"),
+    ("start", r"(?:at (?:the )?(?:start|beginning|moment of release)|initially|at t = 0)", "F_y at the start"),
+    ("start", r"(?:just|right|immediately) after (?:the )?release", "F_y right after release"),
+    ("begins", rf"(?:when|once) {_W} begins", "velocity of ball.cm when rolling begins"),
+    ("begins", rf"(?:just|right|immediately) after (?:the )?{_W}", "angular velocity of rod right after struck"),
+    ("before", rf"(?:just|right|immediately) before (?:the )?{_W}", "kinetic energy just before rolling"),
+    ("end", rf"at the end of (?:the )?(?:phase )?{_W}", "speed of x at the end of phase bowling"),
+    ("over", rf"(?:over|during) (?:the )?(?:phase )?{_W}", "work of f during phase sliding"),
+    ("vanishes", rf"{_AT} {_N} (?:vanishes|is lost|goes slack|leaves)", "theta where N_w vanishes"),
+    ("rests", rf"{_AT} {_N} comes to rest", "theta where theta comes to rest"),
+    ("rests", r"at (?:the |its )?turning point", "F_y at the turning point"),
+    ("rests", rf"at (?:the |its )?turning point of {_N}", "F_y at the turning point of theta"),
+    ("grips", rf"{_AT} {_N} stops slipping", "velocity of ball.cm when N stops slipping"),
+    ("slips", rf"{_AT} {_N} (?:slips|begins to slip)", "theta when N slips"),
+    ("rest", r"(?:at|in) (?:the )?(?:stable )?(?:rest|equilibrium)", "F_y in equilibrium"),
+    ("unstable", r"(?:at|in) the unstable equilibrium", "F_y in the unstable equilibrium"),
+    ("reaches", rf"{_AT} {_N} (?:=|reaches|is) (.+?)", "omega where theta = pi/2"),
+    ("until", rf"until {_W}(?: begins)?", "time until rolling"),
+)  # fmt: skip
+# what is only another way to write something
+OTHERWISE = (
+    (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
+    (r"\|(.+)\|", r"magnitude of \1"),
+    (r"\bangular speed of\b", "magnitude of angular velocity of"),
+)
+PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")
+SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and) (.+)")
+ASKED = re.compile(r"(?:what|how (?:large|big|great|fast|long)) (?:is|are) |(?:find|determine|give|compute) ", re.I)
+
+
+def read_question(text: str) -> Question:
+    """The question of a text. Raises ReadError for a text that is none."""
+    plain = re.sub(r"\s*=\s*", " = ", " ".join(text.split()).rstrip(" ?."))
+    if not plain:
+        raise ReadError("this is no question: it is empty", instead='write what is asked, such as "N at the start".')
+    if len(plain) > LONGEST:
+        raise ReadError(f"a question has at most {LONGEST} characters", instead="ask several questions.")
+    rest = ASKED.sub("", plain, count=1) if ASKED.match(plain) else plain
+    for pattern, written in OTHERWISE:
+        rest = re.sub(pattern, written, rest)
+    found = Question(plain, rest.removeprefix("the "))
+    if is_jump(found.quantity):
+        return found
+    if phase := PHASE.fullmatch(found.quantity):
+        found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
+    if (since := SINCE.fullmatch(found.quantity)) and (ends := _ends(since[2], since[3])):
+        return replace(found, quantity=since[1], since=ends[0], when=ends[1])
+    while clause := _clause(found.quantity):
+        quantity, kind, words, said = clause
+        if kind == "of" and not found.of:
+            found = replace(found, quantity=quantity, of=words[0] if "speed" not in words[0] else "state")
+        elif kind != "of" and found.when is None:
+            found = replace(found, quantity=quantity, when=When(kind, words, said))
+        else:
+            raise ReadError(f"“{plain}” says twice when, where or of what", instead="ask two questions.")
+    return found
+
+
+def is_jump(quantity: str) -> bool:
+    """Is it what happens at the beginning of a phase: an impulse, a loss of energy?"""
+    return any(re.fullmatch(pattern, quantity) for pattern, *_ in JUMPS)
+
+
+def _ends(first: str, second: str) -> tuple[When, When] | None:
+    """Two moments: “the start” and “theta = 0”."""
+    ends = [_end(first), _end(second)]
+    return None if None in ends else tuple(ends)
+
+
+def _end(text: str) -> When | None:
+    for lead in ("", "at ", "where ", "at the "):
+        if (found := _clause(f"x {lead}{text}")) and found[0] == "x":
+            return When(*found[1:])
+    return None
+
+
+def _clause(text: str) -> tuple[str, str, tuple[str, ...], str] | None:
+    """(what is before it, its kind, its words, as it is written) of the clause at the end of a text."""
+    for kind, pattern, _ in CLAUSES:
+        if found := re.fullmatch(rf"(?P<before>.+),? (?P<said>{pattern})", text):
+            words = tuple(word for word in found.groups()[2:] if word)
+            return found["before"].rstrip(","), kind, words, found["said"]
+    return None

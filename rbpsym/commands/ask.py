@@ -1,0 +1,82 @@
+"""`rbpsym ask`: questions about a problem, and their answers with their road and with numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import click
+
+from rbpsym.commands.arguments import name_argument
+
+if TYPE_CHECKING:
+    from rbpsym.ask.answer import Answer
+    from rbpsym.ask.numbers import Given
+    from rbpsym.statement.model import Problem
+
+FINE, DOUBTFUL = 0, 1
+
+
+@click.command("ask")
+@name_argument
+@click.argument("questions", nargs=-1, metavar='"QUESTION"...')
+@click.option("--json", "as_json", is_flag=True, help="Print the answers as JSON, for programs.")
+@click.option("--with", "given", metavar='"M = 10 kg, ..."', help="Numbers with units (“example”: the file's): the value too.")
+def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | None) -> int:
+    """Answer questions about a problem: any quantity, at any moment or along the motion, with its proof.
+
+    \b
+    Examples:
+      rbpsym ask sliding-ladder "N_w where theta = pi/6"
+      rbpsym ask rod-pendulum "velocity of rod.end as a function of theta" --json
+      rbpsym ask rod-pendulum "period of theta" --with "ell = 1 m, g = 9.81 m/s^2"
+      rbpsym ask my-problem.toml            # the questions of the file itself: [[ask]]
+
+    A question is a quantity, and when, where or as a function of what it is asked for: docs/ask.md has the
+    whole grammar. In JSON, `answer` is text for sympy.sympify with the names that `symbols` tells.
+    """
+    from rbpsym.ask.asking import answered
+    from rbpsym.ask.moments import Asked
+    from rbpsym.ask.numbers import read_numbers
+    from rbpsym.commands.shelf import found
+    from rbpsym.errors import ReadError
+    from rbpsym.statement.loader import load_problem
+
+    problem = load_problem(found(name, ("problem",))[1])
+    questions = questions or problem.questions
+    if not questions:
+        raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
+    numbers, asked = read_numbers(given, problem) if given else None, Asked(problem)
+    answers = [answered(asked, text) for text in questions]
+    if as_json:
+        import json
+
+        from rbpsym.ask.telling import record
+
+        records = [record(found, numbers) for found in answers]
+        click.echo(json.dumps(records[0] if len(records) == 1 else records, indent=2, ensure_ascii=False))
+    else:
+        click.echo("\n\n".join("\n".join(lines(found, numbers, problem)) for found in answers))
+    return FINE if all(found.verdict.is_proved for found in answers) else DOUBTFUL
+
+
+def lines(found: Answer, numbers: Given | None, problem: Problem) -> Iterator[str]:
+    """An answer with its short road, as a textbook prints it."""
+    from rbpsym.ask.telling import numbered
+    from rbpsym.document.writers.terminal import MARKS
+    from rbpsym.notation.glyphs import Notation
+    from rbpsym.notation.text import to_text
+
+    notation = Notation(problem.notation)
+    told = [to_text(node, notation) for node in found.nodes]
+    yield click.style(found.question.text, bold=True)
+    for step in found.steps[:-1]:
+        rows = (row.strip() for row in to_text(step.statement, notation).splitlines())
+        yield click.style(f"    {'; '.join(rows)}", dim=True)
+    sign, colour = MARKS[found.verdict.kind]
+    yield f"  {click.style(sign, fg=colour)} {told[0] if len(told) == 1 else '(' + ', '.join(told) + ')'}"
+    if found.valid:
+        yield f"    where {', '.join(to_text(node, notation) for node in found.valid)}"
+    if not found.verdict.is_proved:
+        yield f"    {found.verdict.kind}: {found.verdict.reason}"
+    yield from (f"    {line}" for line in numbered(found, numbers)) if numbers else ()

@@ -1,0 +1,79 @@
+"""Checks of values that are asked for: at a moment of the motion, and along it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rbpsym.algebra.calculus import names_in, root, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks_phases import seen_then
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Step
+from rbpsym.equality.decide import compare
+from rbpsym.equality.verdict import Verdict
+
+
+def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
+    """A quantity with accelerations and forces of the motion, and works as the steps before say (`data`: "works")."""
+    done = {}
+    for name, id in step.data["works"].items():
+        if name in names_in(value):
+            context.use(id)
+            [(_, _, right)] = relations(context.steps[id].statement)
+            done[name] = context.value(right)
+    return context.on_motion(substitute(value, done))
+
+
+def value_then(context: Context, step: Step) -> Verdict:
+    """Each stated value is that of a quantity in a state of the motion: the start, or one that is looked at anew (`data`:
+    "of": the quantity by its letter, "moment")."""
+    moment, found = step.data["moment"], []
+    for left, _, right in relations(step.statement):
+        value = _on_motion(context, step, step.data["of"][left.name])
+        if moment.how != "start":
+            verdict, value = seen_then(context, moment, value)
+            found.append(verdict)
+        found.append(same(context, context.start(value), context.value(right)))
+    return weakest(found)
+
+
+def value_along(context: Context, step: Step) -> Verdict:
+    """Each stated value is that of a quantity in each state, with the speeds that the motion from the start has, in the
+    sense in which it sets out (`data`: "of", "ways")."""
+    found = [_sets_out(context, name, way) for name, way in step.data["ways"].items()]
+    for left, _, right in relations(step.statement):
+        gap = _on_motion(context, step, step.data["of"][left.name]) - context.value(right)
+        speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
+        gap = substitute(gap, speeds) if speeds else gap
+        is_seen = not is_zero(gap)
+        found.append(same(context, without_even_roots(context.along(gap) if is_seen else gap), NOTHING))
+    return weakest(found)
+
+
+def _sets_out(context: Context, name: str, way: int) -> Verdict:
+    """The speed at the start, or the acceleration from rest, is not against that sense."""
+    speed = context.start(symbol(f"{name}_dot"))
+    push = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
+    return compare(NOTHING, push * way, context.assumptions, strict=False)
+
+
+# how what is asked for is made of what a step says
+TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
+    "itself": lambda value: value,
+    "its opposite": lambda value: -value,
+    "its square": lambda value: value * value,
+    "the square of its frequency": lambda value: (PI * 2 / value) ** 2,
+}
+
+
+def value_told(context: Context, step: Step) -> Verdict:
+    """What is stated is, as it stands or turned, what another step says (`data`: "told", the id of that step, "turned")."""
+    context.use(step.data["told"])
+    [(_, _, right)] = relations(step.statement)
+    stated = TURNED[step.data["turned"]](context.value(right))
+    said = [context.value(row[2]) for row in relations(context.steps[step.data["told"]].statement)]
+    found = [same(context, stated, value) for value in said]
+    return next((verdict for verdict in found if verdict.is_proved), found[-1])

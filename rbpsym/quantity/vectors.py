@@ -1,0 +1,87 @@
+"""Phrases about vectors: components along and across bodies and paths, directions; points that move with a body."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.calculus import function
+from rbpsym.algebra.evaluate import space_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.algebra.vector import Space, Vector
+from rbpsym.errors import StatementError
+from rbpsym.quantity.bound import Bound, Phrase, number, plane
+
+if TYPE_CHECKING:
+    from rbpsym.quantity.problem import ProblemWorld
+
+POINT = re.compile(r"\b(?:of|on) ([\w-]+(?:\.\w+)?(?:\([^()]*\))?)")
+
+
+def _vector(world: ProblemWorld, phrase: str) -> Vector:
+    found = world.bound(phrase).vector
+    if found is None or not is_zero(found.z):
+        what = f"“{phrase}” is no vector in the plane of motion"
+        raise StatementError(what, instead="name a force, a velocity, an acceleration.")
+    return found.plane
+
+
+def of_body(world: ProblemWorld, part: str, phrase: str, name: str) -> Bound:
+    """Component along a body, from its start to its end (its x' axis), or across it, counter-clockwise from that."""
+    axis = Vector({world.body(name).pose.angle: UNITY})
+    return number(_vector(world, phrase).dot(axis if part == "along" else axis.turned()))
+
+
+def of_line(world: ProblemWorld, part: str, phrase: str, first: str, second: str) -> Bound:
+    """Component along the line from one point to another, or across it, counter-clockwise from that."""
+    way = world.place(second) - world.place(first)
+    return number(_vector(world, phrase).dot(way if part == "along" else way.turned()) / _length(way))
+
+
+def _length(way: Vector) -> Scalar:
+    square = way.dot(way)
+    if is_zero(square):
+        raise StatementError("a point that stays where it is has no direction", instead="name another one.")
+    return function("sqrt", square)
+
+
+def _point_of(world: ProblemWorld, phrase: str) -> Vector:
+    """The point that a phrase is about: “force P on rod” about the rod's centre of mass."""
+    named = [name if "." in name or "(" in name else f"{name}.cm" for name in POINT.findall(phrase)]
+    if not named:
+        raise StatementError(f"“{phrase}” names no point", instead="write “acceleration of rod.end”, “force P on rod”.")
+    return world.place(named[-1])
+
+
+def polar(world: ProblemWorld, part: str, phrase: str, about: str | None) -> Bound:
+    """Radial component, away from a point, or the tangential one, counter-clockwise about it."""
+    way = _point_of(world, phrase) - world.place(about)
+    return number(_vector(world, phrase).dot(way if part == "radial" else way.turned()) / _length(way))
+
+
+def of_path(world: ProblemWorld, part: str, phrase: str) -> Bound:
+    """Component along the velocity of the point that a phrase is about, or to the left of it."""
+    velocity = space_derivative(Space(_point_of(world, phrase)), world.motion.scope).plane
+    return number(_vector(world, phrase).dot(velocity if part == "along" else velocity.turned()) / _length(velocity))
+
+
+def instantaneous_centre(world: ProblemWorld, name: str) -> Bound:
+    """The point of the plane of a body that is at rest: R + ω × V/ω², from O."""
+    state = world.body(name)
+    if not state.omega:
+        raise StatementError(f"“{name}” does not turn, so that it has no instantaneous centre")
+    return plane(state.center + state.velocity.turned() * (1 / state.omega))
+
+
+_P = r"([\w.-]+(?:\([^()]*\))?)"
+PHRASES: tuple[Phrase, ...] = (
+    (rf"component of (.+) (along|across) (?:the )?line from {_P} to {_P}", lambda w, p, k, a, b: of_line(w, k, p, a, b),
+     "component of force FORCE on BODY along the line from O to BODY.cm"),
+    (r"component of (.+) (along|across) (?:the )?path", lambda w, p, k: of_path(w, k, p),
+     "component of acceleration of BODY.cm along the path"),
+    (r"component of (.+) (along|across) ([\w-]+)", lambda w, p, k, b: of_body(w, k, p, b),
+     "component of force FORCE on BODY along BODY"),
+    (rf"(radial|tangential) component of (.+?)(?: about {_P})?", polar, "radial component of acceleration of BODY.cm about O"),
+    (r"instantaneous cent(?:re|er) of ([\w-]+)", instantaneous_centre, "instantaneous centre of BODY"),
+)  # fmt: skip

@@ -1,0 +1,66 @@
+"""Questions of textbooks about problems of the library, with the answers that the books give."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.ask.asking import answered
+from rbpsym.ask.moments import Asked
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem
+
+ANSWERS = [
+    ("sliding-ladder", "N_w", "3*M*g*cos(theta)*(3*sin(theta) - 2*sin(theta_0))/4"),
+    ("sliding-ladder", "what is N_w at the start?", "3*M*g*sin(theta_0)*cos(theta_0)/4"),
+    ("sliding-ladder", "angular velocity of ladder", "sqrt(3*g*(sin(theta_0) - sin(theta))/(2*ell))"),
+    ("sliding-ladder", "theta where N_w vanishes", "asin(2*sin(theta_0)/3)"),
+    ("sliding-ladder", "theta_dot where N_w vanishes", "-sqrt(g*sin(theta_0)/(2*ell))"),
+    ("sliding-ladder", "work of W from the start to where N_w vanishes", "M*g*ell*sin(theta_0)/3"),
+    ("rod-pendulum", "period of theta", "2*pi*sqrt(2*ell/(3*g))"),
+    ("rod-pendulum", "F_y in equilibrium", "M*g"),
+    ("rod-pendulum", "component of force F on rod across rod at the start", "M*g*sin(theta_0)/4"),
+    ("rod-pendulum", "radial component of force F on rod about O where theta = 0", "M*g*(3*cos(theta_0) - 5)/2"),
+    ("rod-pendulum", "dL/dt", "-M*g*ell*sin(theta)/2"),
+    ("rod-pendulum", "speed of rod(2/3) where theta = 0", "2*sqrt(g*ell*(1 - cos(theta_0))/3)*1"),
+    ("falling-stick", "N where theta = pi/2", "M*g/4"),
+    ("falling-stick", "speed of stick.cm where theta = pi/2", "sqrt(3*g*ell)/2"),
+    ("center-of-percussion", "angular velocity of rod right after the blow B", "3*J*b/(M*ell^2)"),
+    ("center-of-percussion", "turning point of theta", "acos(1 - 3*J^2*b^2/(M^2*g*ell^3))"),
+    ("center-of-percussion", "impulse of F_x when struck begins", "J*(3*b/(2*ell) - 1)"),
+    ("ball-slipping-to-rolling", "time until rolling", "2*v_0/(7*mu*g)"),
+    ("ball-slipping-to-rolling", "x component of velocity of ball.cm when rolling begins", "5*v_0/7"),
+    ("ball-slipping-to-rolling", "work of f until rolling", "-M*v_0^2/7"),
+    ("ball-slipping-to-rolling", "friction f in phase rolling", "0"),
+    ("cylinder-off-cylinder", "theta where N vanishes", "acos(4/7)"),
+    ("cylinder-off-cylinder", "speed of cylinder.cm where N vanishes", "sqrt(4*g*(R + r)/7)"),
+    ("disk-on-incline", "acceleration of s", "2*g*sin(beta)/3"),
+    ("disk-on-incline", "friction coefficient needed at N", "tan(beta)/3"),
+    ("rod-on-two-strings", "tension T at the start", "M*g/4"),
+    ("disk-on-incline", "s as a function of t", "g*t^2*sin(beta)/3"),
+    ("yo-yo", "tension T", "M*g*R^2/(R^2 + 2*b^2)"),
+]  # fmt: skip
+
+
+@cache
+def asked(name: str) -> Asked:
+    return Asked(load_problem(find_problem(name)))
+
+
+@pytest.mark.parametrize(("name", "question", "told"), ANSWERS, ids=lambda value: str(value))
+def test_answers_are_those_of_the_books(name: str, question: str, told: str) -> None:
+    """The value has the square of the one told, and its sign; each is proved by steps."""
+    found = answered(asked(name), question)
+    expected = scalar(read_infix(told, [*asked(name).whole.names, "t"]))
+    assert is_zero(short(without_even_roots(found.value * found.value - expected * expected)))
+    numbers = sample(found.study.problem) | {"t": 0.7}
+    assert number(found.value, numbers) == pytest.approx(number(expected, numbers))
+    assert found.verdict.is_proved, found.verdict
+    assert found.steps and all(step.certificate.verdict.is_proved for step in found.steps)
