@@ -9,7 +9,7 @@ import click
 
 from rbpsym.commands.listing import place
 from rbpsym.commands.shelf import Entry, shelf
-from rbpsym.commands.warm import Kept
+from rbpsym.commands.watching import Kept
 from rbpsym.errors import RbpsymError
 
 if TYPE_CHECKING:
@@ -73,8 +73,8 @@ def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str |
 def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str | bytes]:
     """The index page, and a page for each problem and course."""
     from rbpsym.courses import derive_course
+    from rbpsym.document.book import Card, around, index_page, occurring, page, problem_card
     from rbpsym.document.notes import course_notes, notes
-    from rbpsym.document.site import Card, around, index_page, occurring, page, problem_card
     from rbpsym.statement.course import load_course
 
     courses: list[tuple[Card, str]] = []
@@ -101,6 +101,6 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
 
 def card(entry: Entry, language: str):
     """A course on the index page."""
-    from rbpsym.document.site import Card
+    from rbpsym.document.book import Card
 
     return Card(entry.name, entry.title(language), "", entry.source)

@@ -41,7 +41,7 @@ def command(name: str, template: str | None, is_course: bool, output: Path) -> N
 
 def course_text(name: str) -> str:
     """The text of a new course file; what it names is taught in the first course that ships."""
-    from rbpsym.document.resources import data_folder
+    from rbpsym.document.files import data_folder
     from rbpsym.statement.course import load_course
     from rbpsym.statement.library import course_files
     from rbpsym.statement.starter import title_of

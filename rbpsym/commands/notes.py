@@ -11,7 +11,7 @@ import click
 from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
 
 if TYPE_CHECKING:
-    from rbpsym.commands.warm import Kept
+    from rbpsym.commands.watching import Kept
     from rbpsym.document.model import Document
 
 FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
@@ -72,7 +72,7 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
 
 def _once(kind: str, path: Path, wish: Wish) -> int:
     """Write, tell the files; 1 if not all is proved."""
-    from rbpsym.commands.warm import Kept
+    from rbpsym.commands.watching import Kept
 
     document, fine = DOCUMENTS[kind](path, wish, Kept(wish.simulation))
     for file in _written(document, path.stem, wish):
@@ -82,8 +82,7 @@ def _once(kind: str, path: Path, wish: Wish) -> int:
 
 def _watched(kind: str, path: Path, wish: Wish) -> int:
     """Write again at each change."""
-    from rbpsym.commands.warm import Kept
-    from rbpsym.commands.watching import watch
+    from rbpsym.commands.watching import Kept, watch
 
     kept = Kept(wish.simulation)
     return watch(

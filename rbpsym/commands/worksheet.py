@@ -94,7 +94,7 @@ def _what_there_is() -> str:
 def _people(students: Path | None, variants: int | None) -> tuple:
     """The students of a roster, so many nameless ones, or nobody."""
     from rbpsym.teaching.model import Student
-    from rbpsym.teaching.roster import load_roster
+    from rbpsym.teaching.spreadsheets import load_roster
 
     if students is not None:
         return load_roster(students)
@@ -106,7 +106,7 @@ def _people(students: Path | None, variants: int | None) -> tuple:
 
 def _tell_names(order, people: tuple) -> None:
     """Say whose names the fonts of the papers have no letters for."""
-    from rbpsym.teaching.papers.letters import without_letters
+    from rbpsym.teaching.papers.naming import without_letters
 
     engines = {"pdf": order.engine, "tex": "pdflatex"}
     named = [person for person in people if person is not None]

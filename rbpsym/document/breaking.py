@@ -11,9 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms
+from rbpsym.document.cutting import INDENT, flat, opened, packed, pieces, terms, width
 from rbpsym.document.model import Display, Emph, Inlines, Math, Ref, Strong, Table, Text
-from rbpsym.document.widths import width
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows

@@ -11,8 +11,18 @@ from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
-from rbpsym.document.tables import done_table, forces_table, in_one_table, works_table
-from rbpsym.document.telling import MOST_ROWS, Teller, by_kind, display, is_constant, joined
+from rbpsym.document.telling import (
+    MOST_ROWS,
+    Teller,
+    by_kind,
+    display,
+    done_table,
+    forces_table,
+    in_one_table,
+    is_constant,
+    joined,
+    works_table,
+)
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
-from rbpsym.document.owing import owed_by
+from rbpsym.document.needless import owed_by
 from rbpsym.document.telling import Teller, by_kind
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t

@@ -30,7 +30,7 @@ from rbpsym.mechanics.system import System
 from rbpsym.notation.tree import Node, Sym, add
 from rbpsym.statement.model import Body, Element, Phase, Problem
 from rbpsym.statement.scope import CLOCK
-from rbpsym.statement.substitution import put_in
+from rbpsym.statement.solids import put_in
 
 
 def shifted(phase: Phase, begins: Scalar | None) -> Problem:

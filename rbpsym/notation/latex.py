@@ -9,8 +9,8 @@ import re
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.layout import COMMANDS, Printer
 from rbpsym.notation.letters import latex_letter
-from rbpsym.notation.printer import COMMANDS, Printer
 from rbpsym.notation.tree import Node
 
 PREAMBLE = r"\DeclareMathAlphabet{\mathpzc}{OT1}{pzc}{m}{it}"

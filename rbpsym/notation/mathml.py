@@ -6,8 +6,8 @@ from html import escape
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.layout import Printer
 from rbpsym.notation.letters import UPRIGHT_CAPITALS, bold, script
-from rbpsym.notation.printer import Printer
 from rbpsym.notation.tree import Node
 
 _THIN = '<mspace width="0.1667em"/>'

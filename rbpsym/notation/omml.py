@@ -9,8 +9,8 @@ from html import escape
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.layout import Printer
 from rbpsym.notation.letters import UPRIGHT_CAPITALS, bold
-from rbpsym.notation.printer import Printer
 from rbpsym.notation.tree import Node
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"

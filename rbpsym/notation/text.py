@@ -12,8 +12,8 @@ from unicodedata import decomposition, normalize
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
+from rbpsym.notation.layout import Printer
 from rbpsym.notation.letters import bold, script, subscript, superscript
-from rbpsym.notation.printer import Printer
 from rbpsym.notation.tree import Node
 
 _COMBINING = {

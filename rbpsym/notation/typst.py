@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
-from rbpsym.notation.printer import COMMANDS, Printer
+from rbpsym.notation.layout import COMMANDS, Printer
 from rbpsym.notation.tree import Node
 
 _SIGNS = {"·": "⋅", ",": '","', "/": r"\/"}

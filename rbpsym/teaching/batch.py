@@ -13,9 +13,8 @@ from pathlib import Path
 from threading import Lock
 
 from rbpsym.document.files import write_whole
-from rbpsym.teaching.executor import Crew, run
+from rbpsym.teaching.executor import Crew, Journal, run
 from rbpsym.teaching.formats import Options, exporter
-from rbpsym.teaching.journal import Journal
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import Plan, plan_of
 

@@ -24,11 +24,10 @@ from rbpsym.errors import LimitError, RbpsymError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import Dimension
-from rbpsym.teaching.first_wrong import first_wrong
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Measure, Slip
-from rbpsym.teaching.retold import Retelling
+from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity

@@ -10,8 +10,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
-from rbpsym.teaching.papers.letters import printable
-from rbpsym.teaching.papers.naming import file_stem
+from rbpsym.teaching.papers.naming import file_stem, printable
 
 Write = Callable[[Document, Worksheet, bool], str | bytes]
 

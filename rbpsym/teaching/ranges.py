@@ -1,4 +1,4 @@
-"""From which numbers a quantity is drawn: low, high and step, with unit and significant figures.
+"""From which numbers a quantity is drawn: low, high and step, with unit and significant figures, as a worksheet file says.
 
 Without a wish of the worksheet they lie around the author's example (else around a generic value).
 """
@@ -6,20 +6,23 @@ Without a wish of the worksheet they lie around the author's example (else aroun
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import sample
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
-from rbpsym.statement.printed_units import scale_of, unit_of
+from rbpsym.statement.printed_units import scale_of, unit_of, unit_text
+from rbpsym.statement.source import Item, Table, kind_of
+from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.units import known_unit
+from rbpsym.teaching.units import known_unit, measure_text, si
 
 DIGITS = 3
 LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example
@@ -144,3 +147,140 @@ def read_measure(text: str, dimension: Dimension, what: str) -> Measure:
         raise RbpsymError(f"{what}: “{first}” is no number", instead='write a number and a unit: "0.25 m".') from None
     unit = "*".join(unit.split())  # “kg m^2” is “kg*m^2”
     return Measure(Fraction(value), known_unit(unit, dimension, what), DIGITS)
+
+
+# --- the numbers of a worksheet file: fixed ones and ranges, checked against what the problem says of them
+
+
+RANGE_KEYS = ("from", "to", "step", "digits")
+MOST_NUMBERS, MOST_DIGITS = 100_000, 6
+NOISE = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """What a problem says of a number: its dimension, its sign, and between which values (in SI units) it lies."""
+
+    name: str
+    dimension: Dimension
+    sign: str = "real"
+    lower: float = -math.inf
+    upper: float = math.inf
+
+
+def numbers_in(table: Table, problem: Problem) -> Iterator[tuple[str, Range]]:
+    """(name, range) for each entry of [problem.numbers]. Raises StatementError with its place."""
+    known = {named.name: named for named in _known(problem)}
+    table.check_keys(known, f"the numbers of “{problem.name}”")
+    for name in table.names():
+        yield name, _range(table, known[name])
+
+
+def _known(problem: Problem) -> Iterator[Named]:
+    """Parameters, starts of coordinates, and coordinates (where it is looked at)."""
+    signs = {q.name: q.sign for q in problem.parameters}
+    bounds = {q.name: _bounds(q) for q in problem.parameters}
+    bounds |= {c.start.name: _bounds(c) for c in problem.coordinates if isinstance(c.start, t.Sym)}
+    for name, dimension in named_quantities(problem).items():
+        yield Named(name, dimension, signs.get(name, "real"), *bounds.get(name, ()))
+    for coordinate in problem.coordinates:
+        yield Named(coordinate.name, coordinate.quantity.dimension, "real", *_bounds(coordinate))
+
+
+def _bounds(quantity) -> tuple[float, float]:
+    """Its declared range, as far as that is numbers."""
+    found = []
+    for bound, none in ((quantity.lower, -math.inf), (quantity.upper, math.inf)):
+        value = none if bound is None else compiled([scalar(bound)])({})[0]
+        found.append(value if math.isfinite(value) else none)
+    return found[0], found[1]
+
+
+def _range(table: Table, named: Named) -> Range:
+    """A fixed number "60 deg", or { from, to, step, digits }."""
+    value, name = table.data[named.name], named.name
+    if isinstance(value, str):
+        measure = _measure(table.item(name), named, f"“{name}”")
+        return Range(measure.value, measure.value, Fraction(0), measure.unit, max(DIGITS, figures(measure.value)))
+    if not isinstance(value, Mapping):
+        raise table.value_error(
+            name, f"“{name}” must be a number with its unit or a range, not {kind_of(value)}", _example(named)
+        )
+    row = table.table(name, name)
+    row.check_keys(RANGE_KEYS, "a range")
+    for key in RANGE_KEYS[:3]:
+        row.require(key, f"the range of “{name}”")
+    low, high = (_measure(row.item(key), named, f"“{key}”") for key in ("from", "to"))
+    step = _told(row.item("step"), lambda: read_measure(row.string("step"), named.dimension, "“step”"))
+    found = Range(low.value, high.value, step.value, low.unit, row.whole("digits", DIGITS, 1, MOST_DIGITS))
+    _check_range(row, found, {low.unit, high.unit, step.unit})
+    return found
+
+
+def _example(named: Named) -> str:
+    """How it could be written."""
+    unit = "deg" if named.dimension == NUMBER and named.sign == "real" else unit_of(named.dimension)
+    one, low, high, step = (f'"{number} {unit}"'.replace(' "', '"') for number in ("50", "40", "60", "1"))
+    return f"write {named.name} = {one} or {named.name} = {{ from = {low}, to = {high}, step = {step} }}"
+
+
+def _measure(item: Item, named: Named, what: str) -> Measure:
+    """A number that the problem allows for this quantity."""
+    if not isinstance(item.value, str):
+        raise item.error(f"{what} must be a text in quotes, not {kind_of(item.value)}", _example(named))
+    measure = _told(item, lambda: read_measure(item.value, named.dimension, what))
+    if not SIGNS.get(named.sign, lambda value: True)(measure.value):
+        raise item.error(f"“{named.name}” must be {named.sign} in this problem", "give another number")
+    if not named.lower - NOISE <= si(measure) <= named.upper + NOISE:
+        raise item.error(
+            f"“{named.name}” is not {measure_text(measure)} in this problem", _between(named, measure.unit)
+        )
+    if figures(measure.value) > MOST_DIGITS:
+        raise item.error(f"{what} has more than {MOST_DIGITS} significant figures", "round it")
+    return measure
+
+
+SIGNS: Mapping[str, Callable[[Fraction], bool]] = {
+    "positive": lambda value: value > 0,
+    "nonnegative": lambda value: value >= 0,
+    "nonzero": lambda value: value != 0,
+}
+
+
+def _between(named: Named, unit: str) -> str:
+    """The declared range in words."""
+    ends = {"from": named.lower, "up to": named.upper}
+    told = [
+        f"{word} {value / scale_of(unit):.4g}{unit_text(unit)}" for word, value in ends.items() if math.isfinite(value)
+    ]
+    return f"it goes {' '.join(told)}"
+
+
+def _check_range(row: Table, found: Range, units: set[str]) -> None:
+    if len(units) > 1:
+        raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {found.unit}")
+    if found.step <= 0:
+        raise row.value_error(
+            "step", "the step must be greater than 0", f'write a fixed number: "{row.data["from"]}", or a step'
+        )
+    if found.low > found.high:
+        raise row.value_error("to", "the range ends before it begins", "exchange “from” and “to”")
+    if (found.high - found.low) / found.step > MOST_NUMBERS:
+        raise row.value_error("step", f"this makes more than {MOST_NUMBERS} numbers", "write a greater step")
+    needed = max(
+        figures(found.low + k * found.step) for k in range(min(40, int((found.high - found.low) / found.step) + 1))
+    )
+    if needed > found.digits:
+        key = "digits" if "digits" in row else "step"
+        hint = f"write digits = {needed}, or a greater step" if needed <= MOST_DIGITS else "write a greater step"
+        raise row.value_error(
+            key, f"{found.digits} significant figures do not tell the numbers of this range apart", hint
+        )
+
+
+def _told(item: Item, call: Callable[[], Measure]) -> Measure:
+    """The result of a reader, its error told at the place of what it read."""
+    try:
+        return call()
+    except RbpsymError as error:
+        raise item.error(error.what, error.instead) from None

@@ -16,8 +16,7 @@ from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.ranges import Range
-from rbpsym.teaching.sheet_numbers import numbers_in
+from rbpsym.teaching.ranges import Range, numbers_in
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import languages

@@ -14,13 +14,12 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.commands import watching
-from rbpsym.commands.warm import Kept
+from rbpsym.commands.watching import Kept
 from rbpsym.courses import derive_course, sources
-from rbpsym.document.book import Chapter, book
+from rbpsym.document.book import Chapter, around, book, index_page, occurring, page, problem_card
 from rbpsym.document.model import Display, Ref
 from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered, parts
-from rbpsym.document.site import around, index_page, occurring, page, problem_card
 from rbpsym.document.writers import writer
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course

@@ -13,11 +13,10 @@ import pytest
 
 import rbpsym
 from rbpsym.courses import derive_course
-from rbpsym.document.book import Chapter
+from rbpsym.document.book import Chapter, around, index_page, occurring, page, problem_card
 from rbpsym.document.model import Display, Document, FigureBlock, Math
 from rbpsym.document.notes import course_notes
 from rbpsym.document.numbering import parts
-from rbpsym.document.site import around, index_page, occurring, page, problem_card
 from rbpsym.document.writers import writer
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.speech import to_speech

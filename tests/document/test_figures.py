@@ -9,12 +9,12 @@ import pytest
 
 from rbpsym.document.figures import placing
 from rbpsym.document.figures.describe import describe, describe_free_body
+from rbpsym.document.figures.dimensions import solid_line
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.outlines import OUTLINES
 from rbpsym.document.figures.scene import COLORS, STYLES, Label, Line, Scene
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
-from rbpsym.document.figures.solid_lines import solid_line
 from rbpsym.document.figures.svg import SCALE, number, to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing

@@ -19,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rbpsym
-from rbpsym.document import extras
+from rbpsym.document import files as extras
 from rbpsym.document.model import (
     Display,
     Document,
@@ -35,7 +35,7 @@ from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.pictures import pictures
 from rbpsym.document.writers import WRITERS, files, writer
 from rbpsym.document.writers.latex import LATEX
-from rbpsym.document.writers.markdown_math import in_cell, in_markdown
+from rbpsym.document.writers.markdown import in_cell, in_markdown
 from rbpsym.document.writers.page import page_for
 from rbpsym.document.writers.pdf import compiled, write_pdf
 from rbpsym.document.writers.slides import COLUMN, FULL, frames, height, write_slides

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from rbpsym.document.accents import accented
-from rbpsym.document.resources import data_folder
+from rbpsym.document.files import data_folder
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.tree import BodyIntegral, Num, Pow, Sym, Vec
 

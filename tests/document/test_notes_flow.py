@@ -11,7 +11,7 @@ from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Table, Text
 from rbpsym.document.notes import plain
 from rbpsym.document.numbering import numbered, once_each, parts
-from rbpsym.document.tables import TOO_WIDE
+from rbpsym.document.telling import TOO_WIDE
 from rbpsym.notation import tree as t
 from tests.library.derived import unsimulated as derived
 

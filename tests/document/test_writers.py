@@ -28,8 +28,8 @@ from rbpsym.document.model import (
 )
 from rbpsym.document.numbering import numbered, parts
 from rbpsym.document.writers import WRITERS, writer
-from rbpsym.document.writers.html_math import folding_pieces
-from rbpsym.document.writers.markdown_math import in_markdown
+from rbpsym.document.writers.html import folding_pieces
+from rbpsym.document.writers.markdown import in_markdown
 from rbpsym.document.writers.pdf import write_pdf
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import boxes as b

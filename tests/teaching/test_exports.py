@@ -20,7 +20,7 @@ from rbpsym.document.model import Paragraph, words
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.teaching.exports.bench import free_pairs, nearest_pairs, orders
-from rbpsym.teaching.exports.packing import zipped
+from rbpsym.teaching.exports.page import zipped
 from rbpsym.teaching.formats import Exported, Options, exporter
 from rbpsym.teaching.grading.ground import bare_ground
 from rbpsym.teaching.grading.verdicts import are_equal

@@ -9,11 +9,11 @@ import pytest
 
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.units import read_unit
-from rbpsym.teaching.grading.answers_csv import parse_answers
 from rbpsym.teaching.grading.desk import Desk, grade_worksheet
 from rbpsym.teaching.grading.marking import grade
 from rbpsym.teaching.model import ExplanationKey, FormulaKey, NumberKey, Student
 from rbpsym.teaching.plan import plan_of
+from rbpsym.teaching.spreadsheets import parse_answers
 
 CHAIN = """
 title = "Chain"

@@ -14,11 +14,9 @@ from rbpsym.errors import ReadError
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.text import to_text
-from rbpsym.teaching.grading.answers_csv import parse_answers, read_answers
 from rbpsym.teaching.grading.desk import Desk, Mark, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name
 from rbpsym.teaching.grading.marking import grade
-from rbpsym.teaching.grading.marks_csv import RISKY, marks_csv, safe
 from rbpsym.teaching.model import (
     BlanksKey,
     ChoiceKey,
@@ -34,6 +32,7 @@ from rbpsym.teaching.model import (
     Worksheet,
 )  # fmt: skip
 from rbpsym.teaching.plan import plan_of
+from rbpsym.teaching.spreadsheets import RISKY, marks_csv, parse_answers, read_answers, safe
 from rbpsym.teaching.units import measure_text
 from tests.teaching.sample_worksheet import POWERED, worksheet
 

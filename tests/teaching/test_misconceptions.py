@@ -17,8 +17,7 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.bench import Bench
 from rbpsym.teaching.distractors import MOST, pool
-from rbpsym.teaching.misconceptions.literature import DESCRIBED, SOURCES
-from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+from rbpsym.teaching.misconceptions.registry import DESCRIBED, MISCONCEPTIONS, SOURCES
 from rbpsym.teaching.plan import bench_of
 from rbpsym.teaching.targets import KINDS
 from rbpsym.teaching.wording import languages, say, teaching_phrases

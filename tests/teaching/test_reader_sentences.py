@@ -20,9 +20,8 @@ from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.answer import grade_answer
 from rbpsym.teaching.grading.book import book
+from rbpsym.teaching.grading.feedback import comment, translated
 from rbpsym.teaching.grading.reading import read_formula
-from rbpsym.teaching.grading.remarks import comment
-from rbpsym.teaching.grading.translated import translated
 from rbpsym.teaching.model import Slip
 from rbpsym.teaching.wording import languages
 

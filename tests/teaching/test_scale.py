@@ -18,9 +18,8 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.text import to_text
-from rbpsym.teaching.executor import Interrupted, crew, run
+from rbpsym.teaching.executor import Interrupted, Journal, crew, run
 from rbpsym.teaching.grading.marking import grade
-from rbpsym.teaching.journal import Journal
 from rbpsym.teaching.model import ChoiceKey, FormulaKey, NumberKey, Student
 from rbpsym.teaching.plan import plan_of
 from rbpsym.teaching.units import measure_text

@@ -6,9 +6,9 @@ import pytest
 
 from rbpsym.notation import tree as t
 from rbpsym.teaching.distractors import size
+from rbpsym.teaching.lines import shares
 from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
 from rbpsym.teaching.plan import plan_of
-from rbpsym.teaching.rubrics import shares
 from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.standard_sheet import LONGEST
 

@@ -26,8 +26,8 @@ from rbpsym.teaching.papers.layout import key_document, paper_document, solution
 from rbpsym.teaching.papers.naming import file_stem, own, safe
 from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
 from rbpsym.teaching.plan import Plan, plan_of
-from rbpsym.teaching.roster import roster_of
 from rbpsym.teaching.sheet import sheet_of_text
+from rbpsym.teaching.spreadsheets import roster_of
 
 ANA = Student("ana", "Ana López")
 ROOT = Path(__file__).resolve().parents[2]
@@ -423,10 +423,9 @@ def test_the_folder_of_worksheets_holds_no_problem() -> None:
 
 def test_the_documentation_names_everything() -> None:
     from rbpsym.teaching.formats import EXPORTERS
-    from rbpsym.teaching.misconceptions.literature import SOURCES
-    from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
+    from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS, SOURCES
+    from rbpsym.teaching.ranges import RANGE_KEYS
     from rbpsym.teaching.sheet import PROBLEM_KEYS, SHEET_KEYS, TASK_KEYS
-    from rbpsym.teaching.sheet_numbers import RANGE_KEYS
     from rbpsym.teaching.tasks.registry import TASKS
 
     text = (ROOT / "docs" / "worksheets.md").read_text(encoding="utf-8")

@@ -10,10 +10,9 @@ from rbpsym.document.figures import marks
 from rbpsym.document.figures.dimensions import DOWN, labelled
 from rbpsym.document.figures.outlines import body_outline
 from rbpsym.document.figures.placing import placed
-from rbpsym.document.figures.scaling import scaled
 from rbpsym.document.figures.scene import Label, Point, Scene, box_of, points_of, polar
 from rbpsym.document.figures.schematic import axes
-from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce
+from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchCouple, SketchForce, scaled
 
 SIZE = 3.2  # the greatest extent of the body, in cm
 SHARES = {"rod": 1.0, "composite": 0.75, "rectangle": 0.6, "triangle": 0.6}  # of SIZE; others are round

@@ -9,9 +9,9 @@ from dataclasses import replace
 from rbpsym.document.figures import dimensions, marks
 from rbpsym.document.figures import scene as s
 from rbpsym.document.figures import sketch as sk
+from rbpsym.document.figures.dimensions import solid_line
 from rbpsym.document.figures.outlines import body_outline
-from rbpsym.document.figures.scaling import scaled
-from rbpsym.document.figures.solid_lines import solid_line
+from rbpsym.document.figures.sketch import scaled
 from rbpsym.notation.tree import Sym
 
 WIDTH, HEIGHT = 5.6, 4.4  # the room for the system itself, in cm

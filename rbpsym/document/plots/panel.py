@@ -11,8 +11,7 @@ import numpy as np
 
 from rbpsym.document.figures.placing import grown, label_size, overlap
 from rbpsym.document.figures.scene import STYLES, Circle, Item, Label, Line, Point, Scene, Strokes, points_of
-from rbpsym.document.plots.axes import Axis, axis
-from rbpsym.document.plots.naming import lengths, places
+from rbpsym.document.plots.axes import Axis, axis, lengths, places
 from rbpsym.document.plots.scales import Scale
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation

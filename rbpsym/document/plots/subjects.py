@@ -11,17 +11,83 @@ from dataclasses import replace
 import numpy as np
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.step import Step
-from rbpsym.document.plots.following import Leg
+from rbpsym.document.plots.following import Leg, at
 from rbpsym.document.plots.motion import Journey, Motion
-from rbpsym.document.plots.oscillation import small_oscillations
 from rbpsym.document.plots.panel import Curve, Mark, Panel
-from rbpsym.document.plots.power import work_done
 from rbpsym.document.plots.scales import Scale
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.numeric.integration import followed
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME, Dimension
+
+# --- the work of a force on a body as its power added up along the motion
+
+
+def work_done(way: Journey, force: str, body: str, half: str) -> np.ndarray:
+    """∫F·V_cm dt ("T") or ∫τ_cm ω dt ("theta") from the very start; a phase goes on where the last one ended."""
+    from scipy.integrate import cumulative_simpson
+
+    done = 0.0
+
+    def of(leg: Leg) -> np.ndarray:
+        nonlocal done
+        rates = leg.values(power(leg.study, force, body, half))
+        found = done + (cumulative_simpson(rates, x=leg.moments, initial=0.0) if len(rates) > 1 else np.zeros(1))
+        done = found[-1]
+        return found
+
+    return way.joined(of)
+
+
+def power(study: Study, force: str, body: str, half: str) -> Scalar:
+    """F·V_cm or τ_cm ω of all parts of a force on a body."""
+    state = study.system.bodies[body]
+    parts = [one for one in study.system.forces if (one.name, one.on) == (force, body)]
+    if half == "T":
+        return sum((one.vector.dot(state.velocity) for one in parts if one.vector), NOTHING)
+    return sum((torque_about_center(one, state) for one in parts), NOTHING) * state.omega
+
+
+# --- the small oscillation about the stable equilibrium that a motion passes, from the same start
+
+
+def small_oscillations(moving: Motion, way: Journey) -> dict[str, np.ndarray]:
+    """By coordinate its motion after the linear equations; empty where the motion is not one about an equilibrium."""
+    study, leg = moving.derivation.study, way.legs[0]
+    if len(way.legs) > 1 or leg.flow.shown != study.system.independent:
+        return {}
+    near = (found for found in study.equilibria if found.stable and passes(leg, found))
+    return next((linear(leg, found) for found in near), {})
+
+
+def passes(leg: Leg, found: Equilibrium) -> bool:
+    """Does the motion turn back, and does each coordinate pass its place of rest?"""
+    rests = {name: at(value, leg.at(0)) for name, value in found.at.items()}
+    ends = {name: (leg.numbers[name].min() - 1e-9, leg.numbers[name].max() + 1e-9) for name in rests}
+    return bool(leg.turns) and all(ends[name][0] <= rest <= ends[name][1] for name, rest in rests.items())
+
+
+def linear(leg: Leg, found: Equilibrium) -> dict[str, np.ndarray]:
+    """M q̈ = -K δq - C q̇ with the derived matrices at rest, at the moments of the motion."""
+    names, first = leg.flow.shown, leg.at(0)
+    rest = {name: at(found.at[name], first) if name in found.at else first[name] for name in names}
+    still = {**first, **rest, **{f"{name}_dot": 0.0 for name in names}}
+    matrices = (found.inertia, found.stiffness, found.linear.damping)
+    inertia, stiffness, damping = (np.array([[at(v, still) for v in row] for row in rows]) for rows in matrices)
+    gains = -np.linalg.solve(inertia, np.hstack([stiffness, damping]))
+    start = [*(first[n] - rest[n] for n in names), *(first[f"{n}_dot"] for n in names)]
+    path = followed(lambda _, state: np.concatenate([state[len(names) :], gains @ state]), start, leg.moments[-1])
+    moved = path.at(leg.moments)[: len(names)]
+    return {name: rest[name] + row for name, row in zip(names, moved, strict=True)}
+
+
+# ---
+
 
 MOST = 6  # curves in a panel
 

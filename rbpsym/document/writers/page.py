@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 from rbpsym.document import model as d
+from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import plain
-from rbpsym.document.resources import data_folder
 from rbpsym.notation.glyphs import Notation
 
 Print = Callable[[object, "Page"], str]

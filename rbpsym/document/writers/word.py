@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rbpsym.document import breaking
 from rbpsym.document import model as d
 from rbpsym.document.escaping import typographic
-from rbpsym.document.extras import extra
+from rbpsym.document.files import extra
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text

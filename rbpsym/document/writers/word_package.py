@@ -8,7 +8,7 @@ from io import BytesIO
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from rbpsym.document.extras import extra
+from rbpsym.document.files import extra
 from rbpsym.document.model import Document, ItemList
 from rbpsym.document.numbering import parts
 from rbpsym.document.pictures import Picture, pictures

@@ -10,8 +10,7 @@ from typing import Any
 from rbpsym.document.model import Block, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.teaching.exports.packing import slug, zipped
-from rbpsym.teaching.exports.page import Paper, blocks_html
+from rbpsym.teaching.exports.page import Paper, blocks_html, slug, zipped
 from rbpsym.teaching.exports.telling import feedback, left_out, word
 from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet

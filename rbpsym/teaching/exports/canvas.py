@@ -9,9 +9,7 @@ from collections.abc import Mapping
 
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, in_packages
-from rbpsym.teaching.exports.packing import identifier
-from rbpsym.teaching.exports.page import Paper
-from rbpsym.teaching.exports.xml import written
+from rbpsym.teaching.exports.page import Paper, identifier, written
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 

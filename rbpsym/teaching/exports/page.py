@@ -1,4 +1,4 @@
-"""Blocks of a worksheet as HTML for a learning platform: plain elements, formulas as the platform sets them.
+"""Blocks of a worksheet as HTML for a learning platform, and the files in which they travel.
 
 Two ways to set formulas: LaTeX between delimiters (Moodle, Canvas, PrairieLearn, GIFT) or MathML (QTI).
 Figures become SVG files, drawn by Typst: letters are outlines, so that they look the same everywhere.
@@ -6,6 +6,9 @@ Figures become SVG files, drawn by Typst: letters are outlines, so that they loo
 
 from __future__ import annotations
 
+import io
+import re
+import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
@@ -16,7 +19,7 @@ from rbpsym.document import model as d
 from rbpsym.document.figures.scene import Scene
 from rbpsym.document.pictures import drawings
 from rbpsym.document.writers.html import HTML
-from rbpsym.document.writers.page import Page, Print
+from rbpsym.document.writers.page import Page, Print, shell
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.mathml import to_mathml
@@ -138,3 +141,49 @@ def _figure(block: d.FigureBlock, page: Page, paper: Paper) -> str:
 def blocks_html(blocks: tuple[d.Block, ...], page: Page) -> str:
     """Blocks below each other."""
     return page.blocks(blocks, "\n")
+
+
+# --- zip packages that are the same bytes on every machine
+
+
+_LONG_AGO = (1980, 1, 1, 0, 0, 0)
+
+
+def zipped(files: Mapping[str, bytes | str]) -> bytes:
+    """A package of files by path, in the order of their paths. Raises ValueError for a path that leads out of it."""
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as package:
+        for path, content in sorted(files.items()):
+            if path.startswith("/") or ".." in path.split("/") or "\\" in path:
+                raise ValueError(f"the path {path} leads out of the package")
+            entry = zipfile.ZipInfo(path, _LONG_AGO)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            package.writestr(entry, content)
+    return held.getvalue()
+
+
+def slug(text: str) -> str:
+    """A text as a part of a file name: letters, digits, dots and dashes."""
+    return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.")[:80] or "worksheet"
+
+
+def identifier(text: str) -> str:
+    """A text as an identifier of XML."""
+    return "q-" + re.sub(r"[^A-Za-z0-9]+", "-", text).strip("-")
+
+
+# --- XML files from the shells of `templates/lms`: every text is escaped there, what is markup already says so
+
+
+_BAD = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+
+
+def filled(shell_name: str, /, **values: object) -> str:
+    """A shell with its places filled, without characters that no XML file can hold."""
+    return _BAD.sub("\ufffd", shell(f"lms/{shell_name}", autoescape=True, **values))
+
+
+def written(shell_name: str, /, **values: object) -> bytes:
+    """The XML file."""
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + filled(shell_name, **values).encode("utf-8")

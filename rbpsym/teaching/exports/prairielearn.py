@@ -18,8 +18,7 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform
 from rbpsym.teaching.exports.names import sympy_text
-from rbpsym.teaching.exports.packing import slug
-from rbpsym.teaching.exports.page import Paper, between
+from rbpsym.teaching.exports.page import Paper, between, slug
 from rbpsym.teaching.exports.telling import feedback, left_out
 from rbpsym.teaching.formats import Exported, Options
 

@@ -11,9 +11,7 @@ from markupsafe import Markup
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, in_packages, orders
-from rbpsym.teaching.exports.packing import identifier
-from rbpsym.teaching.exports.page import Paper, mathml
-from rbpsym.teaching.exports.xml import written
+from rbpsym.teaching.exports.page import Paper, identifier, mathml, written
 from rbpsym.teaching.formats import Exported, Options
 
 

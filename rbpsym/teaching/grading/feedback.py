@@ -1,25 +1,131 @@
-"""A page for each student: answers, points, and what went wrong, with the first wrong step."""
+"""What a student is told: the sentences of marks, in the language of the worksheet, and a page with answers and points."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
+from types import MappingProxyType
+from typing import Any
 from unicodedata import category
 
 from markupsafe import Markup, escape
 
 from rbpsym.document.model import Inlines, Math, Text
+from rbpsym.document.phrases import phrase_of
 from rbpsym.document.writers.page import shell
 from rbpsym.document.writers.plain_text import plain_text
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.glyphs import renamed
 from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.tree import Node
 from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.desk import Mark
-from rbpsym.teaching.grading.judgement import Status
-from rbpsym.teaching.grading.remarks import comment
-from rbpsym.teaching.model import Worksheet
+from rbpsym.teaching.grading.judgement import Judgement, Remark, Status, sentence
+from rbpsym.teaching.model import Slip, Worksheet
 from rbpsym.teaching.papers.naming import own
 from rbpsym.teaching.units import number_text
-from rbpsym.teaching.wording import teaching_phrases
+from rbpsym.teaching.wording import FOLDER, teaching_phrases
+
+# --- what the readers say of an answer that can't be read, in the language of the worksheet
+# Readers speak English. As in gettext, the English sentence with its places is the key of its translation, in the table
+# [reader] of a phrases file; what fills a place is found again by matching.
+
+
+TABLE = "reader."
+Entry = tuple[re.Pattern[str], str]
+
+
+def translated(sentence: str, language: str) -> str:
+    """The sentence in a language; as it is if that is English or the sentence is not known.
+
+    >>> translated("unknown symbol “v”", "es")
+    'el símbolo «v» no se conoce'
+    """
+    for pattern, text in _catalogue(language):
+        found = pattern.fullmatch(sentence)
+        if found:
+            return filled(text, {name: translated(part, language) for name, part in found.groupdict().items()})
+    return sentence
+
+
+def reason(error: RbpsymError, language: str) -> str:
+    """What is wrong and what to write instead, as sentences."""
+    what = translated(error.what, language)
+    instead = translated(error.instead, language) if error.instead else ""
+    return " ".join(filter(None, (sentence(what), sentence(instead) if instead else "")))
+
+
+def filled(text: str, parts: dict[str, str]) -> str:
+    """The template with its places filled; other braces are those of LaTeX."""
+    return re.sub(r"\{([a-d])\}", lambda found: parts.get(found[1], found[0]), text)
+
+
+@cache
+def _catalogue(language: str) -> tuple[Entry, ...]:
+    """Patterns of English sentences with their translations, those with the most words of their own first."""
+    table = teaching_phrases(language)
+    keys = sorted((key for key in table if key.startswith(TABLE)), key=lambda key: -len(_PLACE.sub("", key)))
+    return tuple((_pattern(key.removeprefix(TABLE)), table[key]) for key in keys)
+
+
+_PLACE = re.compile(r"\{([a-d])\}")
+
+
+def _pattern(key: str) -> re.Pattern[str]:
+    pieces = _PLACE.split(key)
+    parts = (f"(?P<{piece}>.+?)" if place % 2 else re.escape(piece) for place, piece in enumerate(pieces))
+    return re.compile("".join(parts), re.DOTALL)
+
+
+# --- the sentences of marks, [remark] of the phrases. {name} is a place; a tree in a place is printed as a formula
+
+
+_NAME = re.compile(r"[A-Za-z]\w*_\w+")
+_NOTHING: Mapping[str, str] = MappingProxyType({})
+SaySlip = Callable[[Slip, str], Inlines]
+
+
+def said(remark: Remark, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
+    """A remark as a sentence; `called` is what bodies are called in the language."""
+    slots = _in_language(remark.slots, language, called)
+    told = {name: tuple(_inlines(value, language, say_slip)) for name, value in slots.items()}
+    return phrase_of(FOLDER, f"remark.{remark.key}", language, told)
+
+
+def _in_language(slots: Mapping[str, Any], language: str, called: Mapping[str, str]) -> dict[str, Any]:
+    """The slots with what the readers say of the answer in the language."""
+    error = slots.get("error")
+    spoken = {name: translated(value, language) if isinstance(value, str) else value for name, value in slots.items()}
+    why = reason(error, language) if isinstance(error, RbpsymError) else ""
+    return spoken | ({"why": _NAME.sub(lambda name: renamed(name[0], called), why)} if why else {})
+
+
+def _inlines(value: Any, language: str, say_slip: SaySlip) -> Iterator[Any]:
+    if isinstance(value, Node):
+        yield Math(value)
+    elif isinstance(value, Slip):
+        yield from say_slip(value, language)
+    elif isinstance(value, tuple):
+        for place, item in enumerate(value):
+            yield from ((Text(", "),) if place else ())
+            yield from _inlines(item, language, say_slip)
+    else:
+        yield Text(str(value))
+
+
+def comment(judgement: Judgement, language: str, say_slip: SaySlip, called: Mapping[str, str] = _NOTHING) -> Inlines:
+    """All remarks of a judgement, one after the other."""
+    found: list[Any] = []
+    for remark in judgement.remarks:
+        found += [Text(" ")] if found else []
+        found += said(remark, language, say_slip, called)
+    return tuple(found)
+
+
+# ---
+
 
 LONGEST_ANSWER = 400
 

@@ -14,12 +14,11 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
-from rbpsym.teaching.grading.decimals import agrees, rounded, without_number
 from rbpsym.teaching.grading.ground import Ground
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
+from rbpsym.teaching.grading.quantity import agrees, rounded, without_number
 from rbpsym.teaching.grading.reading import read_all, read_formula
-from rbpsym.teaching.grading.size import is_small
-from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero
+from rbpsym.teaching.grading.verdicts import are_equal, divides_by_zero, is_small
 from rbpsym.teaching.model import Anticipated
 
 EARNING = (Status.RIGHT, Status.CARRIED, Status.UNFINISHED)

@@ -3,27 +3,98 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from threading import Lock
+from types import MappingProxyType
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
-from rbpsym.teaching.executor import crew, run
-from rbpsym.teaching.grading.answers_csv import AnswerTable, Row, read_answers
-from rbpsym.teaching.grading.class_list import ClassList, class_list
+from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
-from rbpsym.teaching.grading.marks_csv import marks_csv
-from rbpsym.teaching.journal import Journal
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.plan import Plan, plan_of
 from rbpsym.teaching.record import SUFFIX, check, record_of
-from rbpsym.teaching.roster import load_roster
+from rbpsym.teaching.spreadsheets import AnswerTable, Row, load_roster, marks_csv, read_answers
 from rbpsym.teaching.units import number_text
+
+# --- the class list beside the answers: names for the marks, keys that nobody has, papers that were exchanged or are missing
+
+
+_NOBODY: Mapping[str, str] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class ClassList:
+    """The rows that can be marked, those that can't with the reason, and what there is to say.
+
+    names: the name of each student by key, empty without a list; absent: students without a row.
+    """
+
+    rows: tuple[Row, ...]
+    refused: tuple[tuple[Row, str], ...] = ()
+    told: tuple[str, ...] = ()
+    names: Mapping[str, str] = field(default_factory=lambda: _NOBODY)
+    absent: tuple[Student, ...] = ()
+
+
+def class_list(
+    rows: tuple[Row, ...], plan: Plan, secret: str, language: str, roster: tuple[Student, ...] | None
+) -> ClassList:
+    """Each row with its student. A row that names only a form code belongs to the student with that paper."""
+    if roster is None:
+        return ClassList(*_once(rows))
+    codes = {plan.worksheet(student, secret, language).code: student.id for student in roster}
+    names = {student.id: student.name for student in roster}
+    known, refused = _once(tuple(row if row.student else replace(row, student=codes.get(row.code, "")) for row in rows))
+    unknown = tuple((row, _unknown(row, names)) for row in known if row.student and row.student not in names)
+    kept = tuple(
+        replace(row, name=names.get(row.student, "")) for row in known if not row.student or row.student in names
+    )
+    exchanged = tuple(
+        _exchanged(row, codes[row.code]) for row in kept if codes.get(row.code, row.student) != row.student
+    )
+    absent = tuple(
+        student for student in roster if student.id not in {row.student for row in rows} | {r.student for r in kept}
+    )
+    missing = (f"no answers: {', '.join(map(_called, absent))}.",) if absent else ()
+    return ClassList(kept, (*refused, *unknown), (*exchanged, *missing), names, absent)
+
+
+def _unknown(row: Row, names: Mapping[str, str]) -> str:
+    near = get_close_matches(row.student, names, n=1)
+    return f"“{row.student[:40]}” is not in the class list" + (f"; is it “{near[0]}”?" if near else "")
+
+
+def _exchanged(row: Row, owner: str) -> str:
+    return f"line {row.line}: {row.student} answered the paper of {owner}; it is marked by that paper."
+
+
+def _called(student: Student) -> str:
+    return student.id if student.name in ("", student.id) else f"{student.id} ({student.name})"
+
+
+def _once(rows: tuple[Row, ...]) -> tuple[tuple[Row, ...], tuple[tuple[Row, str], ...]]:
+    """(the first row of each paper, further ones with the reason): one by the key, another by the code of the paper."""
+    seen: dict[str, int] = {}
+    kept, again = [], []
+    for row in rows:
+        held = next((seen[key] for key in (row.code, row.student) if key in seen), None)
+        if held is None:
+            kept.append(row)
+            seen |= {key: row.line for key in (row.code, row.student) if key}
+        else:
+            again.append((row, f"the same paper as in line {held}"))
+    return tuple(kept), tuple(again)
+
+
+# ---
+
 
 TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 

@@ -1,10 +1,12 @@
-"""What worksheets have beyond notes: numbered tasks, options, rules to write on, lines with marks."""
+"""What worksheets have beyond notes: numbered tasks, options, rules to write on, lines with marks; about how high each is."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.document.model import Inlines
+from rbpsym.document.model import Block, Display, FigureBlock, Inlines, Math, Paragraph
+from rbpsym.notation import tree as t
 from rbpsym.notation.tree import Node
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
@@ -55,3 +57,47 @@ class Form:
 
     header: tuple[Inlines, ...]
     rows: tuple[tuple[Inlines, ...], ...]
+
+
+# --- about how high a task will be in print, so that it stays on one page where it fits one
+
+
+ONE_PAGE = 17.0  # cm: what is surely not higher than a page, though it is estimated only
+LINE, ROW, LETTERS_A_LINE = 0.5, 1.2, 80
+
+
+def height(blocks: Iterable[Block]) -> float:
+    """The height in cm, rather too much than too little."""
+    return sum(HEIGHTS.get(type(block), lambda _: ONE_PAGE)(block) for block in blocks)
+
+
+def fits_a_page(blocks: Iterable[Block]) -> bool:
+    """Whether a task can be kept together."""
+    return height(blocks) <= ONE_PAGE
+
+
+def rows(node: t.Node) -> int:
+    """How many rows a formula may take."""
+    if isinstance(node, t.System):
+        return sum(map(rows, node.rows))
+    return max(1, len(node.items) - 1) if isinstance(node, t.Chain) else 1
+
+
+def _text(inlines: Inlines) -> float:
+    letters = sum(12 if isinstance(part, Math) else len(getattr(part, "text", "")) for part in inlines)
+    return LINE * (1 + letters // LETTERS_A_LINE)
+
+
+Measure = Callable[[Block], float]
+
+HEIGHTS: Mapping[type, Measure] = {
+    Paragraph: lambda block: 0.3 + _text(block.inlines),
+    Lead: lambda block: 0.7 + _text(block.inlines),
+    Display: lambda block: 0.4 + ROW * rows(block.node),
+    FigureBlock: lambda block: 5.5,
+    Options: lambda block: 0.4 + ROW * len(block.items),
+    Form: lambda block: 0.6 + ROW * (1 + len(block.rows)),
+    Marked: lambda block: 0.4 + sum(ROW * rows(node) for _, node in block.lines),
+    Rules: lambda block: 0.4 + len(block.items),
+    Space: lambda block: block.height,
+}

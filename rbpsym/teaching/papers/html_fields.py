@@ -2,23 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from markupsafe import escape
 
-from rbpsym.document.writers.html import content
-from rbpsym.document.writers.html_math import inline_math
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.document.writers.html import content, inline_math
 from rbpsym.document.writers.page import Page
+from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Node, Sym
 from rbpsym.statement.printed_units import UNITS
 from rbpsym.teaching import model as m
+from rbpsym.teaching.compiled import compiled
+from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
-from rbpsym.teaching.papers.samples import sample_points, sampled
 from rbpsym.teaching.units import si
 from rbpsym.teaching.wording import plain_text
+
+# --- values of formulas at some points, for pages that compare typed formulas without holding the key
+
+
+def sample_points(names: Sequence[str], count: int) -> list[dict[str, float]]:
+    """Points at which all names have generic values between 0.3 and 1.4 (so that angles are acute)."""
+    draws = Draws(b"points", ",".join(names))
+    return [{name: round(0.3 + 1.1 * draws.below(100_000) / 100_000, 5) for name in names} for _ in range(count)]
+
+
+def sampled(node: Node, points: Sequence[Mapping[str, float]]) -> list[float] | None:
+    """The values of a formula at the points; None if it has none there."""
+    try:
+        evaluate = compiled([scalar(node)])
+    except (RbpsymError, ZeroDivisionError):
+        return None
+    values = [evaluate(point)[0] for point in points]
+    return values if all(map(math.isfinite, values)) else None
+
+
+# ---
+
 
 Fields = Iterator[tuple[str, dict | None]]
 

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping
 
 from markupsafe import Markup, escape
 
+from rbpsym.document.files import data_folder
 from rbpsym.document.model import Document, Inlines, Section
 from rbpsym.document.numbering import numbered
-from rbpsym.document.resources import data_folder
 from rbpsym.document.writers.html import HTML, font, style
 from rbpsym.document.writers.html import section as titled_section
 from rbpsym.document.writers.page import Page, Print, page_for, shell
@@ -132,7 +132,7 @@ def marked(block: Marked, page: Page) -> str:
 
 def _wide(node: Node, page: Page) -> str:
     from rbpsym.document.model import Display
-    from rbpsym.document.writers.html_math import display_math
+    from rbpsym.document.writers.html import display_math
 
     return display_math(Display(node, numbered=False), page)
 

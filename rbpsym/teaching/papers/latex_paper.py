@@ -17,8 +17,7 @@ from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.notation.latex import PREAMBLE, render
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
-from rbpsym.teaching.papers.height import fits_a_page, height
+from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space, fits_a_page, height
 from rbpsym.teaching.papers.layout import head
 
 COLUMN = 36.0

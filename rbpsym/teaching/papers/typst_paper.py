@@ -15,8 +15,7 @@ from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space
-from rbpsym.teaching.papers.height import fits_a_page
+from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space, fits_a_page
 from rbpsym.teaching.papers.layout import head
 
 COLUMN = 38.0

@@ -10,9 +10,8 @@ from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
-from rbpsym.teaching.lines import WEIGHTS
+from rbpsym.teaching.lines import WEIGHTS, gist, shares
 from rbpsym.teaching.model import Asked, Criterion, ExplanationKey, Item
-from rbpsym.teaching.rubrics import gist, shares
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.tasks.wish import Wish

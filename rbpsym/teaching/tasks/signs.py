@@ -142,7 +142,7 @@ def _diagrams(bench: Bench, said: Words, with_forces: bool) -> FigureBlock:
 
 def _reasons(bench: Bench, said: Words) -> Iterator[Block]:
     """Where the works are known: the table of the derivation."""
-    from rbpsym.document.tables import done_table
+    from rbpsym.document.telling import done_table
 
     steps = [s for s in bench.derivation.steps if s.rule == "work_done"]
     if steps:

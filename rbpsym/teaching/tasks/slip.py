@@ -11,11 +11,10 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.distractors import size
-from rbpsym.teaching.lines import lines_to, piece, precedence
+from rbpsym.teaching.lines import gist, lines_to, piece, precedence
 from rbpsym.teaching.misconceptions.change import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
-from rbpsym.teaching.rubrics import gist
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
