@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rbpsym.commands.arguments import name_argument
-from rbpsym.document.columns import columns, padded
+from rbpsym.document.escaping import columns, padded
 
 if TYPE_CHECKING:
     from rbpsym.statement.model import Problem

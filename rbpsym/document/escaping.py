@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from unicodedata import normalize
+from unicodedata import category, normalize
 
 LATEX = str.maketrans({
     "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
@@ -50,3 +50,16 @@ def typst_string(text: str) -> str:
 def markdown_text(text: str) -> str:
     """For Markdown as GitHub reads it."""
     return MARKDOWN.sub(r"\\\1", typographic(text)).replace("&", "&amp;")
+
+
+# --- how wide a text is in a terminal: an accent stands above its letter and takes no column
+
+
+def columns(text: str) -> int:
+    """The number of columns that a text takes."""
+    return sum(category(char) not in ("Mn", "Me") for char in text)
+
+
+def padded(text: str, width: int) -> str:
+    """The text, filled with spaces to a width."""
+    return text + " " * (width - columns(text))

@@ -1,15 +1,136 @@
-"""The figures of the notes: the drawing of the system and the free-body diagrams."""
+"""The figures of the notes: the drawing of the system and the free-body diagrams, and what is seen in each, in words."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
 from rbpsym.derivation.step import Derivation
-from rbpsym.document.figures.describe import describe, describe_free_body
+from rbpsym.document.figures import sketch as sk
 from rbpsym.document.figures.free_body import free_body
+from rbpsym.document.figures.outlines import turned
+from rbpsym.document.figures.scene import Point
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch
 from rbpsym.document.model import FigureBlock, Text
+from rbpsym.document.phrases import has_phrase, plain
 from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
+from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
+from rbpsym.notation.text import plain_letters
+
+# --- what is seen in a figure, in words: the alt text of schematics and free-body diagrams
+
+
+def describe(sketch: sk.Sketch, language: str = "en", notation: Notation = DEFAULT) -> str:
+    """The alt text of the schematic."""
+    return sentence("figure.picture", list(seen(sketch, language, notation)), language)
+
+
+def describe_free_body(
+    sketch: sk.Sketch, body_name: str, language: str = "en", notation: Notation = DEFAULT, body: str = ""
+) -> str:
+    """The alt text of a free-body diagram; `body` is what the body is called in a sentence."""
+    parts = [force_words(f, language, notation) for f in sketch.forces if f.body == body_name]
+    parts += [couple_words(c, language, notation) for c in sketch.couples if c.body == body_name]
+    parts = parts or [plain("figure.no_force", language)]
+    body = body or spaced(renamed(body_name, notation.names))
+    return sentence("figure.free_body", parts, language, body=body)
+
+
+def sentence(key: str, parts: list[str], language: str, **slots: str) -> str:
+    """The sentence with its list; it ends by naming the positive sense of rotation."""
+    positive = plain("figure.positive", language)
+    return plain(key, language, parts=[part.strip() for part in parts], positive=positive, **slots)
+
+
+def seen(sketch: sk.Sketch, language: str, notation: Notation) -> Iterator[str]:
+    """The parts of a system, one after the other."""
+    for body in sketch.bodies:
+        yield body_words(body, language, notation)
+    for point in sketch.points:
+        yield point_words(point, language, notation)
+    for line in sketch.lines:
+        key = f"figure.part.{line_kind(line)}"
+        yield plain(key, language, name=named(line.label, notation))
+    for circle in sketch.circles:
+        yield plain(f"figure.circle.{circle.kind}", language, name=named(circle.label, notation))
+    marks = (*sketch.links, *sketch.coils)
+    for mark in marks:
+        yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
+    for cord in sketch.cords:
+        yield plain("figure.part.string", language, name=named(cord.label, notation))
+    for mark in sketch.angles:
+        yield plain("figure.part.angle", language, name=named(mark.label, notation))
+    for mark in (*sketch.lengths, *sketch.radii):
+        yield plain("figure.part.length", language, name=named(mark.label, notation))
+    for arrow in sketch.arrows:
+        yield plain(f"figure.arrow.{arrow.kind}", language, name=named(arrow.label, notation))
+
+
+def named(label: sk.Caption, notation: Notation) -> str:
+    """The label as text, "" for none."""
+    return "" if label is None else label if isinstance(label, str) else plain_letters(label, notation)
+
+
+def place(point: Point, language: str = "en", notation: Notation = DEFAULT) -> str:
+    """A place with one decimal."""
+    x, y = (f"{value + 0.0:.1f}".replace("-0.0", "0.0").replace("-", "−") for value in point)
+    mark = notation.decimal
+    return plain("figure.place", language, x=x.replace(".", mark), y=y.replace(".", mark))
+
+
+def body_words(body: sk.SketchBody, language: str, notation: Notation) -> str:
+    """A body by its kind, name (if that says more) and place."""
+    key = f"figure.shape.{body.kind}"
+    half = body.sizes.get("length", 0.0) / 2
+    name = spaced(renamed(body.name, notation.names))
+    known = f"index.{body.kind}"
+    is_plain = has_phrase(known, language) and plain(known, language) == name
+    places = {
+        "center": body.center,
+        "start": turned((-half, 0.0), body.at, body.angle),
+        "end": turned((half, 0.0), body.at, body.angle),
+    }
+    return plain(
+        key if has_phrase(key, language) else "figure.shape.outline",
+        language,
+        variant="plain" if is_plain else "named",
+        name=name,
+        **{key: place(point, language, notation) for key, point in places.items()},
+    )
+
+
+def point_words(point: sk.SketchPoint, language: str, notation: Notation) -> str:
+    """A point by what it does."""
+    return plain(f"figure.point.{point.kind}", language, name=named(point.label, notation))
+
+
+def line_kind(line: sk.SketchLine) -> str:
+    """A horizontal line is a floor, a vertical one a wall, one that only leads a point a rail."""
+    if line.kind == "rail":
+        return "rail"
+    return "floor" if abs(line.a) < 1e-9 else "wall" if abs(line.b) < 1e-9 else "line"
+
+
+SIDES = ("right", "up", "left", "down")
+
+
+def force_words(force: sk.SketchForce, language: str, notation: Notation) -> str:
+    """A force by its name and where it points."""
+    quarters = math.atan2(force.direction[1], force.direction[0]) / (math.pi / 2)
+    straight = abs(quarters - round(quarters)) < 1e-6
+    side = SIDES[round(quarters) % 4] if straight else "slanted"
+    return plain("figure.part.force", language, variant=side, name=named(force.label, notation))
+
+
+def couple_words(couple: sk.SketchCouple, language: str, notation: Notation) -> str:
+    """A couple by its name and sense."""
+    side = "counter_clockwise" if couple.sign > 0 else "clockwise"
+    return plain("figure.part.couple", language, variant=side, name=named(couple.label, notation))
+
+
+# ---
 
 
 def figure_label(said: Words) -> str:

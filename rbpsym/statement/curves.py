@@ -25,7 +25,7 @@ def curve_body(element: Element) -> str | None:
     return circle.body if circle is not None else element["of"]
 
 
-def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """A line or a circle, not both, and the words that go with it."""
     circle = element.values.get("circle")
     if (element["line"] is None) == (circle is None):
@@ -39,7 +39,6 @@ def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
         )
     if circle is not None and element["of"] is not None:
         raise element.error("has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
-    return element
 
 
 def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -62,13 +61,12 @@ def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
     return element if element["radius"] is not None else element.with_values(radius=own)
 
 
-def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """What touches must be able to move against the curve."""
     first, second = toucher(element), curve_body(element)
     if first == second:
         what = "joins a fixed point to a fixed curve" if first is None else f"lets “{first}” touch itself"
         raise element.error(what, "name the point of one body, and a curve that is fixed or belongs to another.")
-    return element
 
 
 def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -99,35 +97,32 @@ def apart(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element
     return element.with_values(side="outside") if solid and circle.point in ("center", "cm") else element
 
 
-def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def room(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """Inside a circle there is room for smaller bodies only."""
     if element.values.get("circle") is None or element["side"] != "inside":
-        return element
+        return
     if surely_above(element["rim"], element["radius"], scope.given, or_equal=True):
         raise element.error(
             "has no room: the body is not smaller than the circle", 'use side = "outside", or another radius.'
         )
-    return element
 
 
-def slides(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def slides(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """A sense of slip goes with friction."""
     if element["slip"] != "auto" and element["coefficient"] is None:
         raise element.error("says which way it slips, but has no friction", 'add coefficient = "mu"')
-    return element
 
 
-def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def has_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """A slider keeps the angle of a body: a particle has none."""
     name = element["point"].body
     if name is None or bodies[name].shape.kind == "particle":
         raise element.error(
             "must lead a point of a body that has an angle", 'a particle needs type = "contact" or "guide".'
         )
-    return element
 
 
-def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """Two neighbours on the path are different things; something can move; a length is between points."""
     path = element["path"]
     for first, second in zip(path, path[1:], strict=False):
@@ -144,7 +139,6 @@ def string_path(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
             raise element.error(
                 f"ends on “{turn.center.label}”, over which it slides", "let it end at a point or on a drum."
             )
-    return element
 
 
 def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -157,20 +151,18 @@ def light_rod(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Ele
     return replace(element, kind="string", values=values)
 
 
-def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """The driven point belongs to a body."""
     if element["point"].body is None:
         raise element.error(f"drives “{element['point'].label}”, a fixed place", "name a point of a body.")
-    return element
 
 
-def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """The driven body has an angle, and is not driven against itself."""
     if element["of"] == element["body"]:
         raise element.error(f"turns “{element['body']}” against itself", "name another body under “of”, or none.")
     if bodies[element["body"]].shape.kind == "particle":
         raise element.error(f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
-    return element
 
 
 _ON_CURVE = (one_curve, circle_size, two_bodies)

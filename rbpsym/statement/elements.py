@@ -57,18 +57,6 @@ def _field(field: Field, table: Table, name: str, where: str, around: Surroundin
     return _READERS[field.kind](item, field, f"“{field.name}” of {where}", around)
 
 
-def _expression(item: Item, field: Field, what: str, around: Surroundings) -> object:
-    return read_expression(item, around.scope, what, field.dimension, field.may_use, field.sign)
-
-
-def _pair(item: Item, field: Field, what: str, around: Surroundings) -> object:
-    return read_pair(item, around.scope, what, field.dimension, field.may_use)
-
-
-def _point(item: Item, field: Field, what: str, around: Surroundings) -> object:
-    return read_point(item, around.scope, around.bodies, what)
-
-
 def _two(item: Item, what: str, things: str, example: str) -> list[Item]:
     value = item.value
     if not isinstance(value, (list, tuple)) or len(value) != 2:
@@ -80,10 +68,6 @@ def _two(item: Item, what: str, things: str, example: str) -> list[Item]:
 def _points(item: Item, field: Field, what: str, around: Surroundings) -> object:
     parts = _two(item, what, "points", f'write {field.name} = ["rod.end", "disk.center"]')
     return tuple(read_point(part, around.scope, around.bodies, what) for part in parts)
-
-
-def _body(item: Item, field: Field, what: str, around: Surroundings) -> object:
-    return read_body(item, around.bodies, what)
 
 
 def _two_bodies(item: Item, field: Field, what: str, around: Surroundings) -> object:
@@ -109,22 +93,20 @@ def _choice(item: Item, field: Field, what: str, around: Surroundings) -> object
     return item.value
 
 
-def _name(item: Item, field: Field, what: str, around: Surroundings) -> object:
-    return check_name_item(item, what)
-
-
 _Reader = Callable[[Item, Field, str, Surroundings], object]
 
 _READERS: dict[str, _Reader] = {
-    "expression": _expression,
-    "pair": _pair,
-    "point": _point,
+    "expression": lambda item, field, what, around: read_expression(
+        item, around.scope, what, field.dimension, field.may_use, field.sign
+    ),
+    "pair": lambda item, field, what, around: read_pair(item, around.scope, what, field.dimension, field.may_use),
+    "point": lambda item, field, what, around: read_point(item, around.scope, around.bodies, what),
     "points": _points,
     "line": lambda item, field, what, around: read_line(item, around.scope, what),
-    "body": _body,
+    "body": lambda item, field, what, around: read_body(item, around.bodies, what),
     "two bodies": _two_bodies,
     "bodies": _bodies,
     "choice": _choice,
-    "name": _name,
+    "name": lambda item, field, what, around: check_name_item(item, what),
     "path": lambda item, field, what, around: read_path(item, around.scope, around.bodies, what),
 }

@@ -14,7 +14,7 @@ from rbpsym.statement.scope import Scope
 def finish(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The element with what follows from the poses; refused if its fields contradict each other."""
     for rule in _RULES.get(element.kind, ()):
-        element = rule(element, scope, bodies)
+        element = rule(element, scope, bodies) or element  # most rules only refuse
     return element
 
 
@@ -27,49 +27,44 @@ def bodies_joined(element: Element, key: str) -> tuple[str | None, str | None]:
 def _on_a_body(key: str) -> Callable:
     """The point under `key` must belong to a body."""
 
-    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
         point: PointRef = element[key]
         if point.body is None:
             raise element.error(f"acts on “{point.label}”, a fixed place", "name a point of a body: rod.end.")
-        return element
 
     return rule
 
 
-def _between_points(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _between_points(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     first, second = bodies_joined(element, "between")
     if first == second:
         what = "joins two fixed places" if first is None else f"joins two points of one body, “{first}”"
         raise element.error(what, "at least one end must be able to move against the other.")
-    return element
 
 
-def _between_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _between_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     first, second = element["between"]
     if first == second:
         raise element.error(f"joins “{first}” to itself", "name two different bodies, or “ground” and a body.")
     for name in (first, second):
         if name in bodies and bodies[name].shape.kind == "particle":
             raise element.error(f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
-    return element
 
 
 def _turns(key: str) -> Callable:
     """The body under `key` (if any) must be able to turn."""
 
-    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    def rule(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
         name = element[key]
         if name is not None and bodies[name].shape.kind == "particle":
             raise element.error(f"acts on “{name}”, a particle, which has no angle", "name a body that can turn.")
-        return element
 
     return rule
 
 
-def _other_body(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _other_body(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     if element["on"] == element["reaction_on"]:
         raise element.error(f"acts on “{element['on']}” and reacts on it as well", "name another body.")
-    return element
 
 
 def _pivot_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -95,27 +90,24 @@ def _check_fixed(element: Element, point: PointRef, place: Pair, scope: Scope) -
         )
 
 
-def _joins_two(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _joins_two(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     first, second = bodies_joined(element, "points")
     if first is not None and first == second:
         raise element.error(f"joins the body “{first}” to itself", "name points of two different bodies.")
     if first is None and second is None:
         raise element.error("joins two fixed places", "name a point of a body.")
-    return element
 
 
-def _no_fixed_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _no_fixed_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     for point in element["points"]:
         if point.body is None:
             raise element.error(f"joins a body to “{point.label}”, a fixed place", 'use type = "pivot" for this.')
-    return element
 
 
-def _no_particle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _no_particle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     for point in element["points"]:
         if point.body and bodies[point.body].shape.kind == "particle":
             raise element.error(f"fixes the angle of “{point.body}”, a particle, which has none", "use a pin.")
-    return element
 
 
 def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
@@ -127,7 +119,7 @@ def _weld_angle(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> E
 DOWN = (ZERO, Neg(ONE))
 
 
-def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     """A direction has the length 1 (for numbers that are not all known, it may have it)."""
     squares = (Pow(part, TWO) for part in element["direction"])
     if element["direction"] != DOWN and sign_of(add(*squares, neg(ONE)), scope.given) in (
@@ -136,14 +128,12 @@ def _unit_direction(element: Element, scope: Scope, bodies: Mapping[str, Body]) 
         "nonzero",
     ):
         raise element.error("has a direction that is no unit vector", 'write direction = ["0", "-1"]')
-    return element
 
 
-def _body_frame(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+def _body_frame(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     name = element["on"].body
     if element["frame"] == "body" and bodies[name].shape.kind == "particle":
         raise element.error(f"is fixed in “{name}”, a particle, which has no angle", 'use frame = "space".')
-    return element
 
 
 _RULES: Mapping[str, tuple[Callable, ...]] = {

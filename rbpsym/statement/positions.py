@@ -7,14 +7,28 @@ keys and list positions: `("bodies", "rod", "center", 0)`.
 
 from __future__ import annotations
 
+import re
+import tomllib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from rbpsym.errors import Place
 
 Path = tuple[str | int, ...]
+Key = list[tuple[str, int, int]]  # the parts of a dotted key, each with its offset and width
 
-_BARE_END = ",]}#\n"
-_ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
+_BLANK = re.compile(r"(?:\s|#[^\n]*)*")
+_GAP = re.compile(r"(?:[\s,]|#[^\n]*)*")
+_LINE = re.compile(r"[^\n]*")
+_KEY = re.compile(r"""[ \t]*("(?:\\.|[^"\\])*"|'[^']*'|[\w-]+)[ \t]*""")
+_BARE = re.compile(r"[^,\]}#\n]*")  # a number, a date, true or false
+# strings of the four kinds; up to two quotes before the closing ones belong to the text
+_STRING = re.compile(
+    r'"""\n?(?P<long>(?:\\.|[^\\])*?"{0,2})"""(?!")|"(?P<short>(?:\\.|[^"\\])*)"'
+    r"|'''\n?(?P<long_literal>.*?'{0,2})'''(?!')|'(?P<short_literal>[^']*)'",
+    re.DOTALL,
+)
+_CHARACTER = re.compile(r"\\(?:(?P<nothing>\s+)|u.{4}|U.{8}|x..|.)|.", re.DOTALL)
 
 
 def place_at(file: str, text: str, offset: int, width: int = 1) -> Place:
@@ -66,160 +80,83 @@ def index_positions(text: str) -> PositionIndex:
 
 
 class _Walker:
-    """One pass over the text; `at` is the offset of the next character."""
+    """One pass over the text; what reads a part gives the offset behind it."""
 
     def __init__(self, text: str) -> None:
-        self.text, self.at = text, 0
-        self.index = PositionIndex(text)
+        self.text, self.index = text, PositionIndex(text)
         self.counts: dict[Path, int] = {}
-        self.table: Path = ()
 
     def walk(self) -> None:
-        self._skip_blank()
-        while self.at < len(self.text):
-            self._header() if self._peek() == "[" else self._pair(self.table)
-            self._skip_blank()
+        table, at = (), self._past(_BLANK, 0)
+        while at < len(self.text):
+            if self.text[at] == "[":
+                table, at = self._header(at)
+            else:
+                at = self._pair(table, at)
+            at = self._past(_BLANK, at)
 
-    def _peek(self, width: int = 1) -> str:
-        return self.text[self.at : self.at + width]
+    def _past(self, pattern: re.Pattern[str], at: int) -> int:
+        return pattern.match(self.text, at).end()
 
-    def _skip_spaces(self) -> None:
-        while self._peek() in (" ", "\t"):
-            self.at += 1
-
-    def _skip_blank(self) -> None:
-        """Past white space, line ends and comments."""
-        while self._peek() and self._peek() in " \t\r\n#":
-            self.at = self._line_end() if self._peek() == "#" else self.at + 1
-
-    def _line_end(self) -> int:
-        end = self.text.find("\n", self.at)
-        return len(self.text) if end < 0 else end
-
-    def _header(self) -> None:
-        """A line `[a.b]` or `[[a.b]]`."""
-        is_list = self._peek(2) == "[["
-        self.at += 2 if is_list else 1
-        parts = self._key_path()
+    def _header(self, at: int) -> tuple[Path, int]:
+        """A line `[a.b]` or `[[a.b]]`: the table that begins there."""
+        is_list = self.text.startswith("[[", at)
+        parts, at = self._key(at + 1 + is_list)
         path: Path = ()
         for name, start, width in parts:
-            path = self._last_of_list((*path, name))
+            path = (*path, name)
+            path = (*path, self.counts[path] - 1) if path in self.counts else path
             self.index.keys.setdefault(path, (start, width))
         if is_list:
-            path = self._next_of_list(path, parts[-1])
-        self.table = path
-        self.at = self._line_end()
+            base = path[:-1] if isinstance(path[-1], int) else path
+            path = (*base, self.counts.get(base, 0))
+            self.counts[base] = path[-1] + 1
+            self.index.keys[path] = parts[-1][1:]
+        return path, self._past(_LINE, at)
 
-    def _last_of_list(self, path: Path) -> Path:
-        return (*path, self.counts[path] - 1) if path in self.counts else path
+    def _key(self, at: int) -> tuple[Key, int]:
+        found = _KEY.match(self.text, at)
+        is_quoted = found[1][0] in "\"'"
+        name = next(iter(tomllib.loads(f"{found[1]} = 0"))) if is_quoted else found[1]
+        part = (name, found.start(1), len(found[1]))
+        if self.text[found.end()] != ".":
+            return [part], found.end()
+        others, at = self._key(found.end() + 1)
+        return [part, *others], at
 
-    def _next_of_list(self, path: Path, part: tuple[str, int, int]) -> Path:
-        base = path[:-1] if isinstance(path[-1], int) else path
-        count = self.counts.get(base, 0)
-        self.counts[base] = count + 1
-        self.index.keys[(*base, count)] = part[1:]
-        return (*base, count)
-
-    def _key_path(self) -> list[tuple[str, int, int]]:
-        """The parts of a dotted key with the offset and width of each."""
-        parts = [self._key_part()]
-        while self._peek() == ".":
-            self.at += 1
-            parts.append(self._key_part())
-        return parts
-
-    def _key_part(self) -> tuple[str, int, int]:
-        self._skip_spaces()
-        start = self.at
-        name = self._quoted_key() if self._peek() in "\"'" else self._bare_key()
-        width = self.at - start
-        self._skip_spaces()
-        return name, start, width
-
-    def _bare_key(self) -> str:
-        start = self.at
-        while self._peek().isalnum() or self._peek() in ("_", "-"):
-            self.at += 1
-        return self.text[start : self.at]
-
-    def _quoted_key(self) -> str:
-        import tomllib
-
-        start = self.at
-        self._string(())
-        return next(iter(tomllib.loads(f"{self.text[start : self.at]} = 0")))
-
-    def _pair(self, table: Path) -> None:
+    def _pair(self, path: Path, at: int) -> int:
         """`key = value`."""
-        path = table
-        for name, start, width in self._key_path():
+        parts, at = self._key(at)
+        for name, start, width in parts:
             path = (*path, name)
             self.index.keys.setdefault(path, (start, width))
-        self.at += 1
-        self._value(path)
+        return self._value(path, at + 1)
 
-    def _value(self, path: Path) -> None:
-        self._skip_spaces()
-        start = self.at
-        reader = {'"': self._string, "'": self._string, "[": self._list, "{": self._inline}
-        reader.get(self._peek(), self._bare)(path)
-        self.index.values[path] = (start, self.at)
-
-    def _bare(self, path: Path) -> None:
-        """A number, a date, true or false."""
-        start = self.at
-        while self._peek() and self._peek() not in _BARE_END:
-            self.at += 1
-        self.at = start + len(self.text[start : self.at].rstrip())
-
-    def _list(self, path: Path) -> None:
-        self.at += 1
-        self._skip_blank()
-        count = 0
-        while self._peek() != "]":
-            self._value((*path, count))
-            count += 1
-            self._skip_separator()
-        self.at += 1
-
-    def _inline(self, path: Path) -> None:
-        self.at += 1
-        self._skip_blank()
-        while self._peek() != "}":
-            self._pair(path)
-            self._skip_separator()
-        self.at += 1
-
-    def _skip_separator(self) -> None:
-        self._skip_blank()
-        if self._peek() == ",":
-            self.at += 1
-        self._skip_blank()
-
-    def _string(self, path: Path) -> None:
-        """A string of any of the four kinds; keeps the offset of each of its characters."""
-        quote = self._peek()
-        long = self._peek(3) == quote * 3
-        delimiter = quote * 3 if long else quote
-        self.at += len(delimiter)
-        if long and self._peek() == "\n":
-            self.at += 1
-        offsets: list[int] = []
-        while self._peek(len(delimiter)) != delimiter:
-            self._character(offsets, escapes=quote == '"')
-        while long and self._peek(4) == quote * 4:  # quotes that belong to the text
-            self._character(offsets, escapes=False)
-        self.index.strings[path] = [*offsets, self.at]
-        self.at += len(delimiter)
-
-    def _character(self, offsets: list[int], escapes: bool) -> None:
-        if not (escapes and self._peek() == "\\"):
-            offsets.append(self.at)
-            self.at += 1
-        elif self._peek(2)[1].isspace():  # the end of the line is not part of the text
-            self.at += 1
-            while self._peek().isspace():
-                self.at += 1
+    def _value(self, path: Path, at: int) -> int:
+        start = self._past(_BLANK, at)
+        if self.text[start] in "[{":
+            end = self._group(path, start)
+        elif found := _STRING.match(self.text, start):
+            self.index.strings[path] = [*_characters(found), found.end(found.lastgroup)]
+            end = found.end()
         else:
-            offsets.append(self.at)
-            self.at += _ESCAPE_LENGTH.get(self._peek(2)[1], 2)
+            end = start + len(_BARE.match(self.text, start)[0].rstrip())
+        self.index.values[path] = (start, end)
+        return end
+
+    def _group(self, path: Path, at: int) -> int:
+        """A list, or a table in braces."""
+        is_list, count = self.text[at] == "[", 0
+        at = self._past(_GAP, at + 1)
+        while self.text[at] not in "]}":
+            at = self._value((*path, count), at) if is_list else self._pair(path, at)
+            at, count = self._past(_GAP, at), count + 1
+        return at + 1
+
+
+def _characters(found: re.Match[str]) -> Iterable[int]:
+    """The offset of each character of a string; the end of a line behind a backslash is not part of the text."""
+    start, end = found.span(found.lastgroup)
+    if found.lastgroup.endswith("literal"):
+        return range(start, end)
+    return (one.start() for one in _CHARACTER.finditer(found.string, start, end) if not one["nothing"])

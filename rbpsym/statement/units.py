@@ -1,4 +1,4 @@
-"""Units as students type them: m/s², m s^-2, N·m, Nm, km/h, rad/s, °, rpm, \\mathrm{m/s^2}, metros.
+r"""Units as students type them: m/s², m s^-2, N·m, Nm, km/h, rad/s, °, rpm, \mathrm{m/s^2}, metros.
 
 A unit is a factor to SI and powers of base units. Nothing is evaluated; an unknown unit is a sentence.
 """
@@ -16,7 +16,48 @@ from types import MappingProxyType
 
 from rbpsym.errors import Place, ReadError
 from rbpsym.quantities import Dimension
-from rbpsym.statement.unit_words import in_signs, unprefixed
+
+# --- units in words, as siunitx has them, and written close together: metres per second squared, \per\second, ms^-1
+
+
+_STEPS = (
+    (re.compile(r"\\(?:square)\s*\\([A-Za-z]+)"), r"\1^2"),
+    (re.compile(r"\\(?:cubic)\s*\\([A-Za-z]+)"), r"\1^3"),
+    (re.compile(r"\\squared(?![A-Za-z])"), "^2"),
+    (re.compile(r"\\cubed(?![A-Za-z])"), "^3"),
+    (re.compile(r"\\per(?![A-Za-z])"), "/"),
+    (re.compile(r"\\(?=[A-Za-z])"), " "),
+    (re.compile(r"\s*\b(?:per|por|entre)\b\s*"), "/"),
+    (re.compile(r"\s+(?:squared|al cuadrado|cuadrados?)\b"), "^2"),
+    (re.compile(r"\s+(?:cubed|al cubo|cúbicos?)\b"), "^3"),
+    (re.compile(r"\bsquare\s+([A-Za-z]+)"), r"\1^2"),
+    (re.compile(r"\bcubic\s+([A-Za-z]+)"), r"\1^3"),
+    (re.compile(r"(?<![A-Za-z])ms(?=\s*(?:\^|\*\*)?\s*[({]?\s*[-−⁻])"), "m s"),  # of m/s, never one over milliseconds
+    (re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])"), "·"),
+    (re.compile(r"\["), "("),
+    (re.compile(r"\]"), ")"),
+)
+PREFIXES = {"kilo": "k", "mega": "M", "giga": "G", "milli": "m", "mili": "m", "centi": "c", "deci": "d", "micro": "µ"}
+
+
+def in_signs(text: str) -> str:
+    """The unit with signs instead of words.
+
+    >>> in_signs("meters per second squared")
+    'meters/second^2'
+    """
+    for pattern, sign in _STEPS:
+        text = pattern.sub(sign, text)
+    return text
+
+
+def unprefixed(word: str) -> tuple[str, str] | None:
+    """(sign of the prefix, the rest) of kilonewton; None if it begins with no prefix."""
+    return next(((sign, word[len(name) :]) for name, sign in PREFIXES.items() if word.lower().startswith(name)), None)
+
+
+# ---
+
 
 Powers = tuple[tuple[str, Fraction], ...]
 MOST_POWER, LONGEST = 12, 120
@@ -100,9 +141,9 @@ _WORDS: Mapping[str, str] = MappingProxyType({
     "revolution": "rev", "revolutions": "rev", "turn": "rev", "turns": "rev", "vueltas": "rev", "ohm": "Ω",
     "ohms": "Ω", "Ohm": "Ω", "volt": "V", "volts": "V", "kph": "km/h", "centimeters": "cm", "kilometers": "km",
 })  # fmt: skip
-_TOKEN = re.compile(r"\s*(?:(?P<name>[A-Za-zµμΩΩáéíóú°%]+)|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<number>\d+)"
-                    r"|(?P<sign>\*\*|[*/^()·⋅×.\-−+]))")  # fmt: skip
-_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_POWER = r"[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+|(?:\^|\*\*)\s*\(\s*[-−]?\s*\d+\s*\)|(?:\^|\*\*)?\s*[-−]?\s*\d+"
+_TOKEN = re.compile(rf"\s*(?:(?P<name>[A-Za-zµμΩΩáéíóú°%]+)|(?P<power>{_POWER})|(?P<sign>\*\*|[*/^()·⋅×.\-−+]))")
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺−", "0123456789-+-")
 
 
 def _single(name: str) -> UnitOf | None:
@@ -202,7 +243,7 @@ def _factor(tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
         if not rest:
             raise _refused(text, "(")
         return _raised(found, rest[1:], text)
-    if kind == "number" and what == "1":
+    if kind == "power" and what == "1":
         return PURE, rest
     found = _units_of(what) if kind == "name" else None
     if found is None:
@@ -227,29 +268,10 @@ def _units_of(word: str) -> tuple[UnitOf, ...] | None:
 
 
 def _raised(unit: UnitOf, tokens: Tokens, text: str) -> tuple[UnitOf, Tokens]:
-    """The unit with the exponent that follows: ^2, ², 2, -2."""
-    power, rest = _exponent(tokens)
-    if power is None:
+    """The unit with the exponent that follows: ^2, ², 2, -2, **(-2)."""
+    if not tokens or tokens[0][0] != "power":
         return unit, tokens
+    power = re.sub(r"[\s^*()]", "", tokens[0][1].translate(_SUPERSCRIPTS))
     if len(power) > 4 or abs(int(power)) > MOST_POWER:
         raise ReadError("this exponent of a unit can't be read", instead="Write it as in s^-2.", place=Place(text=text))
-    return unit ** Fraction(int(power)), rest
-
-
-def _exponent(tokens: Tokens) -> tuple[str | None, Tokens]:
-    """(the exponent as text or None, what follows)."""
-    texts = [text for _, text in tokens[:5]]
-    kinds = [kind for kind, _ in tokens[:1]]
-    if kinds == ["raised"]:
-        return texts[0].translate(_SUPERSCRIPTS), tokens[1:]
-    skip = 1 if texts[:1] in (["^"], ["**"]) else 0
-    bracket = skip and texts[1:2] == ["("]
-    start = skip + bool(bracket)
-    sign = "-" if texts[start : start + 1] in (["-"], ["−"]) else ""
-    start += bool(sign)
-    if start >= len(tokens) or tokens[start][0] != "number":
-        return None, tokens
-    end = start + 1 + bool(bracket)
-    if bracket and texts[end - 1 : end] != [")"]:
-        return None, tokens
-    return sign + tokens[start][1], tokens[end:]
+    return unit ** Fraction(int(power)), tokens[1:]

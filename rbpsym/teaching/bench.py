@@ -21,9 +21,9 @@ from rbpsym.notation.glyphs import Notation
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import unit_of
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
-from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Asked, Item, Measure
 from rbpsym.teaching.ranges import Range, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in

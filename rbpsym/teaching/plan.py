@@ -24,8 +24,8 @@ from rbpsym.statement.loader import load_problem, load_table
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import codes
 from rbpsym.teaching.bench import Bench, Prepared, Setting, evaluator, generic_state
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.distractors import pool
-from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
 from rbpsym.teaching.papers.statement import given_table, statement_blocks
 from rbpsym.teaching.ranges import Range

@@ -19,8 +19,8 @@ from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import scale_of, unit_of, unit_text
 from rbpsym.statement.source import Item, Table, kind_of
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
-from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.units import known_unit, measure_text, si
 

@@ -20,8 +20,8 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import LENGTH, NUMBER
 from rbpsym.statement.model import Coordinate
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
-from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.model import Measure
 from rbpsym.teaching.ranges import Range, default_ranges, middles, named_quantities, step_near
 from rbpsym.teaching.units import si

@@ -37,7 +37,7 @@ ALLOWED = {
     "teaching/record.py": READS,
     "teaching/retold.py": "a body, force, work or premise that a wrong physics has not: that differs, or is not told",
     "teaching/tasks/choose.py": FLOATS,
-    "teaching/tasks/number.py": FLOATS,
+    "teaching/tasks/results.py": FLOATS,
     "verify/claims_run.py": READS,
     "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",
     "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",

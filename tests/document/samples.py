@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import (
@@ -35,6 +34,7 @@ from rbpsym.document.model import (
     Text,
     words,
 )
+from rbpsym.document.notes_figures import describe, describe_free_body
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.tree import (
     Add,

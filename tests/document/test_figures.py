@@ -8,7 +8,6 @@ from itertools import pairwise
 import pytest
 
 from rbpsym.document.figures import placing
-from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.dimensions import solid_line
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.outlines import OUTLINES
@@ -18,6 +17,7 @@ from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, Sketc
 from rbpsym.document.figures.svg import SCALE, number, to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing
+from rbpsym.document.notes_figures import describe, describe_free_body
 from rbpsym.statement.shapes import SHAPES
 from tests.document.collisions import collisions
 from tests.document.gallery import GALLERY

@@ -7,7 +7,6 @@ from functools import cache
 
 import pytest
 
-from rbpsym.document.figures.describe import describe, describe_free_body
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Scene
@@ -16,6 +15,7 @@ from rbpsym.document.figures.sketch import Sketch
 from rbpsym.document.figures.svg import to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.language import problem_notation
+from rbpsym.document.notes_figures import describe, describe_free_body
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.sketches import sketch_of_pose
 from rbpsym.mechanics.numbers import number

@@ -17,13 +17,12 @@ from rbpsym.equality.dimensions import a
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.answer import grade_answer
-from rbpsym.teaching.grading.book import book
 from rbpsym.teaching.grading.feedback import comment, translated
+from rbpsym.teaching.grading.ground import book
 from rbpsym.teaching.grading.reading import read_formula
 from rbpsym.teaching.model import Slip
-from rbpsym.teaching.wording import languages
+from rbpsym.teaching.wording import languages, say_slip
 
 HOUSE = Path(rbpsym.__file__).parent
 READERS = (

@@ -17,7 +17,7 @@ from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import library_folder, worksheet_files
 from rbpsym.teaching import codes
-from rbpsym.teaching.draws import Draws
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.model import Student, Worksheet
 from rbpsym.teaching.papers.html_fields import spellings

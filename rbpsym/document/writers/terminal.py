@@ -10,7 +10,7 @@ from textwrap import wrap
 import click
 
 from rbpsym.document import model as d
-from rbpsym.document.columns import columns, padded
+from rbpsym.document.escaping import columns, padded
 from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, Kind, Verdict, all_of

@@ -11,9 +11,9 @@ from rbpsym.document.model import Block, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.teaching.exports.page import Paper, blocks_html, slug, zipped
-from rbpsym.teaching.exports.telling import feedback, left_out, word
 from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet
+from rbpsym.teaching.wording import feedback, left_out, word
 
 # what a format may be unable to carry; a platform may say it in other words, and "" where it is able to
 LACKS: Mapping[str, str] = {

@@ -13,8 +13,8 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, by_items, orders
 from rbpsym.teaching.exports.page import Paper
-from rbpsym.teaching.exports.telling import left_out, name_of
 from rbpsym.teaching.formats import Exported, Options
+from rbpsym.teaching.wording import left_out, name_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,9 +22,9 @@ from rbpsym.teaching.exports.bench import Desk, Platform, by_items
 from rbpsym.teaching.exports.names import maxima
 from rbpsym.teaching.exports.page import Paper, filled, written
 from rbpsym.teaching.exports.question import Formulas
-from rbpsym.teaching.exports.telling import left_out, name_of
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Item
+from rbpsym.teaching.wording import left_out, name_of
 
 # --- STACK questions: a formula is compared by Maxima; the response tree asks for each misconception in turn
 # Each question brings tests of its own: the right answer, and every anticipated wrong one, with the

@@ -19,8 +19,8 @@ from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform
 from rbpsym.teaching.exports.names import sympy_text
 from rbpsym.teaching.exports.page import Paper, between, slug
-from rbpsym.teaching.exports.telling import feedback, left_out
 from rbpsym.teaching.formats import Exported, Options
+from rbpsym.teaching.wording import feedback, left_out
 
 OURS = UUID("6f0a1a5e-6a0e-5f6c-9a39-2d0c5b7f9d11")  # the space in which the ids of questions are made
 

@@ -13,10 +13,9 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import model as m
 from rbpsym.teaching.grading import judgement as j
-from rbpsym.teaching.grading.book import book
 from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
 from rbpsym.teaching.grading.formula import Sought, judge_formula
-from rbpsym.teaching.grading.ground import Ground, ground_of
+from rbpsym.teaching.grading.ground import Ground, book, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in

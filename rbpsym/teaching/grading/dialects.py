@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable
 from types import MappingProxyType
 
-from rbpsym.teaching.grading.book import Book
+from rbpsym.teaching.grading.ground import Book
 from rbpsym.teaching.grading.words import CALLED, OTHER_FUNCTIONS, WORD, lookup
 
 NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)"

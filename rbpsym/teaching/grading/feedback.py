@@ -20,13 +20,12 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation.glyphs import renamed
 from rbpsym.notation.mathml import to_mathml
 from rbpsym.notation.tree import Node
-from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.grading.desk import Mark
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status, sentence
 from rbpsym.teaching.model import Slip, Worksheet
 from rbpsym.teaching.papers.naming import own
 from rbpsym.teaching.units import number_text
-from rbpsym.teaching.wording import FOLDER, teaching_phrases
+from rbpsym.teaching.wording import FOLDER, say_slip, teaching_phrases
 
 # --- what the readers say of an answer that can't be read, in the language of the worksheet
 # Readers speak English. As in gettext, the English sentence with its places is the key of its translation, in the table

@@ -13,13 +13,11 @@ from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.units import UnitOf, read_unit
-from rbpsym.teaching.grading.book import Book
-from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.ground import Book, Ground
 from rbpsym.teaching.grading.intervals import enclosed
 from rbpsym.teaching.grading.judgement import Judgement, wrong
-from rbpsym.teaching.grading.standard import MADE
 from rbpsym.teaching.grading.typed import is_latex, unframed, with_decimal_points
-from rbpsym.teaching.grading.words import WORD, lookup, spelled
+from rbpsym.teaching.grading.words import MADE, WORD, lookup, spelled
 
 LONGEST, LARGEST_POWER = 200, 30
 

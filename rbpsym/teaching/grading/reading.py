@@ -11,11 +11,10 @@ from rbpsym.errors import Place, ReadError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import Ways, read_infix, read_relation, read_ways
 from rbpsym.notation.latex_reader import latex_ways, read_latex
-from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import arguments_from, latex, without_unit
-from rbpsym.teaching.grading.standard import EULER, MADE, standard
+from rbpsym.teaching.grading.ground import Book
 from rbpsym.teaching.grading.typed import checked_length, is_latex, plain, unframed, unlabelled, with_decimal_points
-from rbpsym.teaching.grading.words import WORD, lookup
+from rbpsym.teaching.grading.words import EULER, MADE, WORD, lookup, standard
 
 # --- integrals as one types them: ∫_{a}^{b} f dθ, Integral(f, (θ, a, b)), integrate(f, θ, a, b), int(f, θ=a..b)
 

@@ -12,8 +12,8 @@ from types import MappingProxyType
 from rbpsym.errors import LimitError, Place
 from rbpsym.notation.infix_names import MAX_LENGTH
 from rbpsym.teaching.grading import dialects as d
-from rbpsym.teaching.grading.book import Book
 from rbpsym.teaching.grading.dialects import NUMBER, is_label
+from rbpsym.teaching.grading.ground import Book
 from rbpsym.teaching.grading.words import GREEK, dotted, lookup, spelled
 
 _FRAMES = (("$$", "$$"), ("$", "$"), (r"\(", r"\)"), (r"\[", r"\]"), ("`", "`"))

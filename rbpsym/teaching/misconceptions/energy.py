@@ -15,7 +15,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.model import Element
-from rbpsym.teaching.misconceptions import change
+from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import ENERGY, WELL, WORKS, Misconception, Site
 from rbpsym.teaching.targets import axes
 

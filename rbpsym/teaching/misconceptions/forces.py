@@ -18,7 +18,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
-from rbpsym.teaching.misconceptions import change
+from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_FORCES, WELL, Misconception, Site
 
 

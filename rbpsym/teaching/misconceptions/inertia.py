@@ -14,8 +14,18 @@ from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.teaching.misconceptions.change import spinning, with_body, with_inertia, with_parts
-from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
+from rbpsym.teaching.misconceptions.model import (
+    INERTIA,
+    NO_INERTIA,
+    SPIN,
+    WELL,
+    Misconception,
+    Site,
+    spinning,
+    with_body,
+    with_inertia,
+    with_parts,
+)
 from rbpsym.teaching.targets import axes
 
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}

@@ -13,7 +13,7 @@ from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
-from rbpsym.teaching.misconceptions import change
+from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import FORCES, MOTION, NO_INERTIA, SPIN, WELL, Misconception, Site
 
 

@@ -1,12 +1,21 @@
-"""A misconception, and the places in a problem where a student may fall for it."""
+"""A misconception, the places in a problem where a student may fall for it, and studies in which a part was replaced."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.vector import Vector
+from rbpsym.errors import NoNumber
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.system import BodyState, Force, System
+from rbpsym.statement.model import Element
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,3 +52,102 @@ ENERGY = frozenset({"speed", "reaction", "loss"})
 WELL: frozenset[str] = frozenset()  # the derivation with the slip reads well as it is
 NO_INERTIA = frozenset({"inertia"})  # it does from the angular momentum on
 NO_FORCES = frozenset({"inertia", "forces"})
+
+
+# --- studies in which a part of the mechanics was replaced; all else is worked out from it as always
+
+
+def with_parts(study: Study, **parts: object) -> Study:
+    """The same problem, with these parts of `Study` (by the names of its properties) taken as given.
+
+    The parts that are not given are worked out anew from those that are.
+    """
+    wrong = Study(study.problem)
+    for name, part in parts.items():
+        kept = name if isinstance(getattr(Study, name), cached_property) else f"_{name}"
+        assert isinstance(getattr(Study, kept), cached_property), name
+        wrong.__dict__[kept] = part  # a cached property is looked up there first
+    return wrong
+
+
+def with_body(study: Study, name: str, **changes: object) -> System:
+    """The system with the state of one body changed."""
+    bodies = {**study.system.bodies, name: replace(study.system.bodies[name], **changes)}
+    return replace(study.system, bodies=bodies)
+
+
+def with_inertia(study: Study, name: str, **changes: Scalar) -> Study:
+    """The study with another mass or moment of inertia of a body; the forces stay as they are."""
+    own = replace(study.system.bodies[name].inertia, **changes)
+    return with_parts(study, system=with_body(study, name, inertia=own))
+
+
+def with_forces(study: Study, change: Callable[[Force], Force | None]) -> Study:
+    """The study with changed forces (None drops one)."""
+    found = (change(force) for force in study.system.forces)
+    return with_parts(study, system=replace(study.system, forces=tuple(f for f in found if f is not None)))
+
+
+def with_weight(study: Study, body: str, change: Callable[[Force], Force]) -> Study:
+    """The weight of a body changed."""
+    return with_forces(study, lambda f: change(f) if (f.law, f.on) == ("gravity", body) else f)
+
+
+def with_kinematics(study: Study, system: System, **more: object) -> Study:
+    """Another kinematics of bodies in momenta, energies and works; the true dynamics stays."""
+    return with_parts(study, system=system, **{"dynamics": study.dynamics, "squares": study.squares, **more})
+
+
+def with_reactions(study: Study, found: Mapping[str, Scalar]) -> Study:
+    """Other values of the unknown forces; the true motion stays."""
+    return with_kinematics(study, study.system, dynamics=replace(study.dynamics, reactions=found))
+
+
+def with_elements(study: Study, change: Callable[[Element], Element | None]) -> Study:
+    """Interactions and constraints of the statement changed (None drops one), all else derived anew."""
+    problem = study.problem
+    kept = {key: tuple(filter(None, map(change, getattr(problem, key)))) for key in ("interactions", "constraints")}
+    return Study(replace(problem, **kept))
+
+
+def with_element(study: Study, element: Element, changed: Element) -> Study:
+    """One element of the statement changed, all else derived anew."""
+    return with_elements(study, lambda e: changed if e is element else e)
+
+
+def numbers_of(study: Study) -> dict[str, float]:
+    """Sample numbers, to choose the sense of a vector; never for a verdict."""
+    numbers = sample(study.problem)
+    return numbers | {name: number(value, numbers) for name, value in study.system.dependent.items()}
+
+
+def sign_of(study: Study, value: Scalar) -> int:
+    """Sign of a value at sample numbers, 0 if it is too small to tell or unknown."""
+    try:
+        found = number(value, numbers_of(study))
+    except NoNumber:
+        return 0
+    return 0 if abs(found) < 1e-9 else 1 if found > 0 else -1
+
+
+def arm_of(study: Study, name: str) -> Vector | None:
+    """From the fixed axis about which a body turns to its centre of mass; None if there is no such axis."""
+    from rbpsym.teaching.targets import axes
+
+    found = axes(study).get(name)
+    return None if found is None else study.system.bodies[name].center - study.origins[found[0]]
+
+
+def weights(study: Study, body: str | None = None) -> list[Force]:
+    """The weights (of one body)."""
+    return [f for f in study.system.forces if f.law == "gravity" and body in (None, f.on)]
+
+
+def spinning(study: Study) -> Iterable[tuple[str, BodyState]]:
+    """Bodies that turn and have a moment of inertia."""
+    return [(n, s) for n, s in study.system.bodies.items() if s.moment and s.omega and not is_zero(s.omega)]
+
+
+def is_nonzero(node: object) -> bool:
+    """Whether a tree of a statement has a value that does not vanish identically."""
+    return node is not None and not is_zero(scalar(node))

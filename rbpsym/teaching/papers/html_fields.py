@@ -16,8 +16,8 @@ from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Node, Sym
 from rbpsym.statement.printed_units import UNITS
 from rbpsym.teaching import model as m
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
-from rbpsym.teaching.draws import Draws
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.papers.layout import SIGN_WORDS, feedback
 from rbpsym.teaching.units import si

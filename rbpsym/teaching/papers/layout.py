@@ -10,10 +10,9 @@ from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
-from rbpsym.teaching.exports.telling import say_slip
 from rbpsym.teaching.papers.blocks import LETTERS, Form, Lead, Marked, Options, Rules, Space
 from rbpsym.teaching.units import measure_text, number_text
-from rbpsym.teaching.wording import plain_text, say
+from rbpsym.teaching.wording import plain_text, say, say_slip
 
 SIGN_WORDS = {"+": "positive", "-": "negative", "0": "zero"}
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Paragraph
 from rbpsym.teaching.bench import Bench, Prepared, Setting
-from rbpsym.teaching.draws import Draws
+from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.lines import lines_to, piece, precedence
 from rbpsym.teaching.model import Item, OrderKey
 from rbpsym.teaching.papers.blocks import LETTERS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.teaching.tasks import choose, compare, explain, fill_in, formula, number, order, signs, slip
+from rbpsym.teaching.tasks import choose, compare, explain, fill_in, order, results, signs, slip
 from rbpsym.teaching.tasks.wish import Prepare
 
 TASKS: Mapping[str, Prepare] = {
@@ -13,8 +13,8 @@ TASKS: Mapping[str, Prepare] = {
     "order": order.prepare,
     "find-the-slip": slip.prepare,
     "signs": signs.prepare,
-    "formula": formula.prepare,
-    "number": number.prepare,
+    "formula": results.formulas,
+    "number": results.numbers,
     "compare": compare.prepare,
     "explain": explain.prepare,
 }

@@ -12,7 +12,7 @@ from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import Bench, Prepared, Setting
 from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import gist, lines_to, piece, precedence
-from rbpsym.teaching.misconceptions.change import sign_of
+from rbpsym.teaching.misconceptions.model import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
 from rbpsym.teaching.situations import Scenery
