@@ -424,10 +424,9 @@ def test_references_are_resolved_or_told() -> None:
 
     from rbpsym.document.model import Paragraph, Ref, Text
     from rbpsym.teaching.exports.bench import Desk
-    from rbpsym.teaching.exports.page import Paper
 
     figure = replace(SHEETS[0].parts[0].statement[1], label="fig")
-    text = Desk(SHEETS[0], Paper()).html(
+    text = Desk(SHEETS[0]).html(
         (Paragraph((Text("See Figure "), Ref("fig"), Text(" and "), Ref("step.7"))), figure)
     )
     assert "See Figure 1 and a step of the derivation" in text and "Figure 1. " in text

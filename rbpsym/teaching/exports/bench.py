@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from hashlib import sha256
 from typing import Any
 
-from rbpsym.document.model import Block, Inlines
+from rbpsym.document.model import Block, FigureBlock, Inlines
 from rbpsym.document.writers.page import Page
 from rbpsym.document.writers.plain_text import plain_text
-from rbpsym.teaching.exports.page import Paper, blocks_html, slug, zipped
+from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped
 from rbpsym.teaching.formats import Exported
 from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet
 from rbpsym.teaching.wording import feedback, left_out, word
@@ -34,32 +35,50 @@ LACKS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class Platform:
-    """A learning platform: its name, a page for it, how it asks keys for which it has a way of its own (by type),
-    what it lacks in other words than `LACKS`, and how it shows a drop-down within text."""
+    """A learning platform: how it sets formulas, shows pictures and where these lie, how it asks keys for which it has a
+    way of its own (by type), what it lacks in other words than `LACKS`, and how it shows a drop-down within text."""
 
     name: str
-    paper: Callable[[dict], Paper]
+    formula: SetFormula = TEX
+    tag: PictureTag = image
+    folder: str = ""
     kinds: Mapping[type, Callable[[Item, Desk], Any]] = field(default_factory=dict)
     lacks: Mapping[str, str] = field(default_factory=dict)
     dropdown: Callable[[Any], str] = lambda field: f"[{field.name}]"
 
 
-ANY = Platform("", lambda drawn: Paper(drawn=drawn))
+ANY = Platform("")
 
 
 @dataclass(frozen=True)
 class Desk:
-    """A worksheet on its way into a format; `missing` collects (item, what the format can't carry)."""
+    """A worksheet on its way into a format.
+
+    `missing` collects (item, what the format can't carry), `pictures` the files by name, `marks` the numbers of the
+    figures of one question; `drawn` are pictures that many students get, by the identity of their blocks.
+    """
 
     worksheet: Worksheet
-    paper: Paper
-    missing: list[tuple[Item, str]] = field(default_factory=list)
     platform: Platform = ANY
+    missing: list[tuple[Item, str]] = field(default_factory=list)
+    drawn: dict[int, tuple[FigureBlock, bytes]] = field(default_factory=dict)
+    pictures: dict[str, bytes] = field(default_factory=dict)
+    marks: dict[str, str] = field(default_factory=dict)
 
     @cached_property
     def page(self) -> Page:
         """The page on which formulas and words are set."""
-        return self.paper.page(self.worksheet.notation, self.worksheet.language)
+        printed = table(self.platform.formula, self._picture, self.marks)
+        return Page(printed, self.worksheet.notation, self.worksheet.language)
+
+    def _picture(self, block: FigureBlock) -> str:
+        """A figure as a picture with its file."""
+        if id(block) not in self.drawn:
+            self.drawn[id(block)] = (block, svg(block.scenes, self.worksheet.notation))
+        data = self.drawn[id(block)][1]
+        name = f"figure-{sha256(data).hexdigest()[:10]}.svg"
+        self.pictures[name] = data
+        return self.platform.tag(self.platform.folder + name, block.alt)
 
     def lacks(self, item: Item, what: str) -> None:
         """Note what the format can't carry: a key of `LACKS`, or of the platform's own table."""
@@ -77,8 +96,10 @@ class Desk:
     def html(self, blocks: Iterable[Block]) -> str:
         """Blocks as HTML."""
         shown = tuple(blocks)
-        self.paper.number(shown)
-        return blocks_html(shown, self.page)
+        labels = (block.label for block in shown if isinstance(block, FigureBlock))
+        self.marks.clear()
+        self.marks.update((label, str(place)) for place, label in enumerate(labels, start=1) if label)
+        return self.page.blocks(shown, "\n")
 
     def inlines(self, inlines: Inlines) -> str:
         """Inlines as HTML."""
@@ -86,7 +107,7 @@ class Desk:
 
     def formula(self, node: object) -> str:
         """A formula within a sentence."""
-        return self.paper.formula(node, self.worksheet.notation, False)
+        return self.platform.formula(node, self.worksheet.notation, False)
 
     def plain(self, inlines: Inlines) -> str:
         """Inlines as plain text."""
@@ -109,7 +130,7 @@ def in_packages(worksheets: tuple[Worksheet, ...], platform: Platform, package: 
     """A zip package for each student; `package` gives its files by path."""
     files, missing, drawn = {}, [], {}
     for sheet in worksheets:
-        desk = Desk(sheet, platform.paper(drawn), missing, platform)
+        desk = Desk(sheet, platform, missing, drawn)
         files[f"{slug(sheet.code)}.{platform.name.split()[0].lower()}.zip"] = zipped(package(desk))
     return Exported(files, left_out(platform.name, missing))
 
@@ -119,7 +140,7 @@ def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: lis
     drawn: dict = {}
     for place in range(max((len(sheet.items) for sheet in worksheets), default=0)):
         sheets = (sheet for sheet in worksheets if place < len(sheet.items))
-        yield [(sheet.items[place], Desk(sheet, platform.paper(drawn), missing, platform)) for sheet in sheets]
+        yield [(sheet.items[place], Desk(sheet, platform, missing, drawn)) for sheet in sheets]
 
 
 def nearest_pairs(key: OrderKey) -> list[tuple[int, int]]:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, in_packages
-from rbpsym.teaching.exports.page import Paper, identifier, written
+from rbpsym.teaching.exports.page import identifier, written
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
 
@@ -26,7 +26,7 @@ def package(desk: Desk) -> dict[str, bytes]:
     sheet = desk.worksheet
     about = {"name": identifier(sheet.code), "title": f"{desk.plain(sheet.title)} {sheet.code}", "points": sheet.points}
     items = [(item, q.asked_as(item, desk), desk.question(item)) for item in sheet.items]
-    pictures = {f"images/{path}": data for path, data in desk.paper.pictures.items()}
+    pictures = {f"images/{path}": data for path, data in desk.pictures.items()}
     shown = {path: identifier(path) for path in pictures}
     return {
         f"{about['name']}/{about['name']}.xml": written("canvas.xml", items=items, desk=desk, kinds=SHELLS, **about),
@@ -40,4 +40,4 @@ LACKS: Mapping[str, str] = {
     "slips of numbers": "a number takes no feedback on misconceptions",
     "rubric": "the rubric and the sample answer are not shown to who marks it: they stand in the key",
 }
-CANVAS = Platform("Canvas", lambda drawn: Paper(folder="%24IMS-CC-FILEBASE%24/images/", drawn=drawn), lacks=LACKS)
+CANVAS = Platform("Canvas", folder="%24IMS-CC-FILEBASE%24/images/", lacks=LACKS)

@@ -12,7 +12,6 @@ from rbpsym.document.model import FigureBlock
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, by_items, orders
-from rbpsym.teaching.exports.page import Paper
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import left_out, name_of
 
@@ -127,7 +126,7 @@ LACKS: Mapping[str, str] = {
 }
 GIFT = Platform(
     "GIFT",
-    lambda drawn: Paper(tag=lambda path, alt: f"<em>[{alt}]</em>", drawn=drawn),
-    {m.OrderKey: order, m.SignsKey: signs},
-    LACKS,
+    tag=lambda path, alt: f"<em>[{alt}]</em>",
+    kinds={m.OrderKey: order, m.SignsKey: signs},
+    lacks=LACKS,
 )

@@ -20,7 +20,7 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, by_items
 from rbpsym.teaching.exports.names import maxima
-from rbpsym.teaching.exports.page import Paper, filled, written
+from rbpsym.teaching.exports.page import filled, written
 from rbpsym.teaching.exports.question import Formulas
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Item
@@ -114,7 +114,7 @@ def question(item: m.Item, desk: Desk) -> str:
         called=name_of(item, desk.worksheet),
         text=text,
         told=told,
-        pictures={name: base64.b64encode(data).decode() for name, data in desk.paper.pictures.items()},
+        pictures={name: base64.b64encode(data).decode() for name, data in desk.pictures.items()},
         units=list(units(form.key)) if isinstance(form, q.Number) else [],
         rubric=q.rubric(item, desk),
         stack=stack(form, item, desk) if isinstance(form, q.Formulas) else None,
@@ -167,13 +167,13 @@ LACKS: Mapping[str, str] = {
 }
 MOODLE = Platform(
     "Moodle",
-    lambda drawn: Paper(folder="@@PLUGINFILE@@/", drawn=drawn),
-    {
+    folder="@@PLUGINFILE@@/",
+    kinds={
         m.FormulaKey: q.typed_formula,
         m.BlanksKey: q.typed_blanks,
         m.SlipKey: slip,
         m.ExplanationKey: q.essay_with_sample,
     },
-    LACKS,
-    dropdown,
+    lacks=LACKS,
+    dropdown=dropdown,
 )

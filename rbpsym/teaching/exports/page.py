@@ -10,8 +10,6 @@ import io
 import re
 import zipfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from hashlib import sha256
 
 from markupsafe import escape
 
@@ -58,63 +56,30 @@ def image(path: str, alt: str) -> str:
     return f'<img src="{escape(path)}" alt="{escape(alt)}" />'
 
 
-@dataclass(frozen=True)
-class Paper:
-    """What a page of a platform is written on: how formulas are set, how pictures are named and shown.
-
-    `pictures` collects the files by name.
-    """
-
-    formula: SetFormula = TEX
-    tag: PictureTag = image
-    folder: str = ""
-    pictures: dict[str, bytes] = field(default_factory=dict)
-    drawn: dict[int, tuple[d.FigureBlock, bytes]] = field(default_factory=dict)
-    marks: dict[str, str] = field(default_factory=dict)
-
-    def number(self, blocks: tuple[d.Block, ...]) -> None:
-        """Number the figures of one question, so that its text can refer to them."""
-        self.marks.clear()
-        figures = [block for block in blocks if isinstance(block, d.FigureBlock)]
-        self.marks.update({block.label: str(place) for place, block in enumerate(figures, start=1) if block.label})
-
-    def page(self, notation: Notation, language: str) -> Page:
-        """The page on which blocks and inlines are printed."""
-        return Page(_table(self), notation, language)
-
-    def picture(self, block: d.FigureBlock, notation: Notation) -> str:
-        """A figure as a picture with its file; one that many students get is drawn once."""
-        if id(block) not in self.drawn:
-            self.drawn[id(block)] = (block, svg(block.scenes, notation))
-        data, alt = self.drawn[id(block)][1], block.alt
-        name = f"figure-{sha256(data).hexdigest()[:10]}.svg"
-        self.pictures[name] = data
-        return self.tag(self.folder + name, alt)
-
-
 def svg(scenes: tuple[Scene, ...], notation: Notation) -> bytes:
     """Scenes side by side as an SVG file of their own."""
     return drawings([(scenes, notation)], "svg", 200.0)[0]
 
 
-def _table(paper: Paper) -> Mapping[type, Print]:
+def table(formula: SetFormula, picture: Callable[[d.FigureBlock], str], marks: Mapping[str, str]) -> Mapping[type, Print]:
+    """How blocks are printed where formulas are set and pictures shown so; `marks` are the numbers of figures by label."""
     return {
         **HTML,
         d.Text: lambda inline, page: str(escape(inline.text)),
-        d.Math: lambda inline, page: paper.formula(inline.node, page.notation, False),
+        d.Math: lambda inline, page: formula(inline.node, page.notation, False),
         d.Ref: lambda inline, page: str(
-            escape(paper.marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
+            escape(marks.get(inline.label) or inline.mark or ELSEWHERE[page.language == "es"])
         ),
-        d.Display: lambda block, page: _display(block, page, paper),
+        d.Display: lambda block, page: _display(block, page, formula),
         d.Table: _table_html,
         d.Callout: lambda block, page: f"<div>{_titled(block, page)}{page.blocks(block.blocks, '')}</div>",
-        d.FigureBlock: lambda block, page: _figure(block, page, paper),
+        d.FigureBlock: lambda block, page: _figure(block, page, picture(block), marks.get(block.label)),
     }
 
 
-def _display(block: d.Display, page: Page, paper: Paper) -> str:
+def _display(block: d.Display, page: Page, formula: SetFormula) -> str:
     reason = f" &#160; {page.inlines(block.reason)}" if block.reason else ""
-    return f"<p>{paper.formula(block.node, page.notation, True)}{reason}</p>"
+    return f"<p>{formula(block.node, page.notation, True)}{reason}</p>"
 
 
 def _titled(block: d.Callout, page: Page) -> str:
@@ -131,16 +96,9 @@ def _table_html(block: d.Table, page: Page) -> str:
     return f"<table>{head}<tbody>{rows}</tbody></table>"
 
 
-def _figure(block: d.FigureBlock, page: Page, paper: Paper) -> str:
-    shown = paper.picture(block, page.notation)
-    number = paper.marks.get(block.label)
+def _figure(block: d.FigureBlock, page: Page, shown: str, number: str | None) -> str:
     name = f"{escape(page.word('block.figure', number=number))}. " if number else ""
     return f"<p>{shown}</p>" + (f"<p><em>{name}{page.inlines(block.caption)}</em></p>" if block.caption else "")
-
-
-def blocks_html(blocks: tuple[d.Block, ...], page: Page) -> str:
-    """Blocks below each other."""
-    return page.blocks(blocks, "\n")
 
 
 # --- zip packages that are the same bytes on every machine

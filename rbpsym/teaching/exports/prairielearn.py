@@ -18,7 +18,7 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform
 from rbpsym.teaching.exports.names import sympy_text
-from rbpsym.teaching.exports.page import Paper, between, slug
+from rbpsym.teaching.exports.page import between, slug
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import feedback, left_out
 
@@ -39,7 +39,7 @@ def export_prairielearn(worksheets: tuple[m.Worksheet, ...], options: Options) -
     for sheet in worksheets:
         for item in sheet.items:
             folder = f"questions/{slug(sheet.code)}/{slug(item.id)}"
-            desk = Desk(sheet, PRAIRIELEARN.paper(drawn), missing, PRAIRIELEARN)
+            desk = Desk(sheet, PRAIRIELEARN, missing, drawn)
             files |= {f"{folder}/{path}": content for path, content in question(item, desk).items()}
     return Exported(files, left_out("PrairieLearn", missing))
 
@@ -70,7 +70,7 @@ def question(item: m.Item, desk: Desk) -> dict[str, str | bytes]:
         "question.html": page.replace("{{", "{ {").replace("}}", "} }"),  # not a place to be filled there
         "server.py": server(answers),
     }
-    return files | {f"clientFilesQuestion/{name}": data for name, data in desk.paper.pictures.items()}
+    return files | {f"clientFilesQuestion/{name}": data for name, data in desk.pictures.items()}
 
 
 def info(item: m.Item, desk: Desk) -> dict[str, object]:
@@ -153,8 +153,9 @@ LACKS: Mapping[str, str] = {
 }
 PRAIRIELEARN = Platform(
     "PrairieLearn",
-    lambda drawn: Paper(between("$", "$", ("$$", "$$")), picture, drawn=drawn),
-    {m.FormulaKey: q.typed_formula, m.BlanksKey: q.typed_blanks, m.OrderKey: order},
-    LACKS,
-    dropdown,
+    between("$", "$", ("$$", "$$")),
+    picture,
+    kinds={m.FormulaKey: q.typed_formula, m.BlanksKey: q.typed_blanks, m.OrderKey: order},
+    lacks=LACKS,
+    dropdown=dropdown,
 )

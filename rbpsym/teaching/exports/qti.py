@@ -11,7 +11,7 @@ from markupsafe import Markup
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
 from rbpsym.teaching.exports.bench import Desk, Platform, in_packages, orders
-from rbpsym.teaching.exports.page import Paper, identifier, mathml, written
+from rbpsym.teaching.exports.page import identifier, mathml, written
 from rbpsym.teaching.formats import Exported, Options
 
 
@@ -45,9 +45,9 @@ def package(desk: Desk) -> dict[str, bytes]:
     files["test.xml"] = written(
         "qti-test.xml", code=sheet.code, own=identifier(sheet.code), title=title, names=names.values()
     )
-    files |= desk.paper.pictures
+    files |= desk.pictures
     files["imsmanifest.xml"] = written(
-        "qti-manifest.xml", own=identifier(f"package {sheet.code}"), names=names.values(), pictures=desk.paper.pictures
+        "qti-manifest.xml", own=identifier(f"package {sheet.code}"), names=names.values(), pictures=desk.pictures
     )
     return files
 
@@ -97,4 +97,4 @@ LACKS: Mapping[str, str] = {
     "figures": "the unit is printed beside the field; unit and significant figures are not marked",
     "orders": "more than 24 orders are right: those that differ from the printed one are marked wrong",
 }
-QTI = Platform("QTI 2.1", lambda drawn: Paper(mathml, drawn=drawn), KINDS, LACKS)
+QTI = Platform("QTI 2.1", mathml, kinds=KINDS, lacks=LACKS)
