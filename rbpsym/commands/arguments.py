@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
 
+Command = TypeVar("Command", bound=Callable[..., Any] | click.Command)
 DETAILS = ("brief", "standard", "full")
 
 
-class ShelfName(click.ParamType):
+class ShelfName(click.ParamType):  # type: ignore[type-arg]  # generic in late versions of click
     """The name of something that ships, or the path of a file; `kinds` are completed."""
 
     name = "name"
@@ -29,7 +31,7 @@ class ShelfName(click.ParamType):
         ]
 
 
-class Listed(click.ParamType):
+class Listed(click.ParamType):  # type: ignore[type-arg]
     """A list of choices, separated by commas."""
 
     name = "list"
@@ -60,13 +62,13 @@ detail_option = click.option(
 )
 
 
-def formats_option(choices: tuple[str, ...], default: str) -> Callable[[Callable], Callable]:
+def formats_option(choices: tuple[str, ...], default: str) -> Callable[[Command], Command]:
     """The option --format: some of the choices."""
     told = f"Formats, separated by commas: {', '.join(choices)}."
     return click.option("--format", "formats", type=Listed(choices), default=default, show_default=True, help=told)
 
 
-def output_option(default: str, meaning: str) -> Callable[[Callable], Callable]:
+def output_option(default: str, meaning: str) -> Callable[[Command], Command]:
     """The option -o, a folder that is made if it is not there."""
     folder = click.Path(file_okay=False, path_type=Path)
     return click.option(

@@ -10,13 +10,18 @@ from typing import TYPE_CHECKING
 import click
 
 from rbpsym.commands.arguments import ShelfName
+from rbpsym.commands.progress import Progress
+from rbpsym.commands.solve import verdict_of
 
 if TYPE_CHECKING:
-    from rbpsym.verify.claims_model import Result
+    from rbpsym.derivation.step import Derivation
+    from rbpsym.equality.verdict import Verdict
+    from rbpsym.verify.claims_model import Link, Result
     from rbpsym.verify.claims_run import Certificates
 
 FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
 TEXTS = (".tex", ".ltx", ".txt", ".latex")
+Names = tuple[str, ...]
 file_path = click.Path(dir_okay=False, path_type=Path)
 
 
@@ -61,7 +66,10 @@ class Found:
 )
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
-def command(names, problems, as_json, junit, html, github, only, failures, cache, no_cache, simulation) -> int:
+def command(
+    names: Names, problems: Names, as_json: bool, junit: Path | None, html: Path | None, github: bool, only: str,
+    failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
+) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
 
     \b
@@ -80,7 +88,6 @@ def command(names, problems, as_json, junit, html, github, only, failures, cache
     2 something could not be read.
     """
     from rbpsym.commands import reports
-    from rbpsym.commands.progress import Progress
     from rbpsym.verify.claims_run import Certificates, default_folder
 
     certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
@@ -115,7 +122,9 @@ def selected(found: Found, word: str) -> Found:
     return Found(kept, found.remarks)
 
 
-def everything(names, problems, certificates: Certificates, simulation: bool, progress) -> Found:
+def everything(
+    names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress
+) -> Found:
     """What all arguments give; without arguments, all that ships."""
     texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
     if problems and not texts:
@@ -172,7 +181,7 @@ def files_of(name: str) -> list[Path]:
     return [*([problem_files()[name]] if name in problem_files() else []), *claims]
 
 
-def paper(path: Path, problems, certificates: Certificates) -> Found:
+def paper(path: Path, problems: Names, certificates: Certificates) -> Found:
     """A paper, its symbols bound by claims files or, without any, by the names of problems."""
     from rbpsym.verify.claims_loader import is_claims, load_claims
     from rbpsym.verify.claims_run import check_paper, names_of_problem
@@ -229,19 +238,19 @@ def derived(path: Path, simulation: bool) -> Result:
     )
 
 
-def verdicts(made) -> list:
+def verdicts(made: Derivation) -> list[Verdict]:
     """The verdicts on all steps and on the independent roads, in every phase."""
     parts = (made, *(phase.derivation for phase in made.phases))
     roads = [road for part in parts for road in (*part.agreement.values(), part.lagrange) if road is not None]
-    return [*(step.certificate.verdict for step in made.all_steps), *roads]
+    return [*(verdict_of(step) for step in made.all_steps), *roads]
 
 
-def doubtful(made) -> Iterator:
+def doubtful(made: Derivation) -> Iterator[Link]:
     """The steps that are not proved, as links."""
     from rbpsym.notation.text import to_text
     from rbpsym.verify.claims_model import Link, Outcome
 
     for step in made.all_steps:
-        verdict = step.certificate.verdict
+        verdict = verdict_of(step)
         if not verdict.is_proved:
             yield Link(to_text(step.statement), Outcome(str(verdict.kind)), detail=f"{step.id}: {verdict}")

@@ -74,10 +74,12 @@ def lines(derivation: Derivation, detail: str, method: str, language: str) -> It
 
 def verdicts(derivation: Derivation) -> dict[str, Verdict]:
     """What became of the checks of each step, by the label of its formula."""
-    found = {step.id: step.certificate.verdict for step in derivation.steps}
+    from rbpsym.commands.solve import verdict_of
+
+    found = {step.id: verdict_of(step) for step in derivation.steps}
     for number, phase in enumerate(derivation.phases, 2):
         steps = (*phase.begins, *phase.derivation.steps)
-        found |= {f"phase{number}.{step.id}": step.certificate.verdict for step in steps}
+        found |= {f"phase{number}.{step.id}": verdict_of(step) for step in steps}
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -34,7 +35,7 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 @click.option(
     "--jobs", "processes", type=click.IntRange(min=0), default=0, help="Processes on this machine (0: one a core)."
 )
-def command(worksheet: str, answers: Path, output: Path, feedback: Path | None, **wish: object) -> int:
+def command(worksheet: str, answers: Path, output: Path, feedback: Path | None, **wish: Any) -> int:
     """Grade the answers of a class: formulas, numbers with units, choices, orders, signs.
 
     \b

@@ -8,21 +8,26 @@ from typing import TYPE_CHECKING
 import click
 
 from rbpsym.commands.listing import place
+from rbpsym.commands.progress import Progress
 from rbpsym.commands.shelf import Entry, shelf
+from rbpsym.commands.solve import exit_code
 from rbpsym.commands.watching import Kept
+from rbpsym.courses import derive_course
+from rbpsym.document.book import Card, Chapter, around, book, index_page, occurring, page, problem_card
+from rbpsym.document.files import write_all
+from rbpsym.document.notes import course_notes, notes
+from rbpsym.document.writers import files
 from rbpsym.errors import RbpsymError
+from rbpsym.statement.course import load_course
 
 if TYPE_CHECKING:
     from rbpsym.commands.notes import Wish
-    from rbpsym.document.book import Chapter
 
 STEM = "library"
 
 
 def write_library(wish: Wish) -> int:
     """Writes all; tells the files. 1 if a problem can't be derived or not all of it is proved."""
-    from rbpsym.document.files import write_all
-
     kept = Kept(wish.simulation)
     problems, failed = derived(wish, kept)
     made = dict(book_files(problems, wish))
@@ -37,9 +42,6 @@ def write_library(wish: Wish) -> int:
 
 def derived(wish: Wish, kept: Kept) -> tuple[list[Chapter], list[str]]:
     """The problems by topic and from easy to hard, and the sentences of those that can't be derived."""
-    from rbpsym.commands.progress import Progress
-    from rbpsym.document.book import Chapter
-
     entries = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
     found, failed = [], []
     with Progress("deriving", len(entries)) as progress:
@@ -54,16 +56,11 @@ def derived(wish: Wish, kept: Kept) -> tuple[list[Chapter], list[str]]:
 
 def is_fine(chapter: Chapter) -> bool:
     """Is all of a problem proved?"""
-    from rbpsym.commands.solve import exit_code
-
     return exit_code(chapter.derivation.summary()) == 0
 
 
 def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str | bytes]]:
     """The book in all formats but HTML, which is the site."""
-    from rbpsym.document.book import book
-    from rbpsym.document.writers import files
-
     document = book(problems, wish.language, wish.detail, plots=wish.plots)
     for name in wish.formats:
         if name != "html":
@@ -72,11 +69,6 @@ def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str |
 
 def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str | bytes]:
     """The index page, and a page for each problem and course."""
-    from rbpsym.courses import derive_course
-    from rbpsym.document.book import Card, around, index_page, occurring, page, problem_card
-    from rbpsym.document.notes import course_notes, notes
-    from rbpsym.statement.course import load_course
-
     courses: list[tuple[Card, str]] = []
     for entry in (entry for entry in shelf() if entry.kind == "course"):
         document = course_notes(
@@ -88,9 +80,9 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
         courses.append((card(entry, wish.language), page(document)))
     levels = {entry.name: entry.level(wish.language) for entry in shelf()}
     cards = [problem_card(chapter, wish.language, levels[chapter.name]) for chapter in problems]
-    book = f"{STEM}.pdf" if "pdf" in wish.formats else ""
+    whole = f"{STEM}.pdf" if "pdf" in wish.formats else ""
     terms = occurring(problems, wish.language)
-    index = index_page([c for c, _ in courses], cards, wish.language, book, terms)
+    index = index_page([c for c, _ in courses], cards, wish.language, whole, terms)
     found: dict[str, str | bytes] = {"index.html": index}
     found |= {f"{card.name}.html": content for card, content in courses}
     for number, chapter in enumerate(problems):
@@ -99,8 +91,6 @@ def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str
     return found
 
 
-def card(entry: Entry, language: str):
+def card(entry: Entry, language: str) -> Card:
     """A course on the index page."""
-    from rbpsym.document.book import Card
-
     return Card(entry.name, entry.title(language), "", entry.source)

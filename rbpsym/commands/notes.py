@@ -118,7 +118,7 @@ def _problem(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
 def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
     """The document of a course, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.solve import exit_code
+    from rbpsym.commands.solve import exit_code, verdict_of
     from rbpsym.courses import derive_course
     from rbpsym.document.notes import course_notes
     from rbpsym.statement.course import load_course
@@ -128,7 +128,7 @@ def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
         derived = derive_course(course, progress=progress.step, derived=kept.derivation)
         document = course_notes(derived, wish.language, wish.detail, plots=wish.plots)
     steps = [step for lesson in derived.lessons.values() for step in lesson.steps]
-    fine = all(step.certificate.verdict.is_proved for step in steps)
+    fine = all(verdict_of(step).is_proved for step in steps)
     return document, fine and all(exit_code(d.summary()) == 0 for d in derived.derivations.values())
 
 

@@ -5,6 +5,10 @@ from __future__ import annotations
 import sys
 from threading import Lock, Timer
 from types import TracebackType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.progress import Progress as Bar
 
 PATIENCE = 1.0  # seconds
 
@@ -14,7 +18,8 @@ class Progress:
 
     def __init__(self, label: str, total: int | None = None) -> None:
         self.label, self.total, self.done, self.told = label, total, 0, 0
-        self._lock, self._bar, self._task, self._over = Lock(), None, None, False
+        self._lock, self._over = Lock(), False
+        self._bar: Bar | None = None
         self._timer = Timer(PATIENCE, self._show)
         self._timer.daemon = True
 
@@ -36,7 +41,7 @@ class Progress:
             self.done, self.label = self.told, label
             self.told += 1
             if self._bar:
-                self._bar.update(self._task, description=label, completed=self.done)
+                self._bar.update(self._bar.task_ids[0], description=label, completed=self.done)
 
     def counted(self, what: str, done: int, total: int) -> None:
         """So many of all are done: “12 of 40 students”."""
@@ -48,7 +53,7 @@ class Progress:
             self.done = self.told = done
             self.total, self.label = total, label
             if self._bar:
-                self._bar.update(self._task, description=label, completed=done, total=total)
+                self._bar.update(self._bar.task_ids[0], description=label, completed=done, total=total)
 
     def _show(self) -> None:
         from rich.console import Console
@@ -60,5 +65,5 @@ class Progress:
                 return
             columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
             self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
-            self._task = self._bar.add_task(self.label, total=self.total, completed=self.done)
+            self._bar.add_task(self.label, total=self.total, completed=self.done)
             self._bar.start()

@@ -51,9 +51,8 @@ def shelf() -> Iterator[Entry]:
 def entry(kind: str, name: str, path: Path) -> Entry:
     """The entry of a file, from its head."""
     head = tomllib.loads(path.read_text(encoding="utf-8"))
-    return Entry(
-        kind, name, path, *(worded(head, key) for key in ("title", "topic", "level")), str(head.get("source", ""))
-    )
+    titles, topics, levels = (worded(head, key) for key in ("title", "topic", "level"))
+    return Entry(kind, name, path, titles, topics, levels, str(head.get("source", "")))
 
 
 def worded(head: Mapping[str, object], key: str) -> Mapping[str, str]:

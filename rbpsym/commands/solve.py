@@ -13,6 +13,8 @@ from rbpsym.commands.arguments import name_argument
 from rbpsym.document.escaping import columns, padded
 
 if TYPE_CHECKING:
+    from rbpsym.derivation.step import Step
+    from rbpsym.equality.verdict import Verdict
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL = 0, 1
@@ -64,6 +66,12 @@ def exit_code(verdicts: Mapping[str, Any]) -> int:
     simulation = verdicts["simulation"] or {"max_relative_error": 0.0}
     apart = not simulation["max_relative_error"] <= CLOSE  # also if it is not a number
     return DOUBTFUL if doubtful or apart or verdicts["lagrange"] not in ("PROVED", None) else FINE
+
+
+def verdict_of(step: Step) -> Verdict:
+    """What became of the checks of a step of a whole derivation."""
+    assert step.certificate is not None
+    return step.certificate.verdict
 
 
 def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
@@ -169,8 +177,8 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
 
 def _valid(item: Mapping[str, Any], drawn: Drawn) -> str:
     """The conditions under which something is said."""
-    relations = (re.fullmatch(r"(.*) (>|>=|!=) 0", text).groups() for text in item["valid_where"])
-    told = ", ".join(f"{drawn.formula(left)} {SIGNS[op]} 0" for left, op in relations)
+    relations = (text.rsplit(" ", 2) for text in item["valid_where"])  # left, sign, 0
+    told = ", ".join(f"{drawn.formula(left)} {SIGNS[sign]} 0" for left, sign, _ in relations)
     return f" (where {told})" if told else ""
 
 

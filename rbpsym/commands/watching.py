@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -70,7 +71,7 @@ def told(write: Callable[[], list[Path]]) -> None:
 
 
 # What only the words and the drawing of a problem depend on.
-WORDS: Mapping[str, object] = {
+WORDS: Mapping[str, Any] = {
     "title": {}, "source": "", "notation": {}, "meanings": {}, "claims": (), "level": "", "topic": "", "example": {},
 }  # fmt: skip
 
@@ -85,8 +86,10 @@ class Kept:
     def derivation(self, path: Path) -> Derivation:
         """The derivation of a problem file as it is now. Raises what loading and deriving raise."""
         problem, before = load_problem(path), self.found.get(path)
-        known = before is not None and core(before.study.problem) == core(problem)
-        self.found[path] = reworded(before, problem) if known else derive(problem, simulation=self.simulation)
+        if before is not None and core(before.study.problem) == core(problem):
+            self.found[path] = reworded(before, problem)
+        else:
+            self.found[path] = derive(problem, simulation=self.simulation)
         return self.found[path]
 
 

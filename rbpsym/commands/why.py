@@ -7,6 +7,7 @@ from time import perf_counter
 
 import click
 
+from rbpsym.commands.solve import verdict_of
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.model import Display, Document
 from rbpsym.document.notes import notation_of
@@ -61,13 +62,13 @@ def traced(
     derivation: Derivation, steps: Mapping[str, Step], step: Step, marks: Mapping[str, str], notation: Notation
 ) -> Iterator[str]:
     """The lines for one step."""
-    verdict = step.certificate.verdict
+    verdict, checks = verdict_of(step), step.certificate.checks if step.certificate else ()
     sign, colour = MARKS[verdict.kind]
     yield f"{click.style(step.id, bold=True)} {marks.get(step.id, '')}"
     yield f"  {one_line(step, notation)}"
     reason = f": {verdict.reason}" if verdict.reason else ""
     yield f"  {click.style(sign, fg=colour)} {verdict.kind}{reason}, by the rule “{step.rule}”{anew(derivation, step)}"
-    yield f"  checks: {', '.join(step.certificate.checks)}"
+    yield f"  checks: {', '.join(checks)}"
     for title, ids in (("premises", step.premises), ("told beside them", step.cites)):
         yield from [f"  {title}", *(f"    {premise(steps, id, marks, notation)}" for id in ids)] if ids else ()
     for duty in verdict.obligations:

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from rbpsym.commands.arguments import ShelfName, formats_option
+
+if TYPE_CHECKING:
+    from rbpsym.teaching.batch import Order
+    from rbpsym.teaching.executor import Crew
+    from rbpsym.teaching.model import Student
 
 PAPERS = ("pdf", "tex", "html")  # a file for each student
 PLATFORMS = ("moodle", "qti", "canvas", "prairielearn", "gift")  # all students together
@@ -91,7 +96,7 @@ def _what_there_is() -> str:
     )
 
 
-def _people(students: Path | None, variants: int | None) -> tuple:
+def _people(students: Path | None, variants: int | None) -> tuple[Student | None, ...]:
     """The students of a roster, so many nameless ones, or nobody."""
     from rbpsym.teaching.model import Student
     from rbpsym.teaching.spreadsheets import load_roster
@@ -104,7 +109,7 @@ def _people(students: Path | None, variants: int | None) -> tuple:
     return tuple(Student(f"{k:0{width}d}") for k in range(1, variants + 1))
 
 
-def _tell_names(order, people: tuple) -> None:
+def _tell_names(order: Order, people: tuple[Student | None, ...]) -> None:
     """Say whose names the fonts of the papers have no letters for."""
     from rbpsym.teaching.papers.naming import without_letters
 
@@ -116,7 +121,7 @@ def _tell_names(order, people: tuple) -> None:
             click.echo(text, err=True)
 
 
-def _papers(order, people: tuple, who) -> list[str]:
+def _papers(order: Order, people: tuple[Student | None, ...], who: Crew) -> list[str]:
     """The formats with a file a student; a line for each file, or one for all if there are many."""
     from dataclasses import replace
 
@@ -132,7 +137,7 @@ def _papers(order, people: tuple, who) -> list[str]:
     return paths if len(paths) <= 12 else [f"{len(paths)} files for {len(people)} students in {order.folder}"]
 
 
-def _platforms(order, people: tuple) -> list[str]:
+def _platforms(order: Order, people: tuple[Student | None, ...]) -> list[str]:
     """The formats of learning platforms: all students together; what they can't carry is told."""
     from rbpsym.document.files import write_all
     from rbpsym.teaching.batch import known_plan
@@ -153,7 +158,7 @@ def _platforms(order, people: tuple) -> list[str]:
     return paths if len(paths) <= 12 else [f"{len(paths)} files in {order.folder}"]
 
 
-def _from_code(order, code: str) -> int:
+def _from_code(order: Order, code: str) -> int:
     """The form of a code, and its key if asked for; the worksheet is found by the name in the code."""
     from dataclasses import replace
 

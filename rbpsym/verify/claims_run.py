@@ -267,8 +267,8 @@ def check_claims(
         yield own.check_safely(claim)
 
 
-def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) -> tuple[list[Result], list[Result]]:
-    """(the results of a paper in its order, remarks on its labels as results)."""
+def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) -> tuple[list[Result], list[tuple[str, int, str]]]:
+    """(the results of a paper in its order, remarks on its labels: file, line, what is to be said)."""
     from rbpsym.verify.paper_check import PaperChecker, Scope, bound
     from rbpsym.verify.paper_walk import read_paper
 
