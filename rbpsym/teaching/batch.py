@@ -72,7 +72,9 @@ def papers(
     plan = known_plan(order.source)  # before the processes part, so that they share it
     path = Path(order.folder) / JOURNAL if len(students) > PART else None
     journal = Journal(path, _about(order, plan, students))
-    jobs = [Paper(_for_others(order, plan) if who.address else order, student) for student in students]
+    if who.address:
+        order = replace(order, source=findable(order.source), fingerprint=plan.fingerprint)
+    jobs = [Paper(order, student) for student in students]
     if who.address:
         found = run(send_papers, jobs, who, journal, told, PART, lambda text: _taken(text, order.folder))
     else:
@@ -81,10 +83,10 @@ def papers(
     return [json.loads(text) for text in found]
 
 
-def _for_others(order: Order, plan: Plan) -> Order:
-    """The order as a worker elsewhere understands it."""
-    path = Path(order.source)
-    return replace(order, source=str(path.resolve()) if path.is_file() else order.source, fingerprint=plan.fingerprint)
+def findable(source: str) -> str:
+    """How a process elsewhere finds a source."""
+    path = Path(source)
+    return str(path.resolve()) if path.is_file() else source
 
 
 def _about(order: Order, plan: Plan, students: Sequence[Student | None]) -> str:
@@ -99,11 +101,7 @@ def write_papers(jobs: tuple[Paper, ...]) -> list[str]:
 
 def _written(job: Paper) -> list[str]:
     plan = known_plan(job.order.source)
-    return written(_worksheet(plan, job), plan, job.order)
-
-
-def _worksheet(plan: Plan, job: Paper) -> Worksheet:
-    return plan.worksheet(job.student, job.order.secret, job.order.language)
+    return written(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
 
 
 def send_papers(jobs: tuple[Paper, ...]) -> list[str]:
@@ -115,7 +113,7 @@ def send_papers(jobs: tuple[Paper, ...]) -> list[str]:
 def _files_of(job: Paper) -> dict[str, bytes]:
     plan = known_plan(job.order.source)
     plan.require(job.order.fingerprint, job.order.source)
-    found = files_of(_worksheet(plan, job), plan, job.order)
+    found = files_of(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
     return {name: content.encode() if isinstance(content, str) else content for name, content in found.items()}
 
 

@@ -9,16 +9,16 @@ from difflib import get_close_matches
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
-from threading import Lock
 from types import MappingProxyType
 
 from rbpsym.document.files import write_whole
 from rbpsym.errors import RbpsymError
+from rbpsym.teaching.batch import TURN, findable, known_plan
 from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.model import Student, Worksheet
-from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.plan import Plan
 from rbpsym.teaching.record import SUFFIX, check, record_of
 from rbpsym.teaching.spreadsheets import AnswerTable, Row, load_roster, marks_csv, read_answers
 from rbpsym.teaching.units import number_text
@@ -96,7 +96,6 @@ def _once(rows: tuple[Row, ...]) -> tuple[tuple[Row, ...], tuple[tuple[Row, str]
 # ---
 
 
-TURN = Lock()  # a worker of a cluster may have several threads; the algebra keeps tables that they would share
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +149,7 @@ def grade(
     With `journal` an interrupted run goes on where it was. Raises RbpsymError for files that can't be
     used; never for an answer.
     """
-    plan, source = _plan(str(worksheet))
+    plan, source = known_plan(str(worksheet)), findable(str(worksheet))
     table = answers if isinstance(answers, AnswerTable) else read_answers(Path(answers))
     order = Order(source, secret, language, plan.fingerprint, pages)
     files = [Path(file) for file in (answers, roster, source) if isinstance(file, (str, Path))]
@@ -191,13 +190,6 @@ def _about(order: Order, rows: tuple[Row, ...]) -> str:
     return sha256(repr(parts).encode("utf-8", "surrogatepass")).hexdigest()
 
 
-@lru_cache(maxsize=4)
-def _plan(source: str) -> tuple[Plan, str]:
-    """The plan of a worksheet, and how another process finds it."""
-    path = Path(source)
-    return plan_of(path if path.is_file() else source), str(path.resolve()) if path.is_file() else source
-
-
 @lru_cache(maxsize=8)
 def _desk(language: str) -> Desk:
     return Desk(language)
@@ -210,7 +202,7 @@ def mark_rows(jobs: tuple[tuple[Order, Row], ...]) -> list[str]:
 
 
 def _marked(order: Order, row: Row) -> dict[str, object]:
-    plan, _ = _plan(order.source)
+    plan = known_plan(order.source)
     plan.require(order.fingerprint, order.source)
     try:
         sheet = _sheet(plan, order, row)
