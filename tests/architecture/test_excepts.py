@@ -36,7 +36,6 @@ ALLOWED = {
     "teaching/grading/verdicts.py": "an enclosure that has no value, a name that the point does not have",
     "teaching/record.py": READS,
     "teaching/retold.py": "a body, force, work or premise that a wrong physics has not: that differs, or is not told",
-    "teaching/tasks/choose.py": FLOATS,
     "teaching/tasks/results.py": FLOATS,
     "verify/claims_run.py": READS,
     "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",

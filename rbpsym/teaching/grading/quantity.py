@@ -16,7 +16,7 @@ from rbpsym.statement.units import UnitOf, read_unit
 from rbpsym.teaching.grading.ground import Book, Ground
 from rbpsym.teaching.grading.intervals import enclosed
 from rbpsym.teaching.grading.judgement import Judgement, wrong
-from rbpsym.teaching.grading.typed import is_latex, unframed, with_decimal_points
+from rbpsym.teaching.grading.reading import is_latex, unframed, with_decimal_points
 from rbpsym.teaching.grading.words import MADE, WORD, lookup, spelled
 
 LONGEST, LARGEST_POWER = 200, 30

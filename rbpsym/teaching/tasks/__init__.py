@@ -1,1 +1,1 @@
-"""The kinds of tasks, one module each; `registry.TASKS` is the table."""
+"""The kinds of tasks; `registry.TASKS` is the table."""

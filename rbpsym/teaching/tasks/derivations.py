@@ -1,0 +1,253 @@
+"""A derivation is asked for: its steps to be put in order, its blanks to be filled in, one of its steps to be explained."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+from rbpsym.derivation.step import Step
+from rbpsym.document.model import Block, Display, Paragraph
+from rbpsym.notation import tree as t
+from rbpsym.notation.places import put
+from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
+from rbpsym.teaching.codes import Draws
+from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, is_negated, lines_to, piece, precedence, shares
+from rbpsym.teaching.model import Anticipated, Asked, Blank, BlanksKey, Criterion, ExplanationKey, Item, OrderKey, blank
+from rbpsym.teaching.papers.blocks import LETTERS
+from rbpsym.teaching.situations import Scenery
+from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.targets import Target
+from rbpsym.teaching.tasks.wish import Wish, wanted
+from rbpsym.teaching.wording import spoken
+
+# --- order: steps of a derivation to be put in order; the graph of the derivation says which orders are right
+
+
+FEWEST, MOST, TRIALS = 4, 6, 20
+
+
+def orders(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a result that several steps lead to."""
+    fits = lambda x: bool(x.step) and _is_long(bench, x)  # noqa: E731
+    for target in wanted(bench, wish, fits, f"fewer than {FEWEST} steps lead to it, or they may stand in any order"):
+        yield _order_of(bench, wish, target)
+
+
+def _is_long(bench: Bench, target: Target) -> bool:
+    steps = lines_to(bench, target.step, MOST)
+    pairs = precedence(bench, [s.id for s in steps])
+    return len(steps) >= FEWEST and len(pairs) >= len(steps) - 1 and len({s.statement for s in steps}) == len(steps)
+
+
+def _order_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
+    steps = lines_to(bench, target.step, MOST)
+
+    def make(setting: Setting) -> Item | None:
+        key = _shuffled(bench, steps, setting.draws)
+        if key is None:
+            return None
+        first = () if wish.level else spoken(setting.said, "hint.order", letter=LETTERS[key.sample[0]])
+        prompt = (Paragraph((*spoken(setting.said, "ask.order", left=target.left), *first)),)
+        solution = (Display(s.statement, numbered=False) for s in steps)
+        return wish.item(setting, bench.asked(target), prompt, key, 2, solution=solution)
+
+    return Prepared("order", target, (), make, content=Content(claims(s.statement for s in steps)))
+
+
+def _shuffled(bench: Bench, steps: tuple[Step, ...], draws: Draws) -> OrderKey | None:
+    """The steps in an order that is wrong."""
+    for _ in range(TRIALS):
+        order = draws.shuffled(range(len(steps)))
+        before = frozenset(precedence(bench, [steps[k].id for k in order]))
+        sample = tuple(order.index(k) for k in range(len(steps)))
+        key = OrderKey(tuple(piece(steps[k]) for k in order), before, sample)
+        if not key.accepts(tuple(range(len(steps)))):
+            return key
+    return None
+
+
+# --- fill in: a derivation with blanks at the steps that matter, from much help to none
+
+
+@dataclass(frozen=True, slots=True)
+class Help:
+    """How much a level helps: steps shown, blanks at most, single terms rather than sides, reasons told."""
+
+    lines: int
+    blanks: int
+    terms: bool
+    reasons: bool
+
+
+LEVELS: Mapping[int, Help] = {
+    0: Help(5, 2, True, True),
+    1: Help(6, 4, True, True),
+    2: Help(6, 6, False, True),
+    3: Help(7, 12, False, False),
+}
+
+
+def blanks(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a result whose derivation has something to leave out."""
+    if wish.level not in LEVELS:
+        raise wish.error(f"there is no level {wish.level}", "levels go from 0 (much help) to 3 (none).")
+    fits = lambda x: bool(x.step) and bool(_blanked(bench, x, wish.level)[1])  # noqa: E731
+    for target in wanted(bench, wish, fits, "its derivation has no step with something to leave out"):
+        yield _blanks_of(bench, wish, target)
+
+
+def _blanks_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
+    steps, chosen = _blanked(bench, target, wish.level)
+    statements, answers = _with_blanks(bench, steps, chosen)
+    names = tuple(sorted({n for item in answers for n in t.names(item.value)}))
+    how = LEVELS[wish.level]
+
+    def key_of(setting: Setting) -> tuple[str, ...]:
+        return ("fill-in", target.id, str(wish.level), setting.language)
+
+    def make(setting: Setting) -> Item:
+        prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
+        each = wish.worth(len(answers)) / len(answers)
+        blanks = tuple(Blank(a.number, a.value, each, a.step, a.anticipated) for a in answers)
+        lines = bench.once(key_of(setting), lambda: tuple(_lines(bench, setting, steps, statements, how.reasons)))
+        solution = (Display(step.statement, numbered=False) for step in steps if step.id in chosen)
+        key = BlanksKey(blanks, names)
+        return wish.item(setting, bench.asked(target), (prompt, *lines), key, len(answers), solution=solution)
+
+    asked = [step for step in steps if step.id in chosen]
+    content = Content(claims(s.statement for s in steps if s not in asked), claims(s.statement for s in asked))
+    return Prepared("fill-in", target, (), make, content=content)
+
+
+def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:
+    """The steps shown and, by id, what is left out: from the steps that matter most."""
+    how = LEVELS[level]
+    steps = lines_to(bench, target.step, how.lines)
+    ranked = _ranked(steps)
+    chosen: dict[str, list[Gap]] = {}
+    left = how.blanks
+    for step in ranked:
+        found = _gaps_of(bench, step, how) if WEIGHTS.get(step.rule, 0) else []
+        if found and left:
+            chosen[step.id] = found[:left]
+            left -= len(chosen[step.id])
+    return steps, chosen
+
+
+def _ranked(steps: tuple[Step, ...]) -> list[Step]:
+    """What matters most first, and one step of each kind before a second one of a kind."""
+    again = {s.id: sum(other.rule == s.rule for other in steps[:place]) for place, s in enumerate(steps)}
+    return sorted(steps, key=lambda s: (again[s.id], -WEIGHTS.get(s.rule, 0)))
+
+
+def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
+    """A term of each sum where there is much help (the last: the spin part, the shift of the axis), else whole sides."""
+    found = [gap for gap in gaps(step.statement) if has_value(bench, gap.node)]
+    terms = [gap for gap in found if gap.is_term]
+    sides = [gap for gap in found if not gap.is_term]
+    if how.terms and terms:
+        return terms[-1:]
+    return sides[-1:] if how.terms else sides or terms
+
+
+def _with_blanks(bench: Bench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
+    """Statements by id, and the answers, numbered in reading order."""
+    statements, answers = {}, []
+    for step in steps:
+        statement = step.statement
+        for gap in chosen.get(step.id, ()):
+            answers.append(Blank(len(answers) + 1, gap.node, step=step.id, anticipated=_anticipated(bench, step, gap)))
+            statement = put(statement, gap.path, blank(len(answers)))
+        statements[step.id] = statement
+    return statements, answers
+
+
+def _anticipated(bench: Bench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
+    """Known slips, where the blank is the whole right side of a quantity that has some."""
+    found = next((x for x in bench.targets.values() if x.step == step.id), None)
+    if found is None or gap.is_term or isinstance(step.statement, t.System):
+        return ()
+    is_turned = is_negated(step.statement, gap.path)
+    return tuple(Anticipated(d.slip, _as_gap(d.formula, is_turned)) for d in bench.pool.of(found))
+
+
+def _as_gap(formula: t.Node, is_turned: bool) -> t.Node:
+    """The formula, its sign changed where the minus stands printed before the blank."""
+    return t.neg(formula) if is_turned else formula
+
+
+def _lines(
+    bench: Bench, setting: Setting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
+) -> Iterator[Block]:
+    for step in steps:
+        why = sentence(bench, step, setting.said) if reasons else ()
+        if why:
+            yield Paragraph(why)
+        yield Display(statements[step.id], numbered=False)
+
+
+# --- explain: an open question about a step, with a rubric of what the derivation uses there
+
+
+# rule -> how interesting a “why” it is; others are not asked
+QUESTIONS = {"workless": 3, "work_energy": 2, "combination": 3, "conservation": 2, "torque": 1, "parallel_axis": 1}
+MOST_PREMISES = 3
+CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
+
+
+def explanations(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+    """One item a step that has a reason and premises; `about` names ids of steps."""
+    steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s)]
+    named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
+    if not named and wish.at is not None:
+        ids = ", ".join(s.id for s in steps)
+        raise wish.error(
+            f"“{bench.name}” has no step “{', '.join(wish.about)}” to be explained",
+            f"steps that can be asked: {ids}." if ids else "choose another kind of task.",
+        )
+    for step in sorted(named, key=lambda s: -_interest(s)):
+        make = partial(_explanation, bench, wish, step)
+        yield Prepared("explain", None, (), make, Content(claims((step.statement,))))
+
+
+def _interest(step: Step) -> int:
+    """How interesting it is; of the works only a result (equal halves) is asked for."""
+    return 3 if step.rule == "work" and step.is_result else QUESTIONS.get(step.rule, 0)
+
+
+def _premises(bench: Bench, step: Step) -> list[Step]:
+    """What it stands on, the last first named; at most so many."""
+    return [bench.derivation.step(id) for id in step.reasons][:MOST_PREMISES]
+
+
+def _explanation(bench: Bench, wish: Wish, step: Step, setting: Setting) -> Item:
+    premises = _premises(bench, step)
+    usual, sample = 1 + len(premises), tuple(_sample(bench, setting, step, premises))
+    prompt = (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False))
+    asked = Asked(bench.name, step.id, t.Sym("W"), step=step.id)
+    rubric = _rubric(setting, step, premises, wish.worth(usual))
+    return wish.item(setting, asked, prompt, ExplanationKey(sample), usual, rubric=rubric, solution=sample, space=5)
+
+
+def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
+    for premise in premises:
+        yield Display(premise.statement, numbered=False)
+    why = sentence(bench, step, setting.said)
+    if why:
+        yield Paragraph(why)
+    yield Display(step.statement, numbered=False)
+
+
+def _rubric(setting: Setting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
+    """A line for each thing that it stands on and one for putting them together, by how much each step matters."""
+    earned = shares(points, [*map(_weight, premises), max(CONCLUSION, _weight(step))])
+    for share, premise in zip(earned, premises, strict=False):
+        uses = spoken(setting.said, "rubric.uses", statements=gist(premise.statement))
+        yield Criterion(share, uses, premise.statement)
+    yield Criterion(earned[-1], spoken(setting.said, "rubric.concludes"))
+
+
+def _weight(step: Step) -> int:
+    return max(1, WEIGHTS.get(step.rule, 0))
