@@ -7,22 +7,11 @@ from itertools import groupby
 
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.document import telling
 from rbpsym.document.breaking import table_width
 from rbpsym.document.model import Block, Inlines, Paragraph, Ref, Section
 from rbpsym.document.needless import is_still
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label
-from rbpsym.document.telling import (
-    MOST_ROWS,
-    Teller,
-    by_kind,
-    display,
-    done_table,
-    forces_table,
-    in_one_table,
-    is_constant,
-    joined,
-    works_table,
-)
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 
@@ -110,19 +99,19 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     yield from _intro(steps[0].chapter, derivation, said)
-    yield from Teller(said).steps(steps)
+    yield from telling.Teller(said).steps(steps)
 
 
 def _inertia(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The integrals over the mass; of a moment that is given there is nothing to say before."""
     if any(step.rule == "mass_integral" for step in derivation.chapter("inertia")):
         yield from _intro("inertia", derivation, said)
-    yield from Teller(said).steps(steps)
+    yield from telling.Teller(said).steps(steps)
 
 
 def _motion(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The balances, then the accelerations: those that come from the same equations, or that are zero, together."""
-    teller = Teller(said)
+    teller = telling.Teller(said)
     if derivation.study.system.unknowns:
         yield from _intro("torque", derivation, said)
     for (phrase, _), group in groupby(steps, key=manner_of_solution):
@@ -143,12 +132,12 @@ def manner_of_solution(step: Step) -> tuple[str, frozenset[str]]:
 
 def _kinematics(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """Positions, velocities and speeds of all bodies together, then how they turn."""
-    teller = Teller(said)
+    teller = telling.Teller(said)
     if not is_still(derivation):
         yield from _intro("kinematics", derivation, said)
     kinds = ("dependent", "tied_speed", "position", "velocity", "speed", "orbit", "turning")
     found = [step for step in steps if step.phrase == "kinematics.turning.found"]
-    others, *groups = by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
+    others, *groups = telling.by_kind([step for step in steps if step not in found], [f"kinematics.{kind}" for kind in kinds])
     yield from teller.steps((*others, *found))
     for kind, group in zip(kinds, groups, strict=True):
         tied = [step.slots["coordinate"] for step in group if "coordinate" in step.slots]
@@ -161,12 +150,12 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
         "forces", derivation, said, figure=Ref(free_bodies_label(said)), table=Ref(said.prefix + "table.forces")
     )
     yield free_bodies_figure(derivation, said)
-    short = in_one_table(steps, derivation, said)
+    short = telling.in_one_table(steps, derivation, said)
     long = [step for step in steps if step not in short]
-    yield forces_table(short, derivation, said)
+    yield telling.forces_table(short, derivation, said)
     if long:
         yield Paragraph(said.say("forces.long", forces=[step.slots["force"] for step in long]))
-        yield from (joined([step], said) for step in long)
+        yield from (telling.joined([step], said) for step in long)
 
 
 def _manner_of_motion(derivation: Derivation, said: Words) -> str:
@@ -179,9 +168,9 @@ def _manner_of_motion(derivation: Derivation, said: Words) -> str:
 
 def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The equations of each body, then the unknown forces together."""
-    teller = Teller(said)
+    teller = telling.Teller(said)
     yield from _intro(_manner_of_motion(derivation, said), derivation, said)
-    others, known, reactions = by_kind(steps, ("newton_euler.known", "newton_euler.reaction"))
+    others, known, reactions = telling.by_kind(steps, ("newton_euler.known", "newton_euler.reaction"))
     yield from teller.steps(others)
     yield from teller.together(known, "newton_euler.solved_many")
     yield from teller.together(
@@ -191,17 +180,17 @@ def _reactions(steps: list[Step], derivation: Derivation, said: Words) -> Iterat
 
 def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as symbols, what cancels, the theorem in its halves, then the works carried out."""
-    teller = Teller(said)
+    teller = telling.Teller(said)
     rules = ("work", "workless", "power", "work_energy", "work_sum", "work_done", "solution")
     kinds = {rule: [step for step in steps if step.rule == rule] for rule in rules}
-    integrals, handed_on = by_kind(kinds["work"], ("work.handed_on",))
+    integrals, handed_on = telling.by_kind(kinds["work"], ("work.handed_on",))
     if integrals:
         yield from _integrals(integrals, derivation, said)
     for manner in dict.fromkeys(step.phrase for step in kinds["workless"]):
         group = [step for step in kinds["workless"] if step.phrase == manner]
         yield from teller.together(group, "work.cancel_all", forces=[step.slots["force"] for step in group])
     yield from teller.steps((*handed_on, *kinds["power"]))
-    whole, *split = by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))
+    whole, *split = telling.by_kind(kinds["work_energy"], ("work.theorem.translational", "work.theorem.rotational"))
     halves = [step for step in kinds["work_energy"] if any(step in half for half in split)]
     if halves:
         yield from _halves(halves, teller, said, Said(derivation.study))
@@ -213,25 +202,25 @@ def _work(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
 
 def _integrals(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works as integrals: a table, or one below the other if they are long."""
-    table = works_table(steps, said)
+    table = telling.works_table(steps, said)
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.intro", table=Ref(table.label)))
         yield table
         return
     yield Paragraph(said.say("work.intro_below"))
-    yield from (joined([step], said) for step in steps)
+    yield from (telling.joined([step], said) for step in steps)
 
 
 def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The works carried out: a table, or one below the other if the formulas are long."""
-    table, ground = done_table(steps, said), Said(derivation.study, steps=steps)
+    table, ground = telling.done_table(steps, said), Said(derivation.study, steps=steps)
     if table_width(table, said.notation) <= WIDEST:
         yield Paragraph(said.say("work.done_intro", ground=ground, table=Ref(table.label)))
         yield table
         return
     yield Paragraph(said.say("work.done_below", ground=ground))
     for group in _by_force(steps):
-        yield joined(group, said)
+        yield telling.joined(group, said)
 
 
 def _by_force(steps: list[Step]) -> list[list[Step]]:
@@ -240,17 +229,17 @@ def _by_force(steps: list[Step]) -> list[list[Step]]:
     forces = dict.fromkeys(step.id.split(".", 2)[2] for step in steps)
     for force in forces:
         own = [step for step in steps if step.id.split(".", 2)[2] == force]
-        if groups[-1] and len(groups[-1]) + len(own) > MOST_ROWS:
+        if groups[-1] and len(groups[-1]) + len(own) > telling.MOST_ROWS:
             groups.append([])
         groups[-1] += own
     return groups
 
 
-def _halves(steps: list[Step], teller: Teller, said: Words, ground: Said) -> Iterator[Block]:
+def _halves(steps: list[Step], teller: telling.Teller, said: Words, ground: Said) -> Iterator[Block]:
     """Both halves of the theorem, of all bodies under one number if there are few."""
-    if len(steps) <= MOST_ROWS:
+    if len(steps) <= telling.MOST_ROWS:
         yield Paragraph(said.say("work.theorem.half", ground=ground, count=len(steps)))
-        yield joined(steps, said)
+        yield telling.joined(steps, said)
         return
     yield Paragraph(said.say("work.theorem.halves_each"))
     for body in dict.fromkeys(step.slots["body"] for step in steps):
@@ -259,20 +248,20 @@ def _halves(steps: list[Step], teller: Teller, said: Words, ground: Said) -> Ite
 
 def _contact(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
     """The forces along the motion together, then where they vanish."""
-    teller = Teller(said)
-    others, along = by_kind(steps, ("contact.along",))
+    teller = telling.Teller(said)
+    others, along = telling.by_kind(steps, ("contact.along",))
     sources = [source for step in along for source in step.slots.get("sources", ())]
-    still = [step for step in along if is_constant(step, derivation)]
+    still = [step for step in along if telling.is_constant(step, derivation)]
     if still:
         forces = [step.slots["force"] for step in still]
         yield Paragraph(said.say("contact.constant", ground=Said(steps=still), forces=forces, count=len(still)))
-        yield joined(still, said)
+        yield telling.joined(still, said)
     for boxed in (True, False):
         group = [step for step in along if step.is_result is boxed and step not in still]
         forces = [step.slots["force"] for step in group]
         key = "contact.along_all" if sources else "contact.along_plain"
         yield from teller.together(group, key, sources=sources, forces=forces)
-    same, rest = by_kind(others, ("contact.other_force",))
+    same, rest = telling.by_kind(others, ("contact.other_force",))
     first = next((k for k, step in enumerate(others) if step in rest), len(same))
     yield from teller.steps(same[:first])
     yield from teller.together(rest, "contact.other_forces", forces=[step.slots["force"] for step in rest])
@@ -284,13 +273,13 @@ def _oscillations(steps: list[Step], derivation: Derivation, said: Words) -> Ite
 
     One that is `told` of has its sentence with the motion close to it.
     """
-    teller = Teller(said)
+    teller = telling.Teller(said)
     yield from _intro("oscillations", derivation, said)
     silent = [s for s in derivation.chapter("oscillations") if s.rule == "equilibrium" and not s.slots["told"]]
     unstable = [step for step in silent if step.phrase == "oscillations.unstable" and step not in steps]
     for step in derivation.chapter("oscillations"):
         if step in steps:
-            yield from (display(step, said),) if step.slots.get("told", False) else teller.step(step)
+            yield from (telling.display(step, said),) if step.slots.get("told", False) else teller.step(step)
         elif step in silent and not (step in unstable and len(unstable) > 1):
             yield Paragraph(teller.sentence(step, step.phrase, **step.slots))
     if len(unstable) > 1:

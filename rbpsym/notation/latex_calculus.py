@@ -4,12 +4,7 @@ from __future__ import annotations
 
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_functions import operand, relation
-from rbpsym.notation.latex_grammar import (
-    argument,
-    between,
-    expression,
-    multiplied,
-)
+from rbpsym.notation.latex_grammar import argument, between, expression, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
 from rbpsym.notation.symbol_table import Reader, begins

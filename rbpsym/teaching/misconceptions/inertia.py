@@ -14,18 +14,8 @@ from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.teaching.misconceptions.model import (
-    INERTIA,
-    NO_INERTIA,
-    SPIN,
-    WELL,
-    Misconception,
-    Site,
-    spinning,
-    with_body,
-    with_inertia,
-    with_parts,
-)
+from rbpsym.teaching.misconceptions import model as change
+from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
 from rbpsym.teaching.targets import axes
 
 ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "shell": Fraction(2, 3)}
@@ -33,15 +23,15 @@ ROUND = {"disk": Fraction(1, 2), "ring": Fraction(1), "ball": Fraction(2, 5), "s
 
 def _spin_dropped(study: Study) -> Iterator[Site]:
     """I_cm of one body left out: it is taken for a point mass at its centre."""
-    for name, _ in spinning(study):
-        yield Site({"body": BodyRef(name)}, partial(with_inertia, study, name, moment=NOTHING))
+    for name, _ in change.spinning(study):
+        yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=NOTHING))
 
 
 def _all_at_centers(study: Study) -> Iterator[Site]:
     """Every body a point mass (the simple pendulum instead of the compound one)."""
-    names = [name for name, _ in spinning(study)]
+    names = [name for name, _ in change.spinning(study)]
     if len(names) > 1:
-        yield Site({}, lambda: reduce(lambda found, name: with_inertia(found, name, moment=NOTHING), names, study))
+        yield Site({}, lambda: reduce(lambda found, name: change.with_inertia(found, name, moment=NOTHING), names, study))
 
 
 def _axis_forgotten(study: Study) -> Iterator[Site]:
@@ -49,7 +39,7 @@ def _axis_forgotten(study: Study) -> Iterator[Site]:
     for name, (label, square) in axes(study).items():
         state = study.system.bodies[name]
         if state.moment:
-            wrong = partial(with_inertia, study, name, moment=state.moment - state.mass * square)
+            wrong = partial(change.with_inertia, study, name, moment=state.moment - state.mass * square)
             yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
 
 
@@ -57,18 +47,18 @@ def _axis_twice(study: Study) -> Iterator[Site]:
     """M d² added to what holds it already."""
     for name, (label, square) in axes(study).items():
         state = study.system.bodies[name]
-        wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * square)
+        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * square)
         yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
 
 
 def _about_end(study: Study) -> Iterator[Site]:
     """The moment about the end of a rod used as that about its centre (or a third for a twelfth)."""
-    for name, state in spinning(study):
+    for name, state in change.spinning(study):
         shape = study.problem.body(name).shape
         if name in axes(study) or "length" not in shape.sizes:
             continue
         half = scalar(shape.sizes["length"]) / 2
-        wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * half * half)
+        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * half * half)
         yield Site({"body": BodyRef(name)}, wrong)
 
 
@@ -80,13 +70,13 @@ def _center_for_end(study: Study) -> Iterator[Site]:
             continue  # that is “axis forgotten”
         if shape.kind == "rod":
             end = (scalar(shape.sizes["length"]) / 2) ** 2
-            wrong = partial(with_inertia, study, name, moment=state.moment + state.mass * (end - square))
+            wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * (end - square))
             yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
 
 
 def _another_shape(study: Study) -> Iterator[Site]:
     """The factor of another round shape: ½, 1, 2/5, 2/3 of M R²."""
-    for name, state in spinning(study):
+    for name, state in change.spinning(study):
         shape = study.problem.body(name).shape
         if shape.kind not in ROUND or "radius" not in shape.sizes:
             continue
@@ -95,7 +85,7 @@ def _another_shape(study: Study) -> Iterator[Site]:
             continue  # its moment of inertia is what is given: M R² stands for it
         for kind, share in ROUND.items():
             if kind != shape.kind:
-                wrong = partial(with_inertia, study, name, moment=state.mass * radius * radius * share)
+                wrong = partial(change.with_inertia, study, name, moment=state.mass * radius * radius * share)
                 yield Site({"body": BodyRef(name), "variant": kind}, wrong)
 
 
@@ -109,8 +99,8 @@ def _mass_dropped(study: Study) -> Iterator[Site]:
         spin = {"moment": NOTHING} if element.kind == "weld" else {}
         wrong = replace(study.system.bodies[name].inertia, mass=NOTHING, **spin)
         forces = tuple(f for f in study.system.forces if not (f.law == "gravity" and f.on == name))
-        system = replace(with_body(study, name, inertia=wrong), forces=forces)
-        yield Site({"body": BodyRef(name)}, partial(with_parts, study, system=system))
+        system = replace(change.with_body(study, name, inertia=wrong), forces=forces)
+        yield Site({"body": BodyRef(name)}, partial(change.with_parts, study, system=system))
 
 
 MISCONCEPTIONS = (

@@ -8,18 +8,7 @@ from collections.abc import Iterator
 
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import (
-    Bench,
-    Prepared,
-    Setting,
-    asked_unit,
-    asks_for,
-    formula_of,
-    is_number,
-    known_names,
-    numbers_at,
-    word,
-)
+from rbpsym.teaching import bench as b
 from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, ChoiceKey, FormulaKey, Item, Measure, NumberKey, Option
 from rbpsym.teaching.situations import Scenery, names_in
@@ -33,19 +22,19 @@ from rbpsym.teaching.wording import spoken
 # --- formula: a result to be entered, in the quantities of the problem
 
 
-def formulas(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def formulas(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity."""
     for target in wanted(bench, wish, lambda target: True, ""):
         yield _formula_task(bench, wish, target)
 
 
-def _formula_task(bench: Bench, wish: Wish, target: Target) -> Prepared:
+def _formula_task(bench: b.Bench, wish: Wish, target: Target) -> b.Prepared:
     found = bench.pool.of(target)
     anticipated = tuple(Anticipated(d.slip, d.formula) for d in found)
-    right = formula_of(bench, target)
+    right = b.formula_of(bench, target)
     names = in_order(bench, names_in(target.value(bench.study)))
 
-    def make(setting: Setting) -> Item:
+    def make(setting: b.Setting) -> Item:
         follows = tuple(follow_ons(bench, target, setting.before, "formula"))
         slots = {**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]}
         asks = spoken(setting.said, f"ask.formula.{target.kind}", **slots)
@@ -54,10 +43,10 @@ def _formula_task(bench: Bench, wish: Wish, target: Target) -> Prepared:
         solution = worked(bench, setting, target, None)
         return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=4)
 
-    return Prepared("formula", target, (), make, content=asks_for(bench, target))
+    return b.Prepared("formula", target, (), make, content=b.asks_for(bench, target))
 
 
-def in_order(bench: Bench, names: set[str]) -> tuple[str, ...]:
+def in_order(bench: b.Bench, names: set[str]) -> tuple[str, ...]:
     """Names in the order of the statement: parameters, starts, coordinates, then speeds."""
     problem = bench.study.problem
     order = [q.name for q in problem.parameters] + [c.name for c in problem.coordinates]
@@ -67,25 +56,25 @@ def in_order(bench: Bench, names: set[str]) -> tuple[str, ...]:
 # --- number: a quantity at the student's numbers, with unit and significant figures
 
 
-def numbers(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def numbers(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity that is a number at the place that is asked about."""
-    fits = lambda x: is_number(bench, x, scenery)  # noqa: E731
+    fits = lambda x: b.is_number(bench, x, scenery)  # noqa: E731
     for target in wanted(bench, wish, fits, "it has no number at the place that is asked about"):
         yield _number_task(bench, scenery, wish, target)
 
 
-def _number_task(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Prepared:
+def _number_task(bench: b.Bench, scenery: Scenery, wish: Wish, target: Target) -> b.Prepared:
     found = _with_numbers(bench, scenery, target)
     right = target.along(bench.study)
 
-    def make(setting: Setting) -> Item | None:
+    def make(setting: b.Setting) -> Item | None:
         return _number_item(bench, setting, target, wish, found)
 
-    values, content = (right, *(d.along for d in found)), Content(numbers=asks_for(bench, target).asks)
-    return Prepared("number", target, values, make, content)
+    values, content = (right, *(d.along for d in found)), Content(numbers=b.asks_for(bench, target).asks)
+    return b.Prepared("number", target, values, make, content)
 
 
-def _number_item(bench: Bench, setting: Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:
+def _number_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:
     try:
         measure = measure_of(bench, target, setting.values[0])
     except (ValueError, ZeroDivisionError):
@@ -102,8 +91,8 @@ def _number_item(bench: Bench, setting: Setting, target: Target, wish: Wish, fou
         target.reading.number(value) if target.reading else value,
         formula,
         left,
-        numbers_at(setting.situation, needed),
-        units=(asked_unit(bench, target),),
+        b.numbers_at(setting.situation, needed),
+        units=(b.asked_unit(bench, target),),
         anticipated=tuple(_anticipated(bench, setting, target, measure, found)),
         follows=follows,
     )
@@ -114,7 +103,7 @@ def _number_item(bench: Bench, setting: Setting, target: Target, wish: Wish, fou
     return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=3)
 
 
-def _anticipated(bench: Bench, setting: Setting, target: Target, right: Measure, found: tuple[Distractor, ...]):
+def _anticipated(bench: b.Bench, setting: b.Setting, target: Target, right: Measure, found: tuple[Distractor, ...]):
     """What misconceptions make of it, as far as that differs in print."""
     kept = [right]
     for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=True)):
@@ -128,7 +117,7 @@ def _anticipated(bench: Bench, setting: Setting, target: Target, right: Measure,
             yield Anticipated(distractor.slip, formula, measure)
 
 
-def _formula(bench: Bench, target: Target, distractor: Distractor) -> t.Node:
+def _formula(bench: b.Bench, target: Target, distractor: Distractor) -> t.Node:
     formula = shown(distractor.along, bench.study)
     return target.reading.node(formula) if target.reading else formula
 
@@ -139,16 +128,16 @@ def _formula(bench: Bench, target: Target, distractor: Distractor) -> t.Node:
 FEWEST = 3
 
 
-def choices(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def choices(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity. Raises an error if there are too few wrong answers."""
     if not 2 <= wish.options <= 6:
         raise wish.error(f"a choice among {wish.options} is not offered", "write options = 3, 4 or 5.")
-    is_asked = (lambda x: is_number(bench, x, scenery)) if wish.answers == "number" else (lambda x: True)
+    is_asked = (lambda x: b.is_number(bench, x, scenery)) if wish.answers == "number" else (lambda x: True)
     for target in wanted(bench, wish, is_asked, "it has no number at the place that is asked about"):
         yield from _choices_of(bench, scenery, wish, target)
 
 
-def _choices_of(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> Iterator[Prepared]:
+def _choices_of(bench: b.Bench, scenery: Scenery, wish: Wish, target: Target) -> Iterator[b.Prepared]:
     found = _with_numbers(bench, scenery, target) if wish.answers == "number" else bench.pool.of(target)
     if len(found) < wish.options - 1:
         if not wish.about:
@@ -161,22 +150,22 @@ def _choices_of(bench: Bench, scenery: Scenery, wish: Wish, target: Target) -> I
     values = (target.value(bench.study), *(d.value for d in found))
     if wish.answers == "number":
         values = (target.along(bench.study), *(d.along for d in found))
-    right = formula_of(bench, target)
+    right = b.formula_of(bench, target)
 
-    def make(setting: Setting) -> Item | None:
+    def make(setting: b.Setting) -> Item | None:
         kept = chosen(setting, target, wish, found)
         return None if kept is None else _choice_item(bench, setting, target, wish, right, kept)
 
-    yield Prepared("choose", target, values, make, asks_for(bench, target))
+    yield b.Prepared("choose", target, values, make, b.asks_for(bench, target))
 
 
-def _with_numbers(bench: Bench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:
+def _with_numbers(bench: b.Bench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:
     """The known wrong values that are numbers at the place that is asked about."""
-    known = known_names(bench, scenery)
+    known = b.known_names(bench, scenery)
     return tuple(d for d in bench.pool.of(target) if d.along is not None and names_in(d.along) <= known)
 
 
-def chosen(setting: Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]):
+def chosen(setting: b.Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]):
     """(place in values, distractor or None for the key, measure) in a drawn order; None if too few differ in print."""
     measures = [in_print(value, target, wish.answers == "number") for value in setting.values]
     if measures[0] is None:
@@ -193,7 +182,7 @@ def chosen(setting: Setting, target: Target, wish: Wish, found: tuple[Distractor
     return [(place, found[place - 1] if place else None, m) for place, m in setting.draws.shuffled(kept)]
 
 
-def preferred(setting: Setting, count: int) -> list[int]:
+def preferred(setting: b.Setting, count: int) -> list[int]:
     """The best half in any order, then the rest in any order."""
     first = (count + 1) // 2
     best, rest = list(range(first)), list(range(first, count))
@@ -209,7 +198,7 @@ def in_print(value: float, target: Target, reads: bool) -> Measure | None:
         return None
 
 
-def _choice_item(bench: Bench, setting: Setting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
+def _choice_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
     numbers = wish.answers == "number"
     options = tuple(_option(bench, setting, target, right, d, m, numbers) for _, d, m in kept)
     key = ChoiceKey(options, next(at for at, (place, _, _) in enumerate(kept) if place == 0))
@@ -221,11 +210,11 @@ def _choice_item(bench: Bench, setting: Setting, target: Target, wish: Wish, rig
 
 
 def _option(
-    bench: Bench, setting: Setting, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool
+    bench: b.Bench, setting: b.Setting, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool
 ) -> Option:
     slip = None if d is None else d.slip
     formula = right if d is None else d.formula
     if not numbers:
         return Option((Math(formula),), slip, formula)
-    measure = Measure(m.value, asked_unit(bench, target), m.digits)
-    return Option((Math(word(measure, setting.said.notation)),), slip, None, measure)
+    measure = Measure(m.value, b.asked_unit(bench, target), m.digits)
+    return Option((Math(b.word(measure, setting.said.notation)),), slip, None, measure)
