@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
-from rbpsym.algebra.effort import at_most
+from rbpsym.algebra.effort import at_most, in_all
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
@@ -18,9 +19,10 @@ from rbpsym.mechanics.study import Study
 from rbpsym.methods import work_energy
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
-from rbpsym.verify.lagrange import agreement
+from rbpsym.verify.lagrange import agreement, lagrange_verdict
 
-MOST_PRODUCTS = 250_000
+MOST_PRODUCTS = 250_000  # of a method, beside the proofs of its steps
+MOST_IN_ALL = 4_000_000  # of all chapters and proofs of a phase, some fifteen seconds: twice the longest of the library
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write)
 
@@ -37,7 +39,10 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     try:
         return replace(first, phases=_phases(problem))
     except NotApplicable:
-        return replace(first, skipped=(*first.skipped, Skipped("phases", "skipped.phases")))
+        left_out = Skipped("phases", "skipped.phases")
+    except LimitError:
+        left_out = Skipped("phases", "skipped.too_long", {"method": "phases"})
+    return replace(first, skipped=(*first.skipped, left_out))
 
 
 def _derived(study: Study, simulation: bool) -> Derivation:
@@ -46,21 +51,42 @@ def _derived(study: Study, simulation: bool) -> Derivation:
     with suppress(LimitError):  # the signs at the start: told by the methods that can't do without the forces
         check_start(study)
     draft = Draft(study)
-    for write in BEFORE:
-        write(draft)
-    found = {name: _carried_out(draft, name, method) for name, method in METHODS.items()}
-    for write in AFTER:
-        write(draft)
+    with in_all(MOST_IN_ALL):
+        found = _chapters(draft)
     return _with_oracles(draft, found, simulation)
 
 
+def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
+    """What each method finds; the letters of the first chapters are those of all others, which are left out without them."""
+    if not all(_written(draft, write) for write in BEFORE):
+        for name in METHODS:
+            draft.skip(name, "skipped.too_long", method=name)
+        return dict.fromkeys(METHODS)
+    found = {name: _carried_out(draft, name, method) for name, method in METHODS.items()}
+    for write in AFTER:
+        _written(draft, write)
+    return found
+
+
+def _written(draft: Draft, write: Callable[[Draft], None]) -> bool:
+    """Whether a chapter came to its end; if not, the steps that it has are kept, and it is told that others are missing."""
+    try:
+        write(draft)
+        return True
+    except LimitError:
+        draft.skip(draft.chapter, "skipped.cut", method=draft.chapter)
+        return False
+
+
 def _phases(problem: Problem) -> tuple[DerivedPhase, ...]:
-    """The later phases. Raises NotApplicable where the end of one has no closed form."""
+    """The later phases. Raises NotApplicable where the end of one has no closed form, LimitError where they grow too long."""
     from rbpsym.derivation.phases import hand_overs
 
+    with in_all(MOST_IN_ALL):
+        found = hand_overs(problem)
     return tuple(
         DerivedPhase(phase.name, phase.event, tuple(draft.steps), _derived(stage.study, simulation=False))
-        for phase, stage, draft in hand_overs(problem)
+        for phase, stage, draft in found
     )
 
 
@@ -77,21 +103,19 @@ def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scal
 
 
 def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:
-    from rbpsym.verify.lagrange import lagrange_verdict
-
     study = draft.study
-    report = _simulated(study) if simulation else None
+    report = _simulated(draft) if simulation else None
     lagrange: Verdict = lagrange_verdict(study.system, study.dynamics, study.assumptions)
     agreed, letters = agreement(study, found), draft.context
     return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreed, report, lagrange, letters=letters)
 
 
-def _simulated(study: Study):
-    """The report of the numerical oracle; None where it does not know a kind of the statement."""
-    from rbpsym.errors import NotApplicable
+def _simulated(draft: Draft) -> Any:
+    """The report of the numerical oracle; None where it gave up, which is told."""
     from rbpsym.verify.simulation_phases import simulate_problem
 
     try:
-        return simulate_problem(study)
-    except NotApplicable:
+        return simulate_problem(draft.study)
+    except NotApplicable as error:
+        draft.skip("simulation", "skipped.simulation", reason=error.what)
         return None

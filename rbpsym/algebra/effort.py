@@ -2,7 +2,8 @@
 
 What is multiplied out within `at_most(n)` may make n products of terms; beyond, LimitError is
 raised. So a method that does not lead to an end is given up, on every machine at the same place.
-The bound belongs to the call: another thread has its own.
+What is spent `apart` counts for the bound of the whole work only, `in_all(n)`. The bounds belong to the call: another
+thread has its own.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ P, T = ParamSpec("P"), TypeVar("T")
 COUNTABLE = 10**15
 MOST_KEPT = 4096  # results of a function
 _left: ContextVar[list[float] | None] = ContextVar("products that are left", default=None)
+_whole: ContextVar[list[float] | None] = ContextVar("products that are left of the whole work", default=None)
 
 
 def spend(products: float) -> None:
@@ -47,13 +49,30 @@ def at_most(products: int) -> Iterator[list[float]]:
 
 
 @contextmanager
+def in_all(products: int) -> Iterator[list[float]]:
+    """As `at_most`, but what is spent `apart` counts, too."""
+    with at_most(products) as left:
+        token = _whole.set(left)
+        try:
+            yield left
+        finally:
+            _whole.reset(token)
+
+
+@contextmanager
 def apart() -> Iterator[None]:
-    """Within it, what is spent counts for no bound that was set outside."""
-    token = _left.set(None)
+    """Within it, what is spent counts for no bound that was set outside but that of the whole work."""
+    token = _left.set(_whole.get())
     try:
         yield
     finally:
         _left.reset(token)
+
+
+def ask_for_more() -> None:
+    """Raises LimitError where nothing is left of the whole work."""
+    with apart():
+        spend(0)
 
 
 def remembered(function: Callable[P, T]) -> Callable[P, T]:

@@ -258,4 +258,8 @@ def verdict_line(verdicts: Mapping[str, Any]) -> str:
     if verdicts["simulation"]:
         error = verdicts["simulation"]["max_relative_error"]
         parts.append(f"simulation {'agrees to' if error <= CLOSE else 'DIFFERS by'} {error:.0e}")
+    parts += [f"{item['what']} {GIVEN_UP[item['why']]}" for item in verdicts["left_out"] if item["why"] in GIVEN_UP]
     return "; ".join(parts)
+
+
+GIVEN_UP = {"too_long": "left out (too long)", "cut": "left out in part (too long)", "simulation": "gave up"}

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 from typing import Any
 
 from rbpsym.algebra.atoms import symbol_name
-from rbpsym.algebra.effort import apart
+from rbpsym.algebra.effort import apart, ask_for_more, at_most
 from rbpsym.algebra.grouping import leads_positive
 from rbpsym.algebra.normal import is_rooted, without_even_roots
 from rbpsym.algebra.poly import Poly
@@ -91,9 +91,11 @@ class Draft:
         return tuple(id for id in ids if id in self.context.steps or id in self.context.facts)
 
     def certified(self, step: Step, named: tuple[str, ...]) -> Step:
-        """The step with the premises that it needs, and its certificate."""
-        with apart():  # what is proved of a step is no work of the method that makes it
-            return bound(self.context, step, named)
+        """The step with the premises that it needs, and its certificate. Raises LimitError where the whole work is too long."""
+        with apart(), at_most(MOST_PRODUCTS):  # what is proved of a step is no work of the method that makes it
+            step = bound(self.context, step, named)
+        ask_for_more()
+        return step
 
     def _unique(self, id: str, known: set[str]) -> str:
         found, k = id, 2
@@ -191,6 +193,7 @@ class Draft:
         return self.study.letters.free(name, mark=mark, taken=taken)
 
 
+MOST_PRODUCTS = 1_000_000  # for the premises of a step and its certificate: five times what the longest of the library takes
 MUCH_SHORTER = 0.75
 OF_CENTER = ("R", "V", "A", "I", "P", "x", "y")  # quantities of the only body that are those of its centre of mass
 

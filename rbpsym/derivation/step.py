@@ -146,6 +146,7 @@ class Derivation(Shown):
             "methods_agree": all(verdict.kind is PROVED for verdict in self._agreements()),
             "lagrange": None if self.lagrange is None else str(self.lagrange.kind),
             "simulation": None if error is None else {"max_relative_error": error},
+            "left_out": [{"what": item.method, "why": item.phrase.removeprefix("skipped.")} for item in self.skipped],
         }
 
 

@@ -19,19 +19,19 @@ from rbpsym.methods.body_by_body import along_k, by_bodies
 from rbpsym.notation import tree as t
 
 NAME = "torque"
-MOST_PRODUCTS = 600_000  # some seconds: what takes more can't be read either
+MOST_PRODUCTS = 150_000  # what takes more can't be read either; of what a method may spend it leaves enough for the other way
 
 
 def write(draft: Draft) -> Mapping[str, Scalar] | None:
     """The steps; returns the accelerations that they give, None if the method does not apply."""
-    draft.chapter = "motion"
+    draft.chapter, before = "motion", len(draft.steps)
     try:
         with at_most(MOST_PRODUCTS):
             found = plan(draft.study)
             if found is not None:
                 return _solve(draft, found, _balances(draft, found))
     except LimitError:
-        draft.steps[:] = [step for step in draft.steps if step.chapter != draft.chapter]
+        draft.forget(before)
     draft.skip(NAME, "skipped.planner")
     _projected(draft)
     return None

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
@@ -117,6 +118,7 @@ def _velocity(motion, body: str | None, place: Vector) -> Vector:
     return motion.velocity(state.center) + (place - state.center).turned() * motion.rate(state.pose.angle)
 
 
+MOST_PRODUCTS = 2_000_000
 HALF = Fraction(1, 2)
 
 
@@ -271,7 +273,8 @@ def lagrange_verdict(system: System, dynamics: Dynamics, assumptions: Assumption
     """
     assumptions = assumptions or Assumptions({q.name: q.sign for q in system.problem.parameters})
     try:
-        return all_of(_verdicts(system, dynamics, assumptions))
+        with at_most(MOST_PRODUCTS):
+            return all_of(_verdicts(system, dynamics, assumptions))
     except (NotApplicable, LimitError) as error:
         return undecided(error.what)
     except ZeroDivisionError:

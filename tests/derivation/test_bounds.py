@@ -1,0 +1,58 @@
+"""A derivation comes to its end whatever is granted to it, keeps what it has proved, and tells what is missing."""
+
+import importlib
+import zlib
+from pathlib import Path
+
+import pytest
+
+from rbpsym import load_problem
+from rbpsym.algebra.effort import apart, ask_for_more, at_most, in_all, spend
+from rbpsym.errors import LimitError, NotApplicable, RbpsymError
+from rbpsym.verify import simulation_phases
+from tests.derivation.conftest import FILES, drafted
+
+derive = importlib.import_module("rbpsym.derive")
+GRANTED = (300, 1000, 3000, 8000)
+TOLD = {"too_long", "cut"}
+LINKAGE = Path(__file__).parent / "four-bar.toml"
+
+
+@pytest.mark.parametrize("name", sorted(FILES))
+def test_what_is_cut_short_is_told(name, monkeypatch):
+    """Each problem with a bound drawn by its name."""
+    whole = {step.id for step in drafted(name).steps}
+    monkeypatch.setattr(derive, "MOST_IN_ALL", GRANTED[zlib.crc32(name.encode()) % len(GRANTED)])
+    found = derive.derive(load_problem(FILES[name]), simulation=False)
+    reasons = {item.phrase.removeprefix("skipped.") for item in found.skipped}
+    kept = {step.id for step in found.steps}
+    assert all(step.certificate.verdict.is_proved for step in found.steps)
+    assert kept < whole if reasons & TOLD else kept == whole
+
+def test_what_no_one_can_prove_at_length_does_not_go_on_without_end(monkeypatch):
+    """Four-bar linkage of unlike rods: its places, momenta and forces are told, and that the rest is too long."""
+    monkeypatch.setattr(derive, "MOST_IN_ALL", 200_000)
+    found = derive.derive(load_problem(LINKAGE), simulation=False)
+    assert {"kinematics", "inertia", "momentum", "forces"} <= {step.chapter for step in found.steps}
+    assert {"what": "newton-euler", "why": "too_long"} in found.summary()["left_out"]
+
+
+def test_a_simulation_that_gave_up_is_told(monkeypatch):
+    def gives_up(study):
+        raise NotApplicable("it did not get beyond the time 1")
+
+    monkeypatch.setattr(simulation_phases, "simulate_problem", gives_up)
+    found = derive.derive(load_problem(FILES["rod-pendulum"]))
+    assert found.simulation is None and {"what": "simulation", "why": "simulation"} in found.summary()["left_out"]
+
+
+def test_what_is_spent_apart_counts_for_the_whole():
+    with in_all(10):
+        with at_most(5), apart(), at_most(9):
+            spend(8)
+        ask_for_more()
+        with pytest.raises(LimitError):
+            spend(3)
+        with pytest.raises(RbpsymError):
+            ask_for_more()
+    ask_for_more()
