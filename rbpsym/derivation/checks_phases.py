@@ -14,14 +14,18 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
+from rbpsym.derivation.checks_places import UNSEEN, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
+from rbpsym.equality.decide import compare
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System
+from rbpsym.statement.model import Phase
 
 Values = Mapping[str, Scalar]
 
@@ -52,34 +56,57 @@ def _at(time: Scalar, value: Scalar) -> Scalar:
 def reached_then(context: Context, step: Step) -> Verdict:
     """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending", "time")."""
     [(_, _, right)] = list(relations(step.statement))
-    phase, time = step.data["ending"].phase, context.value(right)
+    return same(context, _at(context.value(right), _left(context, step)), NOTHING)
+
+
+def first_then(context: Context, step: Step) -> Verdict:
+    """The stated time comes after the start, and what vanishes then does not vanish before."""
+    context, (time,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
+    before = context.assumptions.with_range("t", NOTHING, time)
+    ahead = compare(NOTHING, time, context.assumptions)
+    return weakest([ahead, Verdict(PROVED) if sign(_left(context, step), before).is_nonzero else UNSEEN])
+
+
+def _left(context: Context, step: Step) -> Scalar:
+    """What is left of the slip, or of the way to the value, as a function of the time."""
+    phase, system = step.data["ending"].phase, context.study.system
     if phase.event == "reaches":
-        return same(context, _at(time, _course(context, _of(context, phase.subject))[0]), scalar(phase.value))
+        return _course(context, _of(context, phase.subject))[0] - scalar(phase.value)
     if phase.event == "rests":
-        return same(context, _at(time, _course(context, _of(context, phase.subject))[1]), NOTHING)
-    slip = slip_at(context.study.system, context.study.system.element(phase.subject))
-    gain = context.on_motion(time_derivative(slip, context.study.system.scope))
-    return same(context, context.start(slip) + gain * time, NOTHING)
+        return _course(context, _of(context, phase.subject))[1]
+    slip = slip_at(system, system.element(phase.subject))
+    return context.start(slip) + context.on_motion(time_derivative(slip, system.scope)) * symbol("t")
 
 
 def reached_there(context: Context, step: Step) -> Verdict:
     """At the stated place the force vanishes, friction is at its limit, or the value is there (`data`: "ending", "name")."""
     [(_, _, right)] = list(relations(step.statement))
-    phase, place = step.data["ending"].phase, {step.data["name"]: context.value(right)}
+    gap = _gap(context, step.data["ending"].phase)
+    return same(context, substitute(gap, {step.data["name"]: context.value(right)}), NOTHING)
+
+
+def first_there(context: Context, step: Step) -> Verdict:
+    """Up to the stated place the speed is not zero, and what vanishes there does not vanish before."""
+    context, (place,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
+    goes, between = way_to(context, step.data["name"], place)
+    gap = sign(_gap(context, step.data["ending"].phase), between)
+    return weakest([*goes, Verdict(PROVED) if gap.is_nonzero else UNSEEN])
+
+
+def _gap(context: Context, phase: Phase) -> Scalar:
+    """What vanishes where a phase ends."""
+    system, along = context.study.system, context.study.reactions_along_motion
     if phase.event == "reaches":
-        return same(context, substitute(_of(context, phase.subject), place), scalar(phase.value))
+        return _of(context, phase.subject) - scalar(phase.value)
     if phase.event == "rests":
-        speed = time_derivative(_of(context, phase.subject), context.study.system.scope)
-        return same(context, substitute(context.along(speed * speed), place), NOTHING)
+        return context.along(time_derivative(_of(context, phase.subject), system.scope) ** 2)
+    element = system.element(phase.subject)
     if phase.event == "no slip":
-        slip = slip_at(context.study.system, context.study.system.element(phase.subject))
-        return same(context, substitute(context.along(slip * slip), place), NOTHING)
-    along = context.study.reactions_along_motion
+        return context.along(slip_at(system, element) ** 2)
     if phase.event == "lost":
-        return same(context, substitute(along[phase.subject], place), NOTHING)
-    element = context.study.system.element(phase.subject)
+        return along[phase.subject]
     grip, most = along[element["friction"]], along[element.name] * scalar(element["limit"])
-    return same(context, substitute(grip * grip - most * most, place), NOTHING)
+    return (most - grip) * (most + grip)
 
 
 def state_then(context: Context, step: Step) -> Verdict:

@@ -24,10 +24,10 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.ways import taken
 
 
-def under(context: Context, step: Step) -> Context:
-    """The context in which the printed conditions of the step are met."""
+def under(context: Context, step: Step, *ops: str) -> Context:
+    """The context in which the printed conditions of the step are met (those with these operators; else all)."""
     found = [relation for node in step.obligations for relation in relations(node)]
-    demands = [Demand(context.value(left) - context.value(right), op) for left, op, right in found]
+    demands = [Demand(context.value(left) - context.value(right), op) for left, op, right in found if op in (ops or (op,))]
     return replace(context, assumed=assuming(context.assumptions, demands)) if demands else context
 
 
@@ -74,38 +74,38 @@ def can_rest(context: Context, step: Step) -> Verdict:
 def comes_first(context: Context, step: Step) -> Verdict:
     """From the start to the stated place (without one: to the end of the range, where the force has changed its sign)
     the speed does not vanish and all one-sided forces keep their sign (`data`: "name", "at", "force")."""
-    context, name = under(context, step), step.data["name"]
-    begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
-    drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
+    context, name = under(context, step, ">"), step.data["name"]
     ends = [step.data["at"][name]] if step.data["at"] else context.assumptions.range_of(name)
-    return next(
-        (v for end in ends if end is not None and (v := _first(context, step, begin, drive, end)).is_proved), UNSEEN
-    )
+    return next((v for end in ends if end is not None and (v := _first(context, step, end)).is_proved), UNSEEN)
 
 
 UNSEEN = Verdict(UNDECIDED, reason="it is not decided whether the motion comes there first")
 
 
-def _first(context: Context, step: Step, begin: Scalar, drive: Scalar, end: Scalar) -> Verdict:
+def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     name, given = step.data["name"], context.assumptions
-    side = 1 if _beyond(context, begin, end).is_proved else -1
-    lower, upper = (begin, end) if side > 0 else (end, begin)
-    between = given.with_range(name, lower, upper)
+    goes, between = way_to(context, name, end)
     lost = context.along(symbol(step.data["force"]))
-    at_start, there = (substitute(lost, {name: place}) for place in (begin, end))
+    at_start, there = (substitute(lost, {name: place}) for place in (context.start(symbol(name)), end))
     changed = [compare(NOTHING, at_start, given, strict=False)]
     changed += [] if step.data["at"] else [compare(there, NOTHING, given)]
     system = context.study.system
     forces = [context.along(symbol(n)) for e in system.problem.constraints for n in pushes(e)]
     kept = [value for value in forces if step.data["at"] or not is_zero(value - lost)]
-    return weakest(
-        [
-            _beyond(context, lower, upper),
-            compare(NOTHING, drive * side, given, strict=False),
-            *changed,
-            *(compare(NOTHING, value, between) for value in (context.study.squares[name], *kept)),
-        ]
-    )
+    return weakest([*goes, *changed, *(compare(NOTHING, value, between) for value in kept)])
+
+
+def way_to(context: Context, name: str, end: Scalar) -> tuple[list[Verdict], Assumptions]:
+    """Whether the motion sets out for a place and comes there without a halt, and what holds on the way."""
+    given = context.assumptions
+    begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
+    drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
+    side = 1 if _beyond(context, begin, end).is_proved else -1
+    lower, upper = (begin, end) if side > 0 else (end, begin)
+    between = given.with_range(name, lower, upper)
+    sets_out = compare(NOTHING, drive * side, given, strict=False)
+    goes = compare(NOTHING, context.study.squares[name], between)
+    return [_beyond(context, lower, upper), sets_out, goes], between
 
 
 def _exists(context: Context, step: Step) -> Iterator[Verdict]:

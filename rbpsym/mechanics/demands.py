@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.poly import ONE, generator
+from rbpsym.algebra.poly import ONE, ZERO, generator
 from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
@@ -77,7 +77,7 @@ def assuming(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:
     """The assumptions with what the demands say of one quantity each."""
     for demand in demands:
         if demand.op != "!=":
-            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand.value), given)
+            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand), given)
     return given
 
 
@@ -97,15 +97,16 @@ HALF = Fraction(1, 2)
 WAVES = {"sin": {1: (0, 1), -1: (-1, 0)}, "cos": {1: (-HALF, HALF)}}  # in units of π
 
 
-def _narrowed(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:
-    """a x + b > 0 or a x² + b > 0 as a bound of x, for each x that has none yet on that side."""
+def _narrowed(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
+    """a x + b > 0 or a x² + b > 0 as a bound of x, for each x that has none yet on that side; a x > 0 as its sign."""
+    value, bare = demand.value, {1} if demand.op == ">" else set()
     powers = {name: max(value.num.by_power(atoms.intern("symbol", name))) for name in names_in(value) - {"pi"}}
     for name in sorted(powers, key=lambda n: (powers[n], n)):
         parts = value.num.by_power(atoms.intern("symbol", name))
-        if value.den is not ONE or len(parts) != 2 or set(parts) - {0, 1, 2} or 0 not in parts:
+        if value.den is not ONE or set(parts) not in ({0, 1}, {0, 2}, bare):
             continue
         power, slope = max(parts), Scalar(parts[max(parts)])
-        way, bound = WAYS.get(sign(slope, given).kind), short(-(Scalar(parts[0]) / slope))
+        way, bound = WAYS.get(sign(slope, given).kind), short(-(Scalar(parts.get(0, ZERO)) / slope))
         if way is None or name in _behind(bound, given) or (power == 2 and given.sign_of(name) != "positive"):
             continue
         lower, upper = given.range_of(name)

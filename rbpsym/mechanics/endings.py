@@ -9,26 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root, without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.equality.signs import sign
-from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.mechanics.arrivals import EDGE, first_met, floating, mover, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.numbers import Numbers, number, sample, samples
-from rbpsym.mechanics.roots import factor_zeros, factors_in, zeros
+from rbpsym.mechanics.numbers import sample, samples
 from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
-
-EDGE = 1e-9
-
 
 # --- events
 
@@ -52,20 +48,17 @@ def slip_ends(study: Study, phase: Phase) -> State:
     asked, what = [Demand(-(first * gain))], "does not stop slipping"
     if is_zero(gain) or settle(asked, study.assumptions) is None:
         raise _never(study, phase, what=what)
-    if all(_float(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
+    if all(floating(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
         raise _never(study, phase, UNKNOWN, what)
     return _after(study, phase, start, short(-(first / gain)), asked)
 
 
 def _at_rest(study: Study, phase: Phase, slip: Scalar) -> State:
     """Where the one coordinate that moves comes to rest, and with it the slip."""
-    name = _mover(study)
+    name = mover(study)
     if name is None or not is_zero(substitute(slip, {f"{name}_dot": NOTHING})):
         _uniform(study, phase)  # says that there is no closed form
-    place = _next(study, name, study.squares[name])
-    if place is None:
-        raise _no_closed_form(f"the place where “{phase.subject}” stops slipping")
-    return _met(study, phase, name, place)
+    return _met(study, phase, name, "stops slipping", study.squares[name])
 
 
 def contact_lost(study: Study, phase: Phase) -> State:
@@ -77,12 +70,13 @@ def contact_lost(study: Study, phase: Phase) -> State:
             instead="name a contact or a string, or let another event begin the phase.",
             place=element.place,
         )
-    known = (*study.losses, *study.ended.open_)
-    loss = next((item for item in known if item.force == phase.subject and item.at), None)
-    name = _mover(study)
-    if loss is None or name not in loss.at:
+    loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
+    name, along = mover(study), study.reactions_along_motion
+    if loss is not None and name in loss.at:
+        return replace(state_at(study, name, loss.at[name]), valid=loss.valid)
+    if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” is lost")
-    return replace(_at_place(study, name, loss.at[name]), valid=loss.valid)
+    return _met(study, phase, name, "is lost", along[phase.subject])
 
 
 def value_reached(study: Study, phase: Phase) -> State:
@@ -90,14 +84,10 @@ def value_reached(study: Study, phase: Phase) -> State:
     value = scalar(phase.value)
     if _are_uniform(study):
         return _after(study, phase, at_start(study), *_time_until(study, phase, value))
-    name = _mover(study)
+    name = mover(study)
     if name is None:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
-    gap = of_coordinate(study, phase.subject)[0] - value
-    place = _next(study, name, gap)
-    if place is None:
-        raise _never(study, phase, UNKNOWN)
-    return _met(study, phase, name, place, Demand(short(substitute(study.squares[name], {name: place}))))
+    return _met(study, phase, name, "", of_coordinate(study, phase.subject)[0] - value)
 
 
 def grip_ends(study: Study, phase: Phase) -> State:
@@ -109,14 +99,24 @@ def grip_ends(study: Study, phase: Phase) -> State:
             instead='give it a limit = "mu".',
             place=element.place,
         )
-    along, name = study.reactions_along_motion, _mover(study)
+    along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
     grip, limit = along[element["friction"]], along[element.name] * scalar(element["limit"])
-    place = _next(study, name, grip - limit, grip + limit)
-    if place is None:
-        raise _no_closed_form(f"the place where “{phase.subject}” slips")
-    return _met(study, phase, name, place)
+    return _met(study, phase, name, "slips", grip - limit, grip + limit)
+
+
+def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar) -> State:
+    """The state at the first place at which one of the values vanishes. Raises StatementError if it is never met, and for a
+    coordinate that has its value at none of the numbers tried (`what` is empty)."""
+    found = first_met(study, name, *gaps)
+    if found is None:
+        raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)
+    place, asked = found
+    valid = settle(asked, study.assumptions)
+    if valid is None:
+        raise _never(study, phase)
+    return replace(state_at(study, name, place), valid=valid)
 
 
 def comes_to_rest(study: Study, phase: Phase) -> State:
@@ -128,13 +128,10 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
         if is_zero(gain) or settle(asked, study.assumptions) is None:
             raise _never(study, phase, what="does not come to rest")
         return _after(study, phase, start, short(-(speed / gain)), asked)
-    name = _mover(study)
+    name = mover(study)
     if name is None or is_zero(of_coordinate(study, phase.subject)[1]):
         raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
-    place = _next(study, name, study.squares[name])
-    if place is None:
-        raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
-    return _met(study, phase, name, place)
+    return _met(study, phase, name, "comes to rest", study.squares[name])
 
 
 def uniform_motion(study: Study, time: Scalar) -> State:
@@ -146,8 +143,8 @@ def is_before(study: Study, first: State, second: State) -> bool:
     """Whether one state comes before another, or with it, at the sample numbers."""
     numbers, start = sample(study.problem), at_start(study)
     if None not in (first.time, second.time):
-        return _float(first.time - second.time, numbers) <= EDGE
-    ways = ((abs(_float(s.places[n] - start.places[n], numbers)) for s in (first, second)) for n in start.places)
+        return floating(first.time - second.time, numbers) <= EDGE
+    ways = ((abs(floating(s.places[n] - start.places[n], numbers)) for s in (first, second)) for n in start.places)
     return all(one <= other + EDGE for one, other in ways)
 
 
@@ -204,101 +201,21 @@ def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list
     if is_zero(gain):
         times = [] if is_zero(speed) else [short(way / speed)]
     else:
-        spread = _root(study, speed * speed + way * gain * 2)
+        spread = positive_root(study, speed * speed + way * gain * 2)
         times = [short((spread * side - speed) / gain) for side in (1, -1)]
-    tried = ((numbers, [time for time in times if _float(time, numbers) > EDGE]) for numbers in samples(study.problem))
+    tried = ((numbers, [time for time in times if floating(time, numbers) > EDGE]) for numbers in samples(study.problem))
     numbers, ahead = next((item for item in tried if item[1]), ({}, []))
     if not ahead:
         may_be = any(settle(existence(time), study.assumptions) is not None for time in times)
         raise _never(study, phase, UNKNOWN) if may_be else _never(study, phase)
-    first = min(ahead, key=lambda time: _float(time, numbers))
+    first = min(ahead, key=lambda time: floating(time, numbers))
     if is_zero(gain):
         return first, [Demand(way * speed)]
-    sense = 1 if _float(gain, numbers) > 0 else -1
+    sense = 1 if floating(gain, numbers) > 0 else -1
     if len(ahead) == 1 and not is_zero(way):
         return first, [Demand(gain * sense), Demand(way * sense)]
     back = [] if is_zero(way) else [Demand(-(way * sense))]
     return first, [*existence(first), Demand(gain * sense), Demand(-(speed * sense)), *back]
-
-
-# --- one degree of freedom with a first integral
-
-
-def _mover(study: Study) -> str | None:
-    """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest."""
-    start, gains = study.system.scope.start, study.dynamics.accelerations or {}
-    moving = [
-        name
-        for name in study.system.independent
-        if start.get(f"{name}_dot", NOTHING) or not is_zero(gains.get(f"{name}_ddot", symbol(name)))
-    ]
-    return moving[0] if len(moving) == 1 and moving[0] in study.squares else None
-
-
-def _at_place(study: Study, name: str, place: Scalar) -> State:
-    """All coordinates and speeds where the one that changes has a value, its speed from the first integral."""
-    speed = _root(study, substitute(study.squares[name], {name: place})) * _way(study, name, place)
-    here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
-    values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
-    places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
-    return State(None, places, speeds)
-
-
-def _met(study: Study, phase: Phase, name: str, place: Scalar, *asked: Demand) -> State:
-    """The state at a place, under the conditions that it exists and lies ahead, in the sense in which the motion sets out
-    for the sample numbers. Raises StatementError if they are never met."""
-    way, drive = _way(study, name, place), _drive(study, name)
-    ahead = (Demand(value * way) for value in (place - study.system.scope.start[name], drive) if not is_zero(value))
-    valid = settle([*existence(place), *ahead, *asked], study.assumptions)
-    if valid is None:
-        raise _never(study, phase)
-    return replace(_at_place(study, name, place), valid=valid)
-
-
-def _drive(study: Study, name: str) -> Scalar:
-    """The speed at the start, or the acceleration from rest."""
-    start = study.system.scope.start
-    speed = start.get(f"{name}_dot", NOTHING)
-    return speed if not is_zero(speed) else substitute((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING), start)
-
-
-def _root(study: Study, value: Scalar) -> Scalar:
-    """The square root, with what is declared positive taken out."""
-    return simplified_root(short(value), lambda name: study.assumptions.sign_of(name) == "positive")
-
-
-def _way(study: Study, name: str, place: Scalar) -> int:
-    """The sense in which it moves there: away from the start."""
-    return -1 if _float(place - study.system.scope.start[name], sample(study.problem)) < 0 else 1
-
-
-def _next(study: Study, name: str, *gaps: Scalar) -> Scalar | None:
-    """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
-    there is one; None if there is none in closed form, or if it is not sure that none without one comes before."""
-    start, places = study.system.scope.start, [place for gap in gaps for place in zeros(gap, name)]
-    known = [place for place in places if not depends_on(place, name)]
-    for numbers in samples(study.problem):
-        sense = -1 if _float(_drive(study, name), numbers) < 0 else 1
-        ahead = [(sense * _float(place - start[name], numbers), place) for place in known]
-        ahead = [item for item in ahead if item[0] > EDGE]
-        if ahead:
-            break
-    else:
-        return None
-    place = min(ahead, key=lambda item: item[0])[1]
-    between = study.assumptions.with_range(name, *((start[name], place) if sense > 0 else (place, start[name])))
-    open_ = (factor for gap in gaps for factor in factors_in(gap, name) if not factor_zeros(factor, name))
-    return place if all(sign(factor, between).is_nonzero for factor in open_) else None
-
-
-
-def _float(value: Scalar, numbers: Numbers) -> float:
-    """The value at these numbers; not a number where it is not real."""
-    try:
-        found = number(value, numbers)
-    except NoNumber:
-        return float("nan")
-    return 0.0 if abs(found) < 1e-12 else found
 
 
 UNKNOWN = "not reached at any of the numbers that were tried"

@@ -140,7 +140,7 @@ def ways_of(
 
 def vanishes_before(way: Way, along: Mapping[str, Scalar], normal: str, other: str, given: Assumptions) -> bool:
     """Whether the motion surely comes to where a normal force vanishes while another force does not."""
-    places = [place for factor in factors_in(along[normal], way.name) for place in _places(factor, way, given)]
+    places = [place for factor in factors_in(along[normal], way.name) for place in places_ahead(factor, way, given)]
     ends = given.range_of(way.name)
     return any(
         not any(end is not None and is_zero(place - end) for end in ends)
@@ -188,7 +188,7 @@ def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: A
                 surely = _changes_sign(way, value, factor, held, given)
                 (found if surely else open_).append(Loss(force, factor, {}, way.name))
                 reasons += [] if surely else [f"where {force} vanishes has no closed form"]
-            for place in _places(factor, way, given):
+            for place in places_ahead(factor, way, given):
                 try:
                     valid = _asked(way, place, value, held, given)
                 except ZeroDivisionError:
@@ -228,7 +228,7 @@ def _is_clear(factor: Scalar, way: Way, given: Assumptions) -> bool:
     return sign(factor, given if end is None else way.until(end, given)).is_nonzero
 
 
-def _places(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
+def places_ahead(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
     """The zeros of a factor that may lie ahead."""
     found: list[Scalar] = []
     turn = period(factor, way.name)

@@ -1,10 +1,14 @@
 """Under which conditions a phase begins as it is told: a root that sample numbers chose, a slip, a restitution."""
 
+from dataclasses import replace
+
 import pytest
 
 from rbpsym.commands.derive import lines
+from rbpsym.derivation.phases import hand_overs
+from rbpsym.derivation.rules import certify
 from rbpsym.derive import derive
-from rbpsym.solve import solve
+from rbpsym.solve import solve, text
 from rbpsym.statement import load_text
 
 PUCKS = """
@@ -136,3 +140,51 @@ constraints = { P = { type = "pivot", point = "p.center", at = ["0", "0"] } }
 def test_squares_of_roots_are_carried_out_in_the_place_of_an_event():
     [phase] = solve(load_text(FALLEN), simulation=False)["phases"]
     assert phase["at"] == {"y": "0"}
+
+
+SWUNG = """
+[parameters]
+m = "mass"
+l = "length"
+g = "acceleration"
+omega = "angular speed"
+[coordinates.theta]
+start = "START"
+speed = "omega"
+range = ["-2*pi", "2*pi"]
+[bodies.b]
+shape = "particle"
+mass = "m"
+center = ["l*sin(theta)", "-l*cos(theta)"]
+[interactions.W]
+type = "gravity"
+[constraints.S]
+type = "guide"
+point = "b.center"
+circle = "O"
+radius = "l"
+[[phases]]
+name = "after"
+event = "reaches"
+of = "theta"
+at = "PLACE"
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "place", "asked"),
+    [
+        ("0", "pi/2", ["l*omega**2 - 2*g > 0"]),
+        ("0", "3*pi/2", ["l*omega**2 - 4*g > 0"]),  # it has to get over the top
+        ("pi/2", "3*pi/2", ["l*omega**2 - 2*g > 0"]),
+        ("-pi/2", "pi/2", []),
+    ],
+)
+def test_the_motion_comes_to_a_place_where_it_halts_nowhere_before(start, place, asked):
+    problem = load_text(SWUNG.replace("START", start).replace("PLACE", place))
+    [(_, stage, draft)] = hand_overs(problem)
+    [step] = [step for step in draft.steps if step.rule == "event_place"]
+    assert [f"{text(demand.value)} {demand.op} 0" for demand in stage.began.before.valid] == asked
+    assert step.certificate.verdict.is_proved
+    without = certify(draft.context, replace(step, obligations=()))
+    assert without.verdict.is_proved is not bool(asked)

@@ -1,0 +1,117 @@
+"""Where the one coordinate that moves first comes to a place at which a value vanishes.
+
+Numbers choose the sense and the root; told with them are the conditions under which the motion takes this sense, comes
+there without a halt, and meets no other root before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import simplified_root
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.errors import NoNumber
+from rbpsym.mechanics.demands import Demand, assuming, existence, settle
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.events import Way, places_ahead
+from rbpsym.mechanics.numbers import Numbers, number, sample, samples
+from rbpsym.mechanics.roots import factor_zeros, factors_in
+from rbpsym.mechanics.state import State, of_coordinate
+from rbpsym.mechanics.study import Study
+
+EDGE = 1e-9
+
+
+def mover(study: Study) -> str | None:
+    """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest."""
+    start, gains = study.system.scope.start, study.dynamics.accelerations or {}
+    moving = [
+        name
+        for name in study.system.independent
+        if start.get(f"{name}_dot", NOTHING) or not is_zero(gains.get(f"{name}_ddot", symbol(name)))
+    ]
+    return moving[0] if len(moving) == 1 and moving[0] in study.squares else None
+
+
+def state_at(study: Study, name: str, place: Scalar) -> State:
+    """All coordinates and speeds where the one that changes has a value, its speed from the first integral."""
+    there = floating(place - study.system.scope.start[name], sample(study.problem))
+    speed = positive_root(study, substitute(study.squares[name], {name: place})) * (-1 if there < 0 else 1)
+    here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
+    values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
+    places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
+    return State(None, places, speeds)
+
+
+def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand]] | None:
+    """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
+    the motion comes to one, and where it is the first; None if there is none in closed form, or one without may come before."""
+    start = study.system.scope.start[name]
+    for numbers in samples(study.problem):
+        way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, study.squares[name])
+        factors = [factor for gap in gaps for factor in factors_in(gap, name)]
+        known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
+        ahead = [item for place in known if (item := (floating(way.ahead(place), numbers), place))[0] > EDGE]
+        place = min(ahead, key=lambda item: item[0])[1] if ahead else None
+        asked = None if place is None else _conditions(study, way, place, gaps, numbers)
+        if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
+            return place, asked
+    return None
+
+
+def _conditions(
+    study: Study, way: Way, place: Scalar, gaps: tuple[Scalar, ...], numbers: Numbers
+) -> list[Demand] | None:
+    """Under which the place is the first; None where what has no root in closed form may vanish before."""
+    there = short(substitute(way.square, {way.name: place}))
+    comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)
+    asked = [*existence(place), *(Demand(value) for value in comes if not is_zero(value))]
+    given = assuming(study.assumptions, settle(asked, study.assumptions) or ())
+    between = way.until(place, given)
+    for value in (way.square, *gaps):
+        for factor in () if sign(value, between).is_nonzero else factors_in(value, way.name):
+            if sign(factor, between).is_nonzero:
+                continue
+            if not factor_zeros(factor, way.name):
+                return None
+            others = (other for other in places_ahead(factor, way, given) if not is_zero(other - place))
+            asked += [demand for other in others for demand in _not_before(way, place, other, given, numbers)]
+    return asked
+
+
+def _not_before(way: Way, place: Scalar, other: Scalar, given: Assumptions, numbers: Numbers) -> Iterator[Demand]:
+    """Under which condition another root is not met before the place: as it is at these numbers, where that is not sure."""
+    later = way.ahead(other) - way.ahead(place)
+    if settle([*existence(other), Demand(way.ahead(other)), Demand(-later)], given) is None:
+        return
+    found = floating(way.ahead(other), numbers)
+    if found == found:
+        yield Demand(later if found > EDGE else -way.ahead(other), ">=")
+    for demand in existence(other) if found != found else ():
+        if demand.op == ">" and not floating(demand.value, numbers) > 0:
+            yield Demand(-demand.value)
+
+
+def _drive(study: Study, name: str) -> Scalar:
+    """The speed at the start, or the acceleration from rest."""
+    start = study.system.scope.start
+    speed = start.get(f"{name}_dot", NOTHING)
+    return speed if not is_zero(speed) else substitute((study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING), start)
+
+
+def positive_root(study: Study, value: Scalar) -> Scalar:
+    """The square root, with what is declared positive taken out."""
+    return simplified_root(short(value), lambda name: study.assumptions.sign_of(name) == "positive")
+
+
+def floating(value: Scalar, numbers: Numbers) -> float:
+    """The value at these numbers; not a number where it is not real."""
+    try:
+        found = number(value, numbers)
+    except NoNumber:
+        return float("nan")
+    return 0.0 if abs(found) < 1e-12 else found
