@@ -41,7 +41,11 @@ class Found:
 @dataclass(frozen=True)
 class Answer:
     """The answer to a question: one value, or the components along x and y of a vector, as they are and as they are
-    printed; `holds`: of what they are functions; the conditions under which they hold; the steps from which they follow."""
+    printed; `holds`: of what they are functions; the conditions under which they hold; the steps from which they follow.
+
+    Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
+    sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
+    extremum lies."""
 
     question: Question
     study: Study
@@ -51,6 +55,13 @@ class Answer:
     holds: str
     valid: tuple[t.Node, ...] = ()
     steps: tuple[Step, ...] = ()
+    symbol: str = ""
+    relation: str = "="
+    says: str = ""
+    holds_so: bool | None = None
+    each: tuple[tuple[t.Node, ...], ...] = ()
+    equation: t.Node | None = None
+    at: tuple[str, t.Node] | None = None
 
     @property
     def value(self) -> Scalar:
@@ -68,13 +79,14 @@ class Answer:
 
 def answer(asked: Asked, question: Question) -> Answer:
     """The answer about a quantity. Raises StatementError for what means nothing, never happens or has no closed form."""
+    return certified(asked, question, found_of(asked, question))
+
+
+def found_of(asked: Asked, question: Question) -> Found:
+    """What is found for a quantity, not certified yet. Raises StatementError as `answer` does."""
     if question.quantity in ("time", "the time"):
-        found = _time(asked, question)
-    elif question.when is None:
-        found = _along(asked, question)
-    else:
-        found = _then(asked, question)
-    return certified(asked, question, found)
+        return _time(asked, question)
+    return _along(asked, question) if question.when is None else _then(asked, question)
 
 
 # --- what it is about

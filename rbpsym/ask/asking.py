@@ -1,17 +1,12 @@
-"""Questions of all kinds and their answers; what is no plain quantity is a row of KINDS before the last."""
+"""Questions of all kinds and their answers: about parameters (see `parameters`), or about a quantity."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
-
 from rbpsym.ask.answer import Answer, answer
 from rbpsym.ask.moments import Asked
+from rbpsym.ask.parameters import of_parameters
 from rbpsym.ask.question import read_question
 from rbpsym.statement.model import Problem
-
-# how a question of the kind is written, and what answers it from its words
-KINDS: tuple[tuple[str, Callable[..., Answer]], ...] = ((r"(.*)", lambda asked, text: answer(asked, read_question(text))),)
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:
@@ -26,5 +21,5 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 
 def answered(asked: Asked, text: str) -> Answer:
     """The answer to one question."""
-    plain = " ".join(text.split())
-    return next(find(asked, *found.groups()) for pattern, find in KINDS if (found := re.fullmatch(pattern, plain)))
+    plain = " ".join(text.split()).rstrip(" ?.")
+    return of_parameters(asked, plain) or answer(asked, read_question(plain))

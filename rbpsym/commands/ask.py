@@ -12,6 +12,7 @@ from rbpsym.commands.arguments import name_argument
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer
     from rbpsym.ask.numbers import Given
+    from rbpsym.notation.glyphs import Notation
     from rbpsym.statement.model import Problem
 
 FINE, DOUBTFUL = 0, 1
@@ -68,15 +69,44 @@ def lines(found: Answer, numbers: Given | None, problem: Problem) -> Iterator[st
     from rbpsym.notation.text import to_text
 
     notation = Notation(problem.notation)
-    told = [to_text(node, notation) for node in found.nodes]
+    told = list(_told(found, notation))
     yield click.style(found.question.text, bold=True)
     for step in found.steps[:-1]:
         rows = (row.strip() for row in to_text(step.statement, notation).splitlines())
         yield click.style(f"    {'; '.join(rows)}", dim=True)
     sign, colour = MARKS[found.verdict.kind]
-    yield f"  {click.style(sign, fg=colour)} {told[0] if len(told) == 1 else '(' + ', '.join(told) + ')'}"
+    whole = told[0] if len(told) == 1 else f"({', '.join(told)})" if told else ""
+    yield f"  {click.style(sign, fg=colour)} {whole}".rstrip()
+    yield from (f"    {line}" for line in _beside(found, notation))
     if found.valid:
         yield f"    where {', '.join(to_text(node, notation) for node in found.valid)}"
     if not found.verdict.is_proved:
         yield f"    {found.verdict.kind}: {found.verdict.reason}"
-    yield from (f"    {line}" for line in numbered(found, numbers)) if numbers else ()
+    yield from (f"    {line}" for line in numbered(found, numbers)) if numbers and (found.values or found.equation) else ()
+
+
+def _told(found: Answer, notation: Notation) -> Iterator[str]:
+    """The values, those of a parameter with its name, each with its own conditions."""
+    from rbpsym.notation import tree as t
+    from rbpsym.notation.text import to_text
+
+    if found.holds_so is not None:
+        yield "yes" if found.holds_so else "no"
+    ops = {"between": (">", "<")}.get(found.relation, (found.relation,) * len(found.nodes))
+    for number, (node, op) in enumerate(zip(found.nodes, ops, strict=False)):
+        shown = t.relation(t.Sym(found.symbol), op, node) if found.symbol and op in ("=", "<", ">", "<=", ">=") else node
+        own = found.each[number] if found.each else ()
+        yield to_text(shown, notation) + (f" if {', '.join(to_text(part, notation) for part in own)}" if own else "")
+
+
+def _beside(found: Answer, notation: Notation) -> Iterator[str]:
+    """What else is said: a sentence, the equation that is solved, the place of an extremum."""
+    from rbpsym.notation import tree as t
+    from rbpsym.notation.text import to_text
+
+    if found.equation is not None:
+        yield f"{found.symbol} solves {to_text(t.equation(found.equation, t.ZERO), notation)}"
+    if found.at is not None and found.at[0] != found.symbol:
+        yield f"at {to_text(t.equation(t.Sym(found.at[0]), found.at[1]), notation)}"
+    if found.says:
+        yield found.says

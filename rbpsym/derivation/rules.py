@@ -11,6 +11,7 @@ from dataclasses import replace
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_oscillations as o
+from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation import checks_places as places
 from rbpsym.derivation import checks_stability as s
@@ -74,6 +75,9 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "value_then": (values.value_then,),
     "value_told": (values.value_told,),
     "value_along": (values.value_along,),
+    "vanishes_for": (parameters.vanishes_there,),
+    "holds_for": (parameters.bounds_hold,),
+    "extreme": (parameters.is_extreme,),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then, p.first_then),

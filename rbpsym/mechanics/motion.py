@@ -20,7 +20,8 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
-from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.energy import is_conserved
 from rbpsym.mechanics.system import BodyState, Force, System
 
 
@@ -28,7 +29,8 @@ def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -
     """For each coordinate for which it is a function of position: the square of its speed.
 
     For several degrees of freedom, for each coordinate whose acceleration depends on itself alone; then,
-    for the one that is left, from the first integral. Coordinates without a start are left out.
+    for the one that is left, from the first integral. If there is none, for the one that is left when conserved momenta
+    give the other speeds. Coordinates without a start are left out.
     """
     alone = len(system.independent) == 1 and integral is not None
     found = {} if alone else _decoupled(system, dynamics)
@@ -36,7 +38,39 @@ def speed_squared(system: System, dynamics: Dynamics, integral: Scalar | None) -
     if len(left) == 1 and integral is not None:
         square = from_integral(system, integral, left[0], found)
         found |= {} if square is None else {left[0]: square}
-    return found
+    return found or _reduced(system, dynamics, integral)
+
+
+def conserved_momenta(system: System, dynamics: Dynamics, integral: Scalar) -> dict[str, Scalar]:
+    """∂E/∂q̇ by coordinate, where it is what it was at the start (Goldstein, Classical Mechanics, 2.6)."""
+    momenta = {name: derivative(integral, f"{name}_dot") for name in system.independent}
+    known = (name in system.scope.start for name in system.coordinates)
+    return {n: p for n, p in momenta.items() if is_conserved(system, dynamics, p)} if all(known) else {}
+
+
+def kept_speeds(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
+    """The speeds that conserved momenta give in terms of the one that is left; none if more are left."""
+    kept = {} if integral is None or dynamics.accelerations is None else conserved_momenta(system, dynamics, integral)
+    if len(kept) != len(system.independent) - 1 or not kept:
+        return {}
+    rows = [momentum - substitute(momentum, system.scope.start) for momentum in kept.values()]
+    solution = solve_linear(rows, [f"{name}_dot" for name in kept])
+    return {} if solution.free or solution.left else solution.values
+
+
+def _reduced(system: System, dynamics: Dynamics, integral: Scalar | None) -> dict[str, Scalar]:
+    """q̇² of the one coordinate whose speed the conserved momenta leave, from the first integral."""
+    kept = kept_speeds(system, dynamics, integral)
+    if not kept:
+        return {}
+    [name] = [name for name in system.independent if f"{name}_dot" not in kept]
+    now, speed = substitute(integral, kept), f"{name}_dot"
+    rest, slope = substitute(now, {speed: NOTHING}), substitute(derivative(now, speed), {speed: NOTHING})
+    half_mass = derivative(derivative(now, speed), speed) / 2
+    if not is_zero(slope) or any(depends_on(value, n) for value in (rest, half_mass) for n in system.coordinates if n != name):
+        return {}
+    start = substitute(integral, system.scope.start)
+    return {name: short(without_even_roots((start - rest) / half_mass))}
 
 
 def from_integral(system: System, integral: Scalar, name: str, known: Mapping[str, Scalar]) -> Scalar | None:

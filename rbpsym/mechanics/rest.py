@@ -75,7 +75,7 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
         return Rest((), True, "the forces are the same everywhere")
-    found = common_zeros(forces, names, spread=lambda *root: _all_turns(given, *root))
+    found = common_zeros(forces, names, spread=lambda *root: turns_within(given, *root))
     candidates = [*found.found, *(at for at in _stated(system, names) if _balances(forces, at, given))]
     places: list[tuple[At, tuple[Demand, ...]]] = []
     doubts: list[str] = []
@@ -141,7 +141,7 @@ def _may_vanish(factor: Scalar, names: Sequence[str], known: list[At], given: As
     return not sign(factor, given).is_nonzero
 
 
-def _all_turns(given: Assumptions, name: str, root: Scalar, period: Scalar | None) -> list[Scalar]:
+def turns_within(given: Assumptions, name: str, root: Scalar, period: Scalar | None) -> list[Scalar]:
     """The zeros that a periodic one stands for within the range (without a range: in (-π, π])."""
     if period is None:
         return [root]

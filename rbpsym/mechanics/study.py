@@ -168,6 +168,19 @@ class Study:
         return motion.speed_squared(self.system, self.dynamics, self.first_integral)
 
     @cached_property
+    def kept_speeds(self) -> Mapping[str, Scalar]:
+        """The speeds that conserved momenta give, where the square of the one that is left follows from the energy."""
+        found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if len(self.squares) == 1 else {}
+        return found if len(found) == len(self.system.independent) - 1 else {}
+
+    @cached_property
+    def kept_momenta(self) -> Mapping[str, Scalar]:
+        """The momenta that give them, by coordinate."""
+        names = {speed.removesuffix("_dot") for speed in self.kept_speeds}
+        momenta = motion.conserved_momenta(self.system, self.dynamics, self.first_integral) if names else {}
+        return {name: momentum for name, momentum in momenta.items() if name in names}
+
+    @cached_property
     def reactions_along_motion(self) -> Mapping[str, Scalar] | None:
         """Unknown forces as functions of position alone; None if they aren't."""
         found = {}

@@ -203,7 +203,18 @@ def _as_sum(draft: Draft) -> t.Node:
 
 
 def _speeds(draft: Draft) -> None:
-    """Squares of speeds as functions of position."""
+    """Momenta that are kept, and squares of speeds as functions of position."""
+    for name, momentum in draft.study.kept_momenta.items():
+        draft.add(
+            f"kept.{name}",
+            "conservation",
+            t.equation(draft.define(draft.free(f"p_{name}"), momentum), draft.show(momentum)),
+            "energy.momentum",
+            is_result=True,
+            premises=draft.those(f"motion.{name}"),
+            data={"value": momentum},
+            coordinate=t.Sym(name),
+        )
     single = len(draft.study.system.independent) == 1
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)

@@ -12,7 +12,7 @@ from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
-from rbpsym.mechanics.rest import _all_turns
+from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
@@ -129,7 +129,7 @@ def test_a_zero_stands_for_all_its_turns_within_the_range(low, high, period, roo
     """All in units of π; without bounds a range is one turn, or one period where that is longer."""
     ends = tuple(None if end is None else PI * end for end in (low, high))
     given = Assumptions({}, {} if ends == (None, None) else {"x": ends})
-    found = [number(place, {}) / math.pi for place in _all_turns(given, "x", PI * root, PI * period)]
+    found = [number(place, {}) / math.pi for place in turns_within(given, "x", PI * root, PI * period)]
     turn = max(2, period)
     if low is None and high is None:
         low, high = -turn / 2, turn / 2

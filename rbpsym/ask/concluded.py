@@ -1,0 +1,73 @@
+"""What was found about parameters, as an answer with its steps: those of the quantities in it, and the one that concludes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.certified import certified
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.question import Question
+from rbpsym.ask.seen import Scene
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.rules import RULES
+from rbpsym.derivation.step import Certificate, Step
+from rbpsym.equality.verdict import all_of
+from rbpsym.notation import tree as t
+
+OPS = ("=", "<", ">", "<=", ">=")
+NAMELESS = "Q"  # what stands for a quantity without a symbol
+
+
+def concluded(world: Scene, text: str, found: Finding) -> Answer:
+    """The answer: PROVED if what was found is, and the quantities in it are what is said of them."""
+    draft, quantities = Draft(world.study), {question.text: (question, one) for question, one in world.used}
+    kept = (pair for pair in quantities.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values)
+    grounds = [certified(world.asked, *pair) for pair in kept]
+    nodes = tuple(draft.show(value, factor=True) for value in found.values)
+    last = tuple(_last(draft, found, nodes))
+    return Answer(
+        Question(text, found.symbol or text),
+        world.study,
+        found.values,
+        nodes,
+        all_of([found.verdict, *(ground.verdict for ground in grounds)]),
+        "",
+        draft.asked(found.valid),
+        (*_steps(grounds), *last),
+        symbol=found.symbol,
+        relation=found.relation,
+        says=found.says,
+        holds_so=found.holds,
+        each=tuple(draft.asked(demands) for demands in found.asked) if any(found.asked) else (),
+        equation=None if found.equation is None else draft.show(found.equation, factor=True),
+        at=None if found.place is None or found.place[1] is None else (found.place[0], draft.show(found.place[1])),
+    )
+
+
+def _steps(grounds: list[Answer]) -> Iterator[Step]:
+    """The steps of all quantities, each once; what a quantity is, by its own number."""
+    seen: set[object] = set()
+    for number, ground in enumerate(grounds, 1):
+        for step in ground.steps:
+            if step.id != "answer" and step.statement not in seen:
+                yield step
+            if step.id == "answer":
+                yield replace(step, id=f"quantity.{number}")
+            seen.add(step.statement)
+
+
+def _last(draft: Draft, found: Finding, nodes: tuple[t.Node, ...]) -> Iterator[Step]:
+    """The step that states what was found, if a rule checked it and it is a formula."""
+    letter = t.Sym(found.symbol or draft.free(NAMELESS))
+    if not found.rule or not nodes:
+        return
+    rows = [t.relation(letter, found.relation if found.relation in OPS else "=", node) for node in nodes]
+    if found.relation == "between":
+        rows = [t.relation(letter, op, node) for op, node in zip((">", "<"), nodes, strict=True)]
+    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    certificate = Certificate(tuple(check.__name__ for check in RULES[found.rule]), found.verdict)
+    obligations = draft.asked(found.valid)
+    yield Step("answer", found.rule, statement, "ask", "ask.found", data=found.data, is_result=True,
+               obligations=obligations, certificate=certificate)  # fmt: skip

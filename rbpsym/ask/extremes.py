@@ -1,0 +1,97 @@
+"""The greatest or least value of a function of one quantity on its range, from the signs of its slope."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.ask.limits import leading
+from rbpsym.ask.neat import neat
+from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.mechanics.demands import Demand, assuming
+
+ENDS = ("at the lower end", "at the upper end")
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """A greatest (least) value, where `asked` is met; of the whole range, or of a neighbourhood.
+
+    place: where, None at infinity. value: None if the function has no bound there. where: "" for a place inside the range,
+    else the end that is approached. beside: the sign there of what vanishes at an end. table: the signs of the
+    slope (None: it is constant). crossing: instead of a place in closed form.
+    """
+
+    place: Scalar | None
+    value: Scalar | None
+    where: str = ""
+    asked: tuple[Demand, ...] = ()
+    table: Table | None = None
+    beside: int = 0
+    crossing: Crossing | None = None
+
+
+def extreme(value: Scalar, name: str, given: Assumptions, sense: int) -> Extreme | None:
+    """The greatest value (`sense` 1) or the least one (-1) on the range; None if it is not decided.
+
+    Ends of the range are looked at as limits; whether they belong to it is for the caller to say.
+    """
+    found = extremes(value, name, given, sense)
+    if found is None:
+        return None
+    given = assuming(given, found[0].asked) if found else given
+    without = next((item for item in found if item.value is None), None)
+    best = [item for item in found if all(_is_beyond(item, other, given, sense) for other in found)]
+    return without or (best[0] if best else None)
+
+
+def _is_beyond(item: Extreme, other: Extreme, given: Assumptions, sense: int) -> bool:
+    if item is other:
+        return True
+    return None not in (item.value, other.value) and settled_sign((item.value - other.value) * sense, given) in (0, 1)
+
+
+def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[Extreme] | None:
+    """Where the slope goes from the sense to its opposite, and the ends towards which the function goes on."""
+    slope = derivative(value, name)
+    if is_zero(slope):
+        return [Extreme(None, value, "everywhere")]
+    table = sign_table(slope, name, given)
+    if not table.is_whole:
+        return None
+    limits, given = of_symbol(name, given), assuming(given, table.zeros.asked)
+    found = [
+        _near(value, name, (zero.place, 0), "", given, table)
+        for zero, before, after in zip(table.zeros.found, table.signs, table.signs[1:], strict=False)
+        if before == sense and after == -sense
+    ]
+    if table.zeros.crossings and table.signs[0] == sense:
+        found.append(Extreme(None, None, "", table.zeros.asked, table, 0, table.zeros.crossings[0]))
+    for end, is_open, side, where in (
+        (limits.lower, table.signs[0] == -sense, 1, ENDS[0]),
+        (limits.upper, table.signs[-1] == sense, -1, ENDS[1]),
+    ):
+        if is_open:
+            found.append(_near(value, name, (end, side if end is not None else -side), where, given, table))
+    return None if None in found else found
+
+
+def _near(
+    value: Scalar, name: str, at: tuple[Scalar | None, int], where: str, given: Assumptions, table: Table
+) -> Extreme | None:
+    place, side = at
+    if place is not None:
+        with suppress(ZeroDivisionError):
+            there = neat(substitute(value, {name: place}), given)
+            if not where or not is_zero(there):
+                return Extreme(place, there, where, table.zeros.asked, table)
+    near = leading(value, name, place, side or 1)
+    if near is None:
+        return None
+    size = near.limit if near.limit is None else neat(near.limit, given)
+    return Extreme(place, size, where, table.zeros.asked, table, settled_sign(near.coefficient, given) or 0)

@@ -1,0 +1,149 @@
+"""Limits of exact values: the leading term of the power series at a place, from one side, or at infinity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import atom_depends, derivative, root, split_factor, substitute
+from rbpsym.algebra.effort import apart, at_most
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ONE, Poly, generator
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.errors import LimitError, Undecided
+from rbpsym.mechanics.elimination import short
+
+SMALL = "epsilon_"  # what goes to zero from above
+LENGTH = 5  # terms of a series
+MOST_PRODUCTS = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Leading:
+    """coefficient × ε^order, ε > 0 being the distance from the place, or one over the size of what goes to infinity."""
+
+    coefficient: Scalar
+    order: Fraction
+
+    @property
+    def limit(self) -> Scalar | None:
+        """The limit; None where it is infinite."""
+        return None if self.order < 0 else self.coefficient if not self.order else NOTHING
+
+
+def leading(value: Scalar, name: str, to: Scalar | None, side: int = 1) -> Leading | None:
+    """The leading term for name → to from above (`side` 1) or below (-1); for `to` None: → ∞ or -∞.
+
+    None where no such term is found, as of what vanishes identically.
+    """
+    try:
+        with apart(), at_most(MOST_PRODUCTS):
+            for power in (1, 2):  # √ε is a power series in δ with ε = δ²
+                step = symbol(SMALL) ** power * side
+                found = _series(substitute(value, {name: 1 / step if to is None else to + step}))
+                if found is not None:
+                    break
+    except (LimitError, Undecided, ZeroDivisionError):
+        return None
+    first = None if found is None else next((k for k, term in enumerate(found.terms) if not is_zero(term)), None)
+    return None if first is None else Leading(short(found.terms[first]), Fraction(found.start + first, power))
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """Σ terms[k] ε^(start + k), as far as the terms go."""
+
+    start: int
+    terms: tuple[Scalar, ...]
+
+    def __add__(self, other: Series) -> Series:
+        low = min(self.start, other.start)
+        first, second = ([NOTHING] * (s.start - low) + [*s.terms] for s in (self, other))
+        return Series(low, tuple(a + b for a, b in zip(first, second, strict=False)))
+
+    def __mul__(self, other: Series) -> Series:
+        return Series(self.start + other.start, _convolved(self.terms, other.terms))
+
+    def from_first(self) -> Series | None:
+        """With a first term that is not zero; None if there is none."""
+        first = next((k for k, term in enumerate(self.terms) if not is_zero(term)), None)
+        return None if first is None else Series(self.start + first, self.terms[first:])
+
+
+def _convolved(a: Sequence[Scalar], b: Sequence[Scalar]) -> tuple[Scalar, ...]:
+    return tuple(
+        short(sum((a[i] * b[k - i] for i in range(k + 1)), NOTHING)) for k in range(min(len(a), len(b)))
+    )
+
+
+def _inverse(found: Series) -> Series | None:
+    found = found.from_first()
+    if found is None:
+        return None
+    terms = [1 / found.terms[0]]
+    for k in range(1, len(found.terms)):
+        terms.append(-sum((found.terms[i] * terms[k - i] for i in range(1, k + 1)), NOTHING) / found.terms[0])
+    return Series(-found.start, tuple(terms))
+
+
+def _series(value: Scalar) -> Series | None:
+    above = _of_poly(value.num)
+    if value.den is ONE or above is None:
+        return above
+    below = _of_poly(value.den)
+    below = None if below is None else _inverse(below)
+    return None if below is None else above * below
+
+
+def _constant(value: Scalar) -> Series:
+    return Series(0, (value, *[NOTHING] * (LENGTH - 1)))
+
+
+def _of_poly(poly: Poly) -> Series | None:
+    known = {index: _of_atom(index) for index in poly.atoms() if atom_depends(index, SMALL)}
+    if None in known.values():
+        return None
+    groups: dict[tuple, dict] = {}
+    for m, c in poly.terms.items():
+        free, bound = split_factor(m, SMALL)
+        groups.setdefault(bound, {})[free] = c
+    total = None
+    for bound, rest in groups.items():
+        product: Series | None = _constant(Scalar(Poly(rest)))
+        for index, exponent in bound:
+            factor = known[index] if exponent > 0 else _inverse(known[index])
+            for _ in range(abs(exponent)):
+                product = None if factor is None or product is None else product * factor
+        if product is None:
+            return None
+        total = product if total is None else total + product
+    return total or _constant(NOTHING)
+
+
+def _of_atom(index: int) -> Series | None:
+    found = atoms.atom(index)
+    if found.kind == "symbol":
+        return Series(1, (UNITY, *[NOTHING] * (LENGTH - 1)))
+    if found.kind == "root":
+        return _of_root(found.arg)
+    terms, value, factorial = [], Scalar(generator(index)), 1
+    for k in range(LENGTH):
+        terms.append(substitute(value, {SMALL: NOTHING}) / factorial)
+        value, factorial = derivative(value, SMALL), factorial * (k + 1)
+    return Series(0, tuple(terms))
+
+
+def _of_root(radicand: Scalar) -> Series | None:
+    inner = _series(radicand)
+    inner = None if inner is None else inner.from_first()
+    if inner is None or inner.start % 2:
+        return None
+    first = root(without_even_roots(inner.terms[0]))
+    terms = [first]
+    for k in range(1, len(inner.terms)):
+        mixed = sum((terms[i] * terms[k - i] for i in range(1, k)), NOTHING)
+        terms.append(without_even_roots((inner.terms[k] - mixed) / first / 2))
+    return Series(inner.start // 2, tuple(terms))

@@ -1,0 +1,59 @@
+"""How questions about parameters are written, and what answers each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from rbpsym.ask import critical, special, yesno
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.concluded import concluded
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.question import ASKED, PHASE
+from rbpsym.ask.seen import scene
+
+_BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
+_N, _FOR = r"(\w+)", r"(?:for|at|with) which"
+_UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
+ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
+    (rf"does (.+) depend on {_N}", special.depends),
+    (rf"is (.+) independent of {_N}", special.independent),
+    (rf"(?:does|do|will|when does|where does) (\w+) vanish{_UNTIL}", yesno.vanishes),
+    (rf"(?:does|do|will) {_N} slip{_UNTIL}", lambda w, name, *to: yesno.does_not(w, _clause(f"{name} does not slip", *to))),
+    (
+        rf"(?:does|do|will) (?:it|\w+) (?:leave|lift|let go|lose contact|tip)(?: off)?{_UNTIL}",
+        lambda w, *to: yesno.does_not(w, _clause("it stays in contact", *to)),
+    ),
+    (rf"(?:does|do|will) {_N} (?:reach|get to|come to) (.+)", lambda w, name, to: yesno.does(w, f"{name} reaches {to}")),
+    (rf"is {_N} = (.+) (un)?stable", lambda w, name, to, un: yesno.does(w, f"{name} = {to} is {un or ''}stable")),
+    (r"is (.+) (positive|negative)", lambda w, phrase, kind: yesno.does(w, f"{phrase} is always {kind}")),
+    (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
+    (rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)", special.in_limit),
+    (rf"(.+) (?:for|in the limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
+    (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "0")),
+    (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "oo")),
+    (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", critical.with_equal),
+    (rf"{_N} {_FOR} (.+) is {_BEST}", critical.extreme_for),
+    (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
+    (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
+    (rf"{_BEST} (.+?)(?: over {_N})?(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?", critical.extremum),
+    (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
+)
+
+
+def _clause(text: str, until: str | None, place: str | None) -> str:
+    return f"{text} until {until} = {place}" if until else text
+
+
+def of_parameters(asked: Asked, text: str) -> Answer | None:
+    """The answer to a question about parameters; None if it is none. Raises StatementError or ReadError."""
+    rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
+    phase, place = PHASE.fullmatch(rest), None
+    if phase is not None:
+        rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
+    for pattern, find in ROWS:
+        if words := re.fullmatch(pattern, rest.removeprefix("the ")):
+            world = scene(asked, place)
+            return concluded(world, text, find(world, *words.groups()))
+    return None

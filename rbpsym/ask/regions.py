@@ -1,0 +1,132 @@
+"""For which values of a parameter something holds: as a region between zeros, in one place or on a whole way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.zeros import Crossing, settled_sign, sign_table
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.elimination import short
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """lower < name < upper, where `asked` is met; None means that the range alone bounds it.
+
+    otherwise: 1 or -1 where it holds everywhere or nowhere if what is asked is not met. is_empty: nowhere. crossing: the one
+    bound, where it has no closed form. worst: the places on the way that decide. cases: instead, regions of which one holds.
+    """
+
+    lower: Scalar | None = None
+    upper: Scalar | None = None
+    asked: tuple[Demand, ...] = ()
+    is_empty: bool = False
+    crossing: Crossing | None = None
+    worst: tuple[Scalar | None, ...] = ()
+    otherwise: int = 0
+    cases: tuple[Region, ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it holds in the whole range."""
+        return not (self.is_empty or self.cases) and self.lower is self.upper is self.crossing is None
+
+
+def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
+    """Where a value is positive (or vanishes identically); None if it is not decided, or if it is so on several parts of
+    the range."""
+    if not depends_on(value, name) or is_zero(value):
+        known = settled_sign(value, given)
+        return None if known is None else Region(is_empty=known < 0)
+    table = sign_table(value, name, given)
+    if not table.is_whole or table.signs.count(1) > 1:
+        return None
+    if table.zeros.crossings:
+        return Region(crossing=table.zeros.crossings[0])
+    if 1 not in table.signs:
+        return Region(asked=table.zeros.asked, is_empty=True)
+    k = table.signs.index(1)
+    places = [None, *(zero.place for zero in table.zeros.found), None]
+    return Region(places[k], places[k + 1], table.zeros.asked, otherwise=_otherwise(value, name, table.zeros.asked, given))
+
+
+def _otherwise(value: Scalar, name: str, asked: Sequence[Demand], given: Assumptions) -> int:
+    """The sign in the whole range where the only demand is not met; 0 if it is not known."""
+    if len(asked) != 1 or asked[0].op == "!=":
+        return 0
+    opposite = Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">")
+    table = sign_table(value, name, assuming(given, [opposite]))
+    return table.signs[0] or 0 if table.is_whole and len(table.signs) == 1 else 0
+
+
+def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> Region | None:
+    """For which parameters a value is positive all along a way (the range of `along`); None if it is not decided.
+
+    What vanishes at an end of the way is looked at beside it.
+    """
+    if sign(short(value), given).kind == "positive":
+        return Region()
+    if not depends_on(value, along):
+        return region(value, name, given.without(along))
+    lows = extremes(value, along, given, -1)
+    if lows is None or any(low.crossing is not None for low in lows):
+        return None
+    return common([_of_low(low, name, along, given) for low in lows], given.without(along))
+
+
+def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region | None:
+    if low.value is None:
+        return Region(is_empty=True, asked=low.asked)
+    if low.where and is_zero(low.value) and low.beside:
+        return Region(is_empty=low.beside < 0, asked=low.asked)
+    found = region(low.value, name, assuming(given, low.asked).without(along))
+    return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,))
+
+
+def common(regions: Sequence[Region | None], given: Assumptions) -> Region | None:
+    """Where all hold; None if it is not decided."""
+    if any(one is not None and one.is_empty and not one.asked for one in regions):
+        return Region(is_empty=True)
+    if None in regions or any(one.crossing or one.is_empty for one in regions):
+        left = [one for one in regions if one is None or not one.is_whole]
+        return left[0] if len(left) == 1 else None
+    asked = tuple(dict.fromkeys(demand for one in regions for demand in one.asked))
+    bound = [one for one in regions if not one.is_whole]
+    if settle(asked, given) is None:
+        firm = [demand for one in bound if one.otherwise != 1 for demand in one.asked]
+        kept = [one for one in bound if one.otherwise != 1 or settle([*firm, *one.asked], given) is not None]
+        if len(kept) < len(bound):
+            return common(kept, given)  # what is whole where the others' demands are met
+        return Region(cases=tuple(bound)) if len(bound) == 2 and not firm else None
+    given = assuming(given, asked)
+    lower = _outermost([one for one in regions if one.lower is not None], "lower", 1, given)
+    upper = _outermost([one for one in regions if one.upper is not None], "upper", -1, given)
+    if lower is None or upper is None:
+        return None
+    ends = lower.lower, upper.upper
+    is_empty = None not in ends and settled_sign(ends[1] - ends[0], given) in (0, -1)
+    otherwise = bound[0].otherwise if len(bound) == 1 else 0
+    return Region(*ends, asked, is_empty, None, (*lower.worst, *upper.worst), otherwise)
+
+
+def alone(found: Region, regions: Sequence[Region], sense: int) -> tuple[Demand, ...]:
+    """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise."""
+    side = "upper" if sense > 0 else "lower"
+    idle = [one for one in regions if one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
+    return tuple(demand for demand in found.asked if not any(demand in one.asked for one in idle))
+
+
+def _outermost(found: list[Region], side: str, sense: int, given: Assumptions) -> Region | None:
+    """The one that binds; one without bounds if there is none."""
+    def is_beyond(one: Region, other: Region) -> bool:
+        return settled_sign((getattr(one, side) - getattr(other, side)) * sense, given) in (0, 1)
+
+    best = [one for one in found if all(one is other or is_beyond(one, other) for other in found)]
+    return best[0] if best else None if found else Region()

@@ -1,0 +1,205 @@
+"""Quantities of a problem as functions of its parameters and of the place on its motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.ask.answer import Found, found_of
+from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.neat import neat
+from rbpsym.ask.question import Question, is_jump, read_question
+from rbpsym.ask.zeros import zeros
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.equality.signs import sign
+from rbpsym.errors import DimensionError, StatementError
+from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.events import Way, pushes, ways
+from rbpsym.mechanics.roots import period
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
+from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.statement.source import did_you_mean
+
+
+@dataclass(frozen=True)
+class Scene(ProblemWorld):
+    """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
+
+    demands: under what conditions they have the values that were found.
+    """
+
+    asked: Asked | None = None
+    place: int = 0
+    used: list[tuple[Question, Found]] = field(default_factory=list)
+
+    @property
+    def demands(self) -> tuple[Demand, ...]:
+        """What the moments ask for at which quantities are taken."""
+        return tuple(dict.fromkeys(d for _, found in self.used if found.moment for d in found.moment.state.valid))
+
+
+def scene(asked: Asked, place: int | None = None) -> Scene:
+    """The phase of that place; the first one that does not end at once."""
+    if place is None:
+        place = next((k for k, phase in enumerate(asked.problem.phases) if phase.event != "at once"), len(asked.problem.phases))
+    return Scene(asked.study(place), asked=asked, place=place)
+
+
+def seen(world: Scene, phrase: str) -> Scalar:
+    """A quantity at a moment, or on the motion with its speeds as functions of the place as far as they are known.
+
+    Raises StatementError or ReadError for what means nothing.
+    """
+    question = read_question(phrase)
+    if world.place and question.when is None and not question.phase and not is_jump(question.quantity):
+        question = replace(question, phase=world.asked.names[world.place])
+    found = found_of(world.asked, question)
+    if len(found.values) != 1:
+        raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
+    world.used.append((question, found))
+    return neat(found.values[0], world.motion.assumptions)
+
+
+def told(value: Scalar) -> str:
+    """A value as text."""
+    return to_machine(present(value))
+
+
+def moving(world: Scene, values: Iterable[Scalar]) -> list[str]:
+    """The coordinates, speeds and the time on which values depend."""
+    names = (*world.motion.scope.rates, *world.motion.speeds, *world.motion.unsettled, "t")
+    return [name for name in dict.fromkeys(names) if any(depends_on(value, name) for value in values)]
+
+
+def parameter(world: Scene, name: str) -> str:
+    """The name of a parameter. Raises StatementError for a name that is none."""
+    problem = world.study.problem
+    known = [quantity.name for quantity in problem.parameters]
+    if name not in known:
+        what = "a coordinate" if name in world.coordinates else "no parameter of the problem"
+        raise StatementError(f"“{name}” is {what}", instead=did_you_mean(name, known, "parameters"))
+    return name
+
+
+def number_in(world: Scene, text: str) -> Scalar:
+    """The value of an expression in parameters. Raises ReadError."""
+    return scalar(read_infix(text, world.names))
+
+
+def place_in(world: Scene, name: str, text: str) -> Scalar:
+    """The value of a coordinate or parameter, within its range. Raises DimensionError or StatementError."""
+    value, limits = number_in(world, text), of_symbol(name, world.motion.assumptions)
+    require_same(world, symbol(name), value, (name, text))
+    for end, side in ((limits.lower, 1), (limits.upper, -1)):
+        if end is not None and settle([Demand((value - end) * side, ">=")], world.motion.assumptions) is None:
+            raise StatementError(
+                f"{name} = {text} is outside of what is declared: {name} {'>' if side > 0 else '<'} {told(end)}",
+                instead="choose another value.",
+            )
+    return value
+
+
+def require_same(world: Scene, first: Scalar, second: Scalar, texts: tuple[str, str]) -> None:
+    """Raise DimensionError where two values have different dimensions."""
+    known = world.dimensions
+    if first and second:
+        dimensions = [dimension_of(present(value), known) for value in (first, second)]
+        if dimensions[0] != dimensions[1]:
+            raise DimensionError(f"“{texts[0]}” is {a(dimensions[0])}, but “{texts[1]}” is {a(dimensions[1])}")
+
+
+def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> tuple[Way, Assumptions]:
+    """How a coordinate moves from its start, and its range on the way to a place (None: to where it first comes to rest, or
+    to the end of its range).
+
+    Raises StatementError where the motion is not known, never comes there, or sets out in a sense that depends on parameters.
+    """
+    found = ways_to(world, name, end, given)
+    if len(found) != 1:
+        raise StatementError(f"in which sense “{name}” sets out depends on the parameters", instead=f"give {name} a start.")
+    return found[0]
+
+
+def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+    """The same for each sense in which it may set out."""
+    study = world.study
+    square, begin = world.motion.squares.get(name), study.system.scope.start.get(name)
+    if square is None or begin is None:
+        raise StatementError(
+            f"the speed of “{name}” as a function of its place is not known",
+            instead=f'does [coordinates.{name}] have a start = "..." and a speed = "..."?',
+        )
+    if end is not None and is_zero(end - begin):
+        raise StatementError(f"“{name}” starts there")
+    found = ways(study.system, study.dynamics, name, square, given)
+    coming = [way for way in found if end is None or settle([*way.asked, Demand(way.ahead(end))], given) is not None]
+    if not coming:
+        sense = "grows" if found[0].sense > 0 else "falls"
+        raise StatementError(f"“{name}” never comes there: it {sense} from {told(begin)}")
+    return [(way, _on_way(way, end, assuming(given, way.asked))) for way in coming]
+
+
+def _on_way(way: Way, end: Scalar | None, given: Assumptions) -> Assumptions:
+    ahead = given.with_range(way.name, *_ends(way, given.range_of(way.name)))
+    end = _turning(way, ahead) if end is None else end
+    return ahead if end is None else way.until(end, given)
+
+
+def _ends(way: Way, known: tuple[Scalar | None, Scalar | None]) -> tuple[Scalar | None, Scalar | None]:
+    return (way.start, known[1]) if way.sense > 0 else (known[0], way.start)
+
+
+def _turning(way: Way, ahead: Assumptions) -> Scalar | None:
+    """Where the speed first vanishes ahead; None if it does not in the range. Raises StatementError if that is open."""
+    found = zeros(way.square, way.name, ahead)
+    if found.open_ or found.crossings or found.asked:
+        raise StatementError(
+            f"how far “{way.name}” goes depends on the parameters, or is not known in closed form",
+            instead=f"say until when: “… until {way.name} = VALUE”.",
+        )
+    return found.found[0 if way.sense > 0 else -1].place if found.found else None
+
+
+def one_period(value: Scalar, given: Assumptions) -> Assumptions:
+    """The time runs through a period, if there is one."""
+    turn = period(value, "t")
+    return given if turn is None else given.with_range("t", NOTHING, turn)
+
+
+def going_on(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar, ...]:
+    """What has to stay positive for the motion to go on as it is told: one-sided forces, what friction has left of its
+    limits, and last the square of the speed; without what is surely positive all the way.
+
+    Raises StatementError where a force is no function of the position.
+    """
+    study = world.study
+    names = [name for element in study.problem.constraints for name in pushes(element)]
+    values = [seen(world, name) for name in names]
+    for element in study.problem.constraints:
+        if element.values.get("limit") is not None:
+            most, friction = seen(world, element.name) * scalar(element["limit"]), seen(world, element["friction"])
+            values += [most - friction, most + friction]
+    other = next((n for n in moving(world, values) if n != way.name), None)
+    if other is not None:
+        raise StatementError(f"{names[0]} is no function of {way.name} alone, so that it may let go before")
+    square = seen(world, f"{way.name}_dot^2")
+    return (*(value for value in values if sign(value, given).kind != "positive"), square)
+
+
+def is_sure(values: Iterable[Scalar], name: str, given: Assumptions) -> bool:
+    """Whether all values are positive on the way, for all parameters."""
+    found = [extremes(value, name, given, -1) for value in values]
+    return None not in found and all(_is_positive(low, given) for lows in found for low in lows)
+
+
+def _is_positive(low: Extreme, given: Assumptions) -> bool:
+    return low.crossing is None and low.value is not None and (low.beside > 0 or settle([Demand(low.value)], given) == ())

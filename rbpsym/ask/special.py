@@ -1,0 +1,145 @@
+"""Special values and limits of quantities, and on what they depend."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.limits import Leading, leading
+from rbpsym.ask.neat import neat
+from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.decide import find_witness
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import proved, undecided
+from rbpsym.errors import ReadError, StatementError
+from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.statement.source import did_you_mean
+
+PAIR = re.compile(r"(\w+) ?= ?(.+)")
+FAR = ("oo", "inf", "infinity", "∞")
+
+
+# --- special values
+
+
+def with_values(world: Scene, phrase: str, text: str) -> Finding:
+    """A quantity with values of parameters put in: “c = 2/5 and mu = 0”."""
+    pairs: dict[str, str] = {}
+    for part in re.split(r",\s*(?:and )?|\s+and\s+", text):
+        pair = PAIR.fullmatch(part)
+        if pair is None:
+            raise ReadError(f"“{part}” gives no value to a parameter", instead="write “with NAME = VALUE, NAME = VALUE”.")
+        pairs[_constant(world, pair[1])] = pair[2]
+    value, given = seen(world, phrase), world.motion.assumptions
+    idle = [name for name in pairs if not depends_on(value, name)]
+    if idle:
+        raise StatementError(f"“{phrase}” does not depend on {idle[0]}", instead="leave it out.")
+    image = {name: place_in(world, name, to) for name, to in pairs.items()}
+    try:
+        valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in world.demands), given)
+        if valid is None:
+            raise StatementError("with these values the motion never comes there", instead="choose other values.")
+        return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid)
+    except ZeroDivisionError:
+        raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=_by_limit(phrase, image)) from None
+
+
+def _by_limit(phrase: str, image: Mapping[str, Scalar]) -> str:
+    return f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
+
+
+def _constant(world: Scene, name: str) -> str:
+    """A name that has one value throughout: a parameter, or a start."""
+    return name if name in world.motion.starts else parameter(world, name)
+
+
+# --- limits
+
+
+def in_limit(world: Scene, phrase: str, name: str, text: str) -> Finding:
+    """A quantity in the limit NAME -> VALUE."""
+    name, given, value = _constant(world, name), world.motion.assumptions, seen(world, phrase)
+    sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
+    to = None if plain in FAR else place_in(world, name, text)
+    if not depends_on(value, name):
+        raise StatementError(f"“{phrase}” does not depend on {name}", instead="leave the limit out.")
+    limits = of_symbol(name, given)
+    at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
+    return _limit(value, name, to, -1 if at_top else sign_, given, phrase)
+
+
+def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str) -> Finding:
+    found = leading(value, name, to, side)
+    if found is None and is_zero(value):
+        return Finding(proved("it vanishes"), values=(NOTHING,))
+    if found is None:
+        return Finding(undecided("no leading term of its power series was found"))
+    term = _term(found, name, to, side)
+    verdict = proved("the leading term of the power series")
+    if found.order < 0:
+        says = f"“{phrase}” grows beyond all bounds, as this"
+        return Finding(verdict, values=(neat(term, given),), relation="approaches", says=says)
+    if found.order > 0:
+        says = f"the limit is 0; “{phrase}” vanishes as this"
+        return Finding(verdict, values=(neat(term, given),), relation="approaches", says=says)
+    return Finding(verdict, values=(neat(found.coefficient, given),))
+
+
+def _term(found: Leading, name: str, to: Scalar | None, side: int) -> Scalar:
+    """The leading term as a function of the quantity."""
+    distance = 1 / (symbol(name) * side) if to is None else (symbol(name) - to) * side
+    power = found.order
+    if power.denominator == 1:
+        return found.coefficient * distance ** int(power)
+    return found.coefficient * root(distance) ** int(power * 2)
+
+
+def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Finding:
+    """A quantity for M >> m: the leading term for m → 0 (for M → ∞ if m does not occur), all else being fixed."""
+    great, small = (first, second) if way == ">>" else (second, first)
+    value, given = seen(world, phrase), world.motion.assumptions
+    for name in (great, small):
+        parameter(world, name)
+    require_same(world, symbol(great), symbol(small), (great, small))
+    both = [name for name in (great, small) if depends_on(value, name)]
+    if not both:
+        raise StatementError(f"“{phrase}” depends on neither {great} nor {small}", instead="leave the limit out.")
+    name, to = (small, NOTHING) if small in both else (great, None)
+    found = leading(value, name, to)
+    if found is None:
+        return Finding(undecided("no leading term of its power series was found"))
+    return Finding(proved("the leading term of the power series"), values=(neat(_term(found, name, to, 1), given),))
+
+
+# --- dependence
+
+
+def depends(world: Scene, phrase: str, name: str) -> Finding:
+    """Whether a quantity depends on a parameter."""
+    if name not in world.names:
+        raise StatementError(f"“{name}” is no quantity of the problem", instead=did_you_mean(name, world.names, "names"))
+    value = seen(world, phrase)
+    slope = derivative(value, name)
+    if is_zero(slope):
+        says = f"no: “{phrase}” does not depend on {name}"
+        return Finding(proved("its derivative vanishes identically"), says=says, holds=False)
+    given = world.motion.assumptions
+    if sign(slope, given).is_nonzero or find_witness(slope, NOTHING, given) is not None:
+        return Finding(proved("its derivative does not vanish"), says=f"yes: “{phrase}” depends on {name}", holds=True)
+    return Finding(undecided("whether its derivative vanishes is not decided"))
+
+
+def independent(world: Scene, phrase: str, name: str) -> Finding:
+    """Whether a quantity does not depend on a parameter."""
+    found = depends(world, phrase, name)
+    if found.holds is None:
+        return found
+    says = found.says.replace("no:", "yes:") if not found.holds else found.says.replace("yes:", "no:")
+    return replace(found, holds=not found.holds, says=says)

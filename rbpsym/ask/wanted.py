@@ -1,0 +1,209 @@
+"""What is wanted of a motion in questions about parameters, as values that have to be positive, or zero.
+
+“theta reaches pi/2”, “it does not slip”, “N stays positive until theta = pi”, “theta = 0 is stable”, “N_f vanishes”,
+“speed of x >= v_1”. A new condition is a new row of WANTED.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
+from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.errors import DimensionError, RbpsymError, StatementError
+from rbpsym.mechanics.demands import Demand, assuming
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.roots import zeros
+from rbpsym.statement.source import did_you_mean
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """values: all positive (`equal`: zero) where `given`; `along`: all along the range of a coordinate.
+
+    closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).
+    comes: whether the motion goes all the way for all parameters.
+    """
+
+    values: tuple[Scalar, ...]
+    given: Assumptions
+    along: str | None = None
+    equal: bool = False
+    closed: bool = True
+    end: Scalar | None = None
+    asked: tuple[Demand, ...] = ()
+    comes: bool = True
+
+
+def wanted(world: Scene, text: str, name: str = "") -> Wanted:
+    """What a condition asks for; `name`: of which symbol. Raises StatementError for one that means nothing here."""
+    for pattern, find in WANTED:
+        if found := re.fullmatch(pattern, text):
+            words = found.groups() if find is not _holds_fast else (*found.groups(), name)
+            return find(world, *words)
+    return _compared(world, text)
+
+
+def _reaches(world: Scene, name: str, text: str) -> Wanted:
+    """Up to the place the speed does not vanish, and nothing lets go or slips."""
+    name, end = free_place(world, name, text)
+    way, given = way_to(world, name, end, world.motion.assumptions)
+    return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked)
+
+
+def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
+    """The coordinate that is free, and its value where another one that is tied to it has a value."""
+    if name not in world.coordinates:
+        raise StatementError(f"“{name}” is no coordinate", instead=did_you_mean(name, world.coordinates))
+    value = place_in(world, name, text)
+    if name in world.study.system.independent:
+        return name, value
+    gap = world.dependent[name] - value
+    found = [(n, root) for n in world.study.system.independent if depends_on(gap, n) for root in zeros(gap, n)]
+    if len(found) != 1:
+        raise StatementError(f"the place where “{name}” has this value has no single closed form")
+    return found[0]
+
+
+def _stays(world: Scene, phrase: str, sign: str, until: str | None, text: str | None) -> Wanted:
+    """A quantity has one sign on the way."""
+    value = seen(world, phrase) * (-1 if sign == "negative" else 1)
+    return on_way(world, (value,), phrase, until, text, world.motion.assumptions)
+
+
+def _keeps(world: Scene, phrase: str, until: str | None, text: str | None) -> Wanted:
+    return _stays(world, phrase, "positive", until, text)
+
+
+def on_way(
+    world: Scene, values: tuple[Scalar, ...], phrase: str, until: str | None, text: str | None, given: Assumptions
+) -> Wanted:
+    """The values are positive along the way of the one coordinate on which they depend."""
+    free = moving(world, values)
+    if not free:
+        return Wanted(values, given)
+    if free == ["t"] and until is None:
+        return Wanted(values, one_period(sum(values, NOTHING), given), "t")
+    name, end = (free[0], None) if until is None else free_place(world, until, text)
+    if len(free) > 1 or name != free[0]:
+        raise StatementError(f"“{phrase}” depends on {', '.join(free)} along the motion, and not on one coordinate alone")
+    way, given = way_to(world, free[0], end, given)
+    others = () if until is None else going_on(world, way, given)
+    comes = is_sure(others, free[0], given)
+    return Wanted(values if comes else (*values, *others), given, free[0], end=end, asked=way.asked, comes=comes)
+
+
+COEFFICIENT = "mu"  # may be asked for where the problem declares none
+
+
+def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "") -> Wanted:
+    """Static friction stays below its limit, at one contact or at all (“it”)."""
+    needs = {need.constraint: need for need in world.study.friction_needs}
+    if not needs:
+        raise StatementError(
+            "no contact is held by static friction here",
+            instead='what sticks or rolls is type = "sticking" or "rolling", with a limit = "mu".',
+        )
+    if contact not in ("it", "nothing", *needs):
+        raise StatementError(f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts"))
+    held = [need for place, need in needs.items() if contact in ("it", "nothing", place)]
+    given = world.motion.assumptions
+    if name == COEFFICIENT and name not in given.signs:
+        held, given = [replace(need, limit=symbol(name)) for need in held], given.with_signs({name: "positive"})
+    without = next((need.constraint for need in held if need.limit is None), None)
+    if without is not None:
+        raise StatementError(
+            f"the contact “{without}” has no coefficient of static friction",
+            instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
+        )
+    forces = [(seen(world, need.constraint) * need.limit, seen(world, need.friction)) for need in held]
+    values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
+    return on_way(world, values, "the friction that is needed", until, text, given)
+
+
+def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:
+    """All one-sided forces stay positive."""
+    names = [name for element in world.study.problem.constraints for name in pushes(element)]
+    if not names:
+        raise StatementError("no contact or string of the problem can let go")
+    return on_way(world, tuple(seen(world, name) for name in names), " and ".join(names), until, text, world.motion.assumptions)
+
+
+def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:
+    """What is positive where a place of rest is stable."""
+    value = place_in(world, name, text)
+    found = [item for item in world.study.equilibria if name in item.at and is_zero(item.at[name] - value)]
+    if not found:
+        raise StatementError(f"{name} = {text} is no place of rest", instead=f"ask for the “equilibrium of {name}”.")
+    item = found[0]
+    where = item.where if item.stable is None else lift(1 if item.stable else -1)
+    if where is None:
+        raise StatementError(f"whether {name} = {text} is stable is not decided by one condition")
+    given = assuming(world.motion.assumptions, item.valid)
+    return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid)
+
+
+def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
+    return _equal(world, phrase + (place or ""), "0")
+
+
+def _equal(world: Scene, left: str, right: str) -> Wanted:
+    first, second = _side(world, left), _side(world, right)
+    require_same(world, first, second, (left, right))
+    return Wanted((first - second,), world.motion.assumptions, equal=True)
+
+
+def _side(world: Scene, text: str) -> Scalar:
+    return seen(world, text)
+
+
+SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
+RELATION = re.compile(r" (=|>=|<=|>|<|equals|is at least|is at most) ")
+WORDS = {"equals": "=", "is at least": ">=", "is at most": "<="}
+PLACE = re.compile(r"(.+?)((?: (?:where|when|at|just|right|in|once) ).+)")
+
+
+def _compared(world: Scene, text: str) -> Wanted:
+    """Two quantities with a relation between; a place may follow the second: “N = m*g where theta = 0”."""
+    refused: list[RbpsymError] = []
+    for cut in RELATION.finditer(text):
+        left, op, right = text[: cut.start()], WORDS.get(cut[1], cut[1]), text[cut.end() :]
+        place = PLACE.fullmatch(right)
+        for first, second in ((left, right), *(((left + place[2], place[1]),) if place else ())):
+            try:
+                both = _equal(world, first, second)
+            except RbpsymError as error:
+                refused.append(error)
+                continue
+            if op == "=":
+                return both
+            side, closed = SIGNS[op]
+            return Wanted(tuple(value * side for value in both.values), both.given, closed=closed)
+    if refused:
+        raise next((error for error in refused if isinstance(error, DimensionError)), refused[0])
+    raise StatementError(
+        f"“{text}” is no condition",
+        instead="write “N vanishes”, “theta reaches pi/2”, “it does not slip”, “theta = 0 is stable”, “QUANTITY >= VALUE”.",
+    )
+
+
+_N, _UNTIL = r"([\w.]+)", r"(?:,? (?:until|before|up to) (\w+) (?:=|reaches|is) (.+))?"
+WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
+    (rf"{_N} reaches (.+)", _reaches),
+    (rf"{_N} (?:gets|comes) to (.+)", _reaches),
+    (rf"{_N} (?:does not|never) slips?{_UNTIL}", _holds_fast),
+    (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
+    (rf"(?:it|nothing|everything) (?:does not|never) (?:leave|lift|let go|lose contact)s?{_UNTIL}", _touches),
+    (rf"(?:it|everything) (?:stays in contact|keeps contact){_UNTIL}", _touches),
+    (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
+    (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
+    (rf"{_N} = (.+) is (un)?stable", _stable),
+    (r"(.+?) (?:vanishes|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
+)
+
+

@@ -1,0 +1,98 @@
+"""Questions that are answered by yes or no, with the condition where it depends on the parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.ask.extremes import extremes
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.seen import Scene, moving, way_to
+from rbpsym.ask.wanted import Wanted, free_place, on_way, wanted
+from rbpsym.ask.zeros import sign_at_end
+from rbpsym.equality.verdict import proved, undecided
+from rbpsym.errors import StatementError, Undecided
+from rbpsym.mechanics.demands import Demand, assuming, settle
+
+
+def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
+    """Whether a condition is met on the motion: yes, no, or under which conditions on the parameters."""
+    condition = wanted(world, text)
+    if condition.equal:
+        raise StatementError(f"“{text}” is no condition of a whole motion", instead="ask “where …”, or “does … depend on …”.")
+    if condition.along is None and moving(world, condition.values) and not _always(condition):
+        condition = on_way(world, condition.values, text, None, None, condition.given)
+    if opposite and not condition.comes:
+        return Finding(undecided("whether the motion comes so far depends on the parameters"))
+    try:
+        demands = list(_demands(world, condition))
+    except Undecided as error:
+        return Finding(undecided(error.what))
+    left = settle(demands, condition.given)
+    if left is None and len(demands) > 1 and not any(settle([demand], condition.given) is None for demand in demands):
+        return Finding(undecided("the conditions exclude each other, as it seems"))
+    if left is None or not left:
+        holds = (left is not None) != opposite
+        return Finding(proved("the sign is the same for all parameters"), says="yes" if holds else "no", holds=holds)
+    says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
+    return Finding(proved("the least values on the way"), valid=left, says=says)
+
+
+def does_not(world: Scene, text: str) -> Finding:
+    """The same of what is the opposite of a condition: whether it slips, leaves, vanishes."""
+    return does(world, text, opposite=True)
+
+
+def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> Finding:
+    """Whether a one-sided force vanishes on the motion, by what is known of the ends of contacts; before a place: by its
+    least value on the way."""
+    ended = world.study.ended
+    loss = next((loss for loss in ended.found if loss.force == force and loss.at), None)
+    if loss is not None:
+        [(name, place)] = loss.at.items()
+        way, _ = way_to(world, name, place, world.motion.assumptions)
+        asked = [*loss.valid]
+        if until is not None:
+            name_, end = free_place(world, until, text)
+            asked.append(Demand((end - place) * way.sense, ">="))
+        left = settle(asked, world.motion.assumptions) if until is None or name_ == name else None
+        says = "no" if left is None else "yes where this is met, else no" if left else "yes"
+        holds = None if left else left is not None
+        return Finding(proved("it goes through zero there first"), valid=left or (), place=(name, place), says=says, holds=holds)
+    side = next((side for side in world.study.sides if side.force == force), None)
+    if side is not None and side.state == "kept" and not side.until:
+        return Finding(proved("it stays positive on the whole motion"), says="no", holds=False)
+    rest = f" until {until} = {text}" if until else ""
+    return does(world, f"{force} stays positive{rest}", opposite=True)
+
+
+def _demands(world: Scene, condition: Wanted) -> Iterator[Demand]:
+    """What has to hold of the parameters: each least value on the way is positive."""
+    op = ">=" if condition.closed else ">"
+    given = assuming(condition.given, condition.asked)
+    for value in condition.values:
+        if condition.along is None or not depends_on(value, condition.along):
+            yield Demand(value, op)
+            continue
+        if -1 in (sign_at_end(value, condition.along, given, upper) for upper in (False, True)):
+            yield Demand(-UNITY)
+            continue
+        lows = extremes(value, condition.along, given, -1)
+        if lows is None or any(low.crossing is not None or low.asked for low in lows):
+            raise Undecided("where it is least on the way is not decided")
+        yield from (_of_low(low.value, low.where, low.beside, op) for low in lows)
+
+
+def _always(condition: Wanted) -> bool:
+    """Whether it is met in every state."""
+    return settle([Demand(value, ">=" if condition.closed else ">") for value in condition.values], condition.given) == ()
+
+
+def _of_low(value: Scalar | None, where: str, beside: int, op: str) -> Demand:
+    if value is None:
+        return Demand(-UNITY)
+    if where and is_zero(value) and beside:
+        return Demand(UNITY * beside)
+    return Demand(value, op)

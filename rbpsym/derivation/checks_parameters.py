@@ -1,0 +1,168 @@
+"""Checks of what is said of parameters: where a value vanishes, is greatest or least, and for which of them it is positive.
+
+They share nothing with what finds it but formulas, signs and ranges: no sign table, no zero is looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import pairwise
+
+from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.decide import compare, scalars_equal
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.rest import rooted
+from rbpsym.mechanics.stability import essential
+
+Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
+KINDS = {1: "positive", -1: "negative"}
+SENSES = {"positive": 1, "negative": -1}
+
+
+def vanishes_there(context: Context, step: Step) -> Verdict:
+    """The value vanishes at the stated places, and nowhere else in the range: it is monotone, or has one sign between them
+    (`data`: "value", "name", "places", "given")."""
+    value, name, places, given = (step.data[key] for key in ("value", "name", "places", "given"))
+    there = [scalars_equal(rooted(substitute(value, {name: place}), given), NOTHING, given) for place in places]
+    return all_of([*there, nowhere_else(value, name, places, given)])
+
+
+def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assumptions) -> Verdict:
+    """Whether the value vanishes in its range at these places at most."""
+    slope = short(derivative(value, name))
+    if len(places) < 2 and sign(slope, given).is_nonzero:
+        return proved("it is monotone, so that it vanishes once at most")
+    if not places and sign(value, given).is_nonzero:
+        return proved("it has one sign")
+    if _degree(value, name) == len(places) > 0:
+        return proved("it has no more zeros than its degree")
+    limits = of_symbol(name, given)
+    parts = pairwise([limits.lower, *places, limits.upper])
+    if all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
+        return proved("between these it has one sign")
+    return undecided("that there is no other place is not seen on a second road")
+
+
+def _is_free(value: Scalar, slope: Scalar, given: Assumptions) -> bool:
+    return sign(value, given).is_nonzero or sign(slope, given).is_nonzero
+
+
+def _degree(value: Scalar, name: str) -> int | None:
+    """The degree of the numerator in the name or its sine or cosine, if it is a polynomial in one of them."""
+    inner = [index for index in value.num.atoms() if atom_depends(index, name)]
+    if len(inner) != 1 or (value.den.atoms() & set(inner)):
+        return None
+    parts = value.num.by_power(inner[0])
+    return max(parts) - min(parts)
+
+
+def extreme_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sense: int) -> Verdict:
+    """Whether no value in the range lies beyond the best one."""
+    ends = (value, best) if sense > 0 else (best, value)
+    return compare(*ends, given, strict=False)
+
+
+def end_said(value: Scalar, name: str, given: Assumptions) -> Verdict:
+    """Whether the value is monotone, so that it goes to its bounds at the ends."""
+    slope = short(derivative(value, name))
+    if sign(rooted(essential(slope, given), given), given).is_nonzero:
+        return proved("it is monotone")
+    return undecided("that it is monotone is not seen on a second road")
+
+
+def slope_said(value: Scalar, name: str, place: Scalar, given: Assumptions, sense: int) -> Verdict:
+    """Whether the value rises up to the place and falls behind it (the other way round for a least one).
+
+    The slope has there a factor that vanishes and is monotone, or has its signs on both sides; the other factors keep theirs.
+    """
+    slope = short(derivative(value, name))
+    core = essential(rooted(essential(slope, given), given), given)
+    there = scalars_equal(rooted(substitute(core, {name: place}), given), NOTHING, given)
+    if there.is_proved and sign(short(derivative(core, name)), given).kind == KINDS[-sense]:
+        return proved("the slope changes its sign there, and its factor that does is monotone")
+    limits = of_symbol(name, given)
+    sides = ((limits.lower, place, sense), (place, limits.upper, -sense))
+    if all(sign(core, given.with_range(name, low, high)).kind == KINDS[way] for low, high, way in sides):
+        return proved("the slope changes its sign there and nowhere else")
+    return undecided("that it is the greatest or least value is not seen on a second road")
+
+
+def bounds_hold(context: Context, step: Step) -> Verdict:
+    """All values are not negative within the stated bounds, and one of them is beyond each; with a sense: at the upper (1) or
+    lower (-1) bound, and beyond it (`data`: "values", "name", "ends", "sense", "given", "way": the coordinate along which
+    they vary and the places that decide).
+
+    What rises vanishes at the lower bound and what falls at the upper one, at one place, and is nowhere negative there.
+    """
+    values, name, ends, way, given, sense = (step.data[key] for key in ("values", "name", "ends", "way", "given", "sense"))
+    values = [value for value in values if sign(value, given).kind != "positive"]
+    if sense:
+        return _bound_said(values, {name: ends[-sense]}, way, given, sense)
+    slopes = [SENSES.get(sign(short(derivative(value, name)), given).kind or "", 0) for value in values]
+    seen = [_ends_said(value, slope, name, ends, way, given) for value, slope in zip(values, slopes, strict=True)]
+    ended = {slope for slope, (_, vanishes) in zip(slopes, seen, strict=True) if vanishes}
+    if all(kept for kept, _ in seen) and all(end is None or side in ended for side, end in ends.items()):
+        return proved("it is monotone, and at the bound it vanishes at one place and is nowhere negative")
+    limits = of_symbol(name, given)
+    low, high = limits.lower if ends[1] is None else ends[1], limits.upper if ends[-1] is None else ends[-1]
+    inside = [compare(NOTHING, value, given.with_range(name, low, high)) for value in values]
+    return all_of([*inside, *_beyond(values, name, ends, way, given)])
+
+
+def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, given: Assumptions, sense: int) -> Verdict:
+    """Whether at one bound no value is negative, while at one place one vanishes there and is negative beyond."""
+    [name] = there
+    is_kept = all(sign(rooted(substitute(value, there), given), given).is_nonnegative for value in values)
+    worst = [value for whole in values for value in _there(whole, *way)]
+    edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
+    if is_kept and any(sign(short(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):
+        return proved("nothing is negative at the bound, and at one place something vanishes there and is negative beyond")
+    return undecided("that this is the bound is not seen on a second road")
+
+
+def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way, given: Assumptions) -> tuple[bool, bool]:
+    """Whether a value is not negative at the end that matters, and whether it vanishes there at one place."""
+    bounds = [end for side, end in ends.items() if end is not None and (not slope or side == slope or ends[slope] is None)]
+    kept, vanishes = sign(value, given).is_nonnegative, False
+    for bound in bounds:
+        at_bound = rooted(substitute(value, {name: bound}), given)
+        kept = kept or sign(at_bound, given).is_nonnegative
+        vanishes = vanishes or any(is_zero(rooted(there, given)) for there in _there(at_bound, *way))
+    return kept, vanishes
+
+
+def _beyond(values: Sequence[Scalar], name: str, ends: Ends, way, given: Assumptions) -> Iterator[Verdict]:
+    for bound, outer in ((ends[1], (None, ends[1])), (ends[-1], (ends[-1], None))):
+        if bound is not None:
+            outside = given.with_range(name, *outer)
+            there = (place for value in values for place in _there(value, *way))
+            fails = any(sign(value, outside).kind == "negative" for value in there)
+            yield proved("beyond its bound it fails") if fails else undecided("that it fails beyond is not seen on a second road")
+
+
+def _there(value: Scalar, along: str | None, worst: Sequence[Scalar | None]) -> Iterator[Scalar]:
+    """The value at the places that decide."""
+    if along is None or not depends_on(value, along):
+        yield value
+        return
+    for place in worst:
+        if place is not None:
+            with suppress(ZeroDivisionError):
+                yield short(substitute(value, {along: place}))
+
+
+def is_extreme(context: Context, step: Step) -> Verdict:
+    """The value is the greatest (least) one at the stated place, or towards the end of the range ("at_end")."""
+    value, name, given, sense = (step.data[key] for key in ("value", "name", "given", "sense"))
+    place, best = step.data["place"], step.data["best"]
+    found = end_said(value, name, given) if step.data["at_end"] else slope_said(value, name, place, given, sense)
+    return found if found.is_proved else extreme_said(value, name, best, given, sense)
