@@ -14,12 +14,12 @@ from rbpsym.ask.neat import neat
 from rbpsym.ask.regions import Region, alone, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, way_to, ways_to
 from rbpsym.ask.wanted import Wanted, wanted
-from rbpsym.ask.zeros import Zero, sign_table
+from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.rest import rooted
 from rbpsym.mechanics.stability import essential
 
@@ -74,7 +74,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
     shared = tuple(d for d in zeros[0].asked if all(d in zero.asked for zero in zeros))
-    under = assuming(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
+    under = where_met(given, [*table.zeros.asked, *(d for zero in zeros for d in zero.asked)])
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
@@ -104,7 +104,7 @@ def _instead(world: Scene, value: Scalar) -> str:
 
 def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
     moments = [demand for demand in world.demands if demand.op != "!="]
-    given = assuming(condition.given, [*condition.asked, *(d for d in moments if not depends_on(d.value, name))])
+    given = where_met(condition.given, [*condition.asked, *(d for d in moments if not depends_on(d.value, name))])
     values = (*condition.values, *(d.value for d in moments if depends_on(d.value, name)))
     along = condition.along
     if name in world.coordinates or not any(depends_on(value, name) for value in (*values, *_ends_of(given, along))):
@@ -136,7 +136,7 @@ def _ends_of(given: Assumptions, along: str | None) -> list[Scalar]:
 
 
 def _said(values, name: str, found: Region, given: Assumptions, along: str | None, sense: int = 0) -> dict[str, Any]:
-    given = assuming(given, found.asked)
+    given = where_met(given, found.asked)
     if found.is_empty or found.is_whole or found.crossing:
         return {"verdict": proved("its sign is the same everywhere" if not found.crossing else "it is monotone")}
     sense = 0 if (found.lower if sense < 0 else found.upper) is None else sense
@@ -261,7 +261,7 @@ def _of_extreme(
     if found.value is None:
         says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found.place)}"
         return Finding(proved("the leading term at the end of the range"), name if by_place else "", says=says)
-    under = assuming(given, found.asked)
+    under = where_met(given, found.asked)
     data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
     said = checked("extreme", **data, given=under, at_end=bool(found.where))
     if found.where and not closed:
@@ -302,7 +302,7 @@ def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
     gap = neat(other * other - value * value, given)  # both are positive, or zero together
     same = sign(value, given).is_nonnegative
     places = [*(zero.place for zero in zeros), symbol(first)]
-    asked = assuming(given, [demand for zero in zeros for demand in zero.asked])
+    asked = where_met(given, [demand for zero in zeros for demand in zero.asked])
     verdict = verdict_of("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
     return Finding(verdict, second, tuple(neat(z.place, given) for z in zeros), asked=tuple(z.asked for z in zeros))
 

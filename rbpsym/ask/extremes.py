@@ -10,10 +10,10 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.limits import leading
 from rbpsym.ask.neat import neat
-from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table
+from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
-from rbpsym.mechanics.demands import Demand, assuming
+from rbpsym.mechanics.demands import Demand
 
 ENDS = ("at the lower end", "at the upper end")
 
@@ -44,7 +44,7 @@ def extreme(value: Scalar, name: str, given: Assumptions, sense: int) -> Extreme
     found = extremes(value, name, given, sense)
     if found is None:
         return None
-    given = assuming(given, found[0].asked) if found else given
+    given = where_met(given, found[0].asked) if found else given
     without = next((item for item in found if item.value is None), None)
     best = [item for item in found if all(_is_beyond(item, other, given, sense) for other in found)]
     return without or (best[0] if best else None)
@@ -64,7 +64,7 @@ def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[E
     table = sign_table(slope, name, given)
     if not table.is_whole:
         return None
-    limits, given = of_symbol(name, given), assuming(given, table.zeros.asked)
+    limits, given = of_symbol(name, given), where_met(given, table.zeros.asked)
     found = [
         _near(value, name, (zero.place, 0), "", given, table)
         for zero, before, after in zip(table.zeros.found, table.signs, table.signs[1:], strict=False)

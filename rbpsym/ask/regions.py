@@ -9,10 +9,10 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.extremes import Extreme, extremes
-from rbpsym.ask.zeros import Crossing, settled_sign, sign_table
+from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 
 
@@ -62,7 +62,7 @@ def _otherwise(value: Scalar, name: str, asked: Sequence[Demand], given: Assumpt
     if len(asked) != 1 or asked[0].op == "!=":
         return 0
     opposite = Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">")
-    table = sign_table(value, name, assuming(given, [opposite]))
+    table = sign_table(value, name, where_met(given, [opposite]))
     return table.signs[0] or 0 if table.is_whole and len(table.signs) == 1 else 0
 
 
@@ -86,7 +86,7 @@ def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region |
         return Region(is_empty=True, asked=low.asked)
     if low.where and is_zero(low.value) and low.beside:
         return Region(is_empty=low.beside < 0, asked=low.asked)
-    found = region(low.value, name, assuming(given, low.asked).without(along))
+    found = region(low.value, name, where_met(given, low.asked).without(along))
     return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,))
 
 
@@ -105,7 +105,7 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
         if len(kept) < len(bound):
             return common(kept, given)  # what is whole where the others' demands are met
         return Region(cases=tuple(bound)) if len(bound) == 2 and not firm else None
-    given = assuming(given, asked)
+    given = where_met(given, asked)
     lower = _outermost([one for one in regions if one.lower is not None], "lower", 1, given)
     upper = _outermost([one for one in regions if one.upper is not None], "upper", -1, given)
     if lower is None or upper is None:

@@ -15,13 +15,13 @@ from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.neat import neat
 from rbpsym.ask.question import Question, is_jump, read_question
-from rbpsym.ask.zeros import zeros
+from rbpsym.ask.zeros import where_met, zeros
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
@@ -145,7 +145,7 @@ def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> 
     if not coming:
         sense = "grows" if found[0].sense > 0 else "falls"
         raise StatementError(f"“{name}” never comes there: it {sense} from {told(begin)}")
-    return [(way, _on_way(way, end, assuming(given, way.asked))) for way in coming]
+    return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 
 def _on_way(way: Way, end: Scalar | None, given: Assumptions) -> Assumptions:

@@ -14,9 +14,10 @@ from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
+from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import DimensionError, RbpsymError, StatementError
-from rbpsym.mechanics.demands import Demand, assuming
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
@@ -144,7 +145,7 @@ def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:
     where = item.where if item.stable is None else lift(1 if item.stable else -1)
     if where is None:
         raise StatementError(f"whether {name} = {text} is stable is not decided by one condition")
-    given = assuming(world.motion.assumptions, item.valid)
+    given = where_met(world.motion.assumptions, item.valid)
     return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid)
 
 

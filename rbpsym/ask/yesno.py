@@ -11,10 +11,10 @@ from rbpsym.ask.extremes import extremes
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, free_place, on_way, wanted
-from rbpsym.ask.zeros import sign_at_end
+from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import StatementError, Undecided
-from rbpsym.mechanics.demands import Demand, assuming, settle
+from rbpsym.mechanics.demands import Demand, settle
 
 
 def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
@@ -71,7 +71,7 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
 def _demands(world: Scene, condition: Wanted) -> Iterator[Demand]:
     """What has to hold of the parameters: each least value on the way is positive."""
     op = ">=" if condition.closed else ">"
-    given = assuming(condition.given, condition.asked)
+    given = where_met(condition.given, condition.asked)
     for value in condition.values:
         if condition.along is None or not depends_on(value, condition.along):
             yield Demand(value, op)

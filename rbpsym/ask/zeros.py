@@ -6,7 +6,7 @@ sign; which one it is follows from the range, from the slope at a zero, or from 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 from math import gcd
@@ -125,12 +125,17 @@ def exists(place: Scalar) -> list[Demand]:
 
 def _ordered(found: list[Zero], given: Assumptions) -> list[Zero]:
     """From the lowest to the highest, as far as that is decided."""
-    given = assuming(given, (demand for zero in found for demand in zero.asked))
+    given = where_met(given, (demand for zero in found for demand in zero.asked))
     ordered: list[Zero] = []
     for zero in found:
         place = next((k for k, old in enumerate(ordered) if precedes(zero.place, old.place, given)), len(ordered))
         ordered.insert(place, zero)
     return ordered
+
+
+def where_met(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:
+    """The assumptions with all that the demands say of single quantities."""
+    return assuming(given, demands, tighter=True)
 
 
 def precedes(first: Scalar, second: Scalar, given: Assumptions) -> bool:
@@ -258,7 +263,7 @@ def sign_table(value: Scalar, name: str, given: Assumptions) -> Table:
     """The sign on every part of the range, where what the zeros ask for is met."""
     value = rooted(value, given)
     known = zeros(value, name, given)
-    given = assuming(given, known.asked)
+    given = where_met(given, known.asked)
     if known.crossings and (known.found or len(known.crossings) > 1):
         return Table(known, (None,) * (len(known.found) + 2))
     if known.crossings:

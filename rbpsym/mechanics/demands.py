@@ -73,11 +73,11 @@ def _divided(item: Demand, demands: list[Demand]) -> Demand:
     return item
 
 
-def assuming(given: Assumptions, demands: Iterable[Demand]) -> Assumptions:
-    """The assumptions with what the demands say of one quantity each."""
+def assuming(given: Assumptions, demands: Iterable[Demand], *, tighter: bool = False) -> Assumptions:
+    """The assumptions with what the demands say of one quantity each (`tighter`: in place of wider bounds too)."""
     for demand in demands:
         if demand.op != "!=":
-            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand), given)
+            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand, tighter), given)
     return given
 
 
@@ -97,7 +97,7 @@ HALF = Fraction(1, 2)
 WAVES = {"sin": {1: (0, 1), -1: (-1, 0)}, "cos": {1: (-HALF, HALF)}}  # in units of π
 
 
-def _narrowed(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
+def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Assumptions]:
     """a x + b > 0 or a x² + b > 0 as a bound of x, for each x that has none yet on that side; a x > 0 as its sign."""
     value, bare = demand.value, {1} if demand.op == ">" else set()
     powers = {name: max(value.num.by_power(atoms.intern("symbol", name))) for name in names_in(value) - {"pi"}}
@@ -114,7 +114,8 @@ def _narrowed(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
             if sign(bound, given).kind != "positive":
                 continue
             bound = simplified_root(bound, lambda n: given.sign_of(n) == "positive")
-        if (lower if way > 0 else upper) in (None, NOTHING):
+        old = lower if way > 0 else upper
+        if old in (None, NOTHING) or (tighter and sign((bound - old) * way, given).is_nonnegative):
             yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)))
 
 

@@ -397,7 +397,7 @@ QUESTIONS = (
     (OFF_SPHERE.format(speed="v_0/R"), "smallest v_0 for which N at the start vanishes", "sqrt(g*R)", "Taylor 4"),
     (OFF_SPHERE.format(speed="v_0/R"), "theta for which N vanishes", "acos(2/3 + v_0**2/(3*g*R))", "Morin 5"),
     (LOOP, "smallest h for which theta reaches pi", "5*R/2", "Kleppner & Kolenkow 5; Halliday & Resnick 8"),
-    (LOOP, "h for which N where theta = pi/2 = 3*m*g", "5*R/2", "Halliday & Resnick 8"),
+    (LOOP, "h for which N at the start = 6*m*g", "5*R/2", "Halliday & Resnick 8"),
     (PULLED_BLOCK, "largest P for which it does not slip", "mu*m*g/(cos(phi) + mu*sin(phi))", "Meriam & Kraige, Statics 6"),
     (PULLED_BLOCK, "smallest mu for which it does not slip", "P*cos(phi)/(m*g - P*sin(phi))", "Meriam & Kraige, Statics 6"),
     (TALL_BOX, "largest beta for which N_high stays positive", "atan(b/h)", "Meriam & Kraige, Statics 6"),
