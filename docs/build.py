@@ -12,8 +12,10 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from rbpsym import errors
+from rbpsym.ask.question import CLAUSES
 from rbpsym.errors import RbpsymError
 from rbpsym.quantities import DIMENSIONS
+from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement import SHAPES, load_problem, load_text
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
@@ -255,9 +257,39 @@ def api_member(entry: tuple[str, Callable]) -> str:
     return f"- `.{name}`: {' '.join((inspect.getdoc(function) or '').split(chr(10) * 2)[0].split())}\n"
 
 
+# --- ask.md
+
+
+def ask_page() -> str:
+    """The quantities and the ways to say when, by their examples."""
+    parts = [intro("ask"), "\n## Quantities\n"]
+    parts += ["BODY, FORCE, COORDINATE, PHASE, CONTACT and VALUE stand for names and values of the problem.\n"]
+    parts += ["| write | what it is |", "|---|---|"]
+    for _, find, example in PHRASES:
+        parts += [f"| `{example}` | {told(find)} |"] if example else []
+    parts += ["\n## When and where\n", "| write | such as |", "|---|---|"]
+    parts += [f"| {WHENS[kind]} | `{example}` |" for kind, _, example in CLAUSES]
+    return "\n".join(parts) + "\n"
+
+
+WHENS = {
+    "of": "as a function of something", "start": "the start", "begins": "the beginning of a phase, after its blows",
+    "before": "the end of the phase before, before the blows", "end": "the end of a phase", "over": "what is done in a phase",
+    "until": "up to a phase", "vanishes": "where a force vanishes", "rests": "where the motion turns round",
+    "grips": "where a contact stops slipping", "slips": "where static friction gives way", "reaches": "a place, or a time t",
+    "rest": "at rest in the stable equilibrium", "unstable": "at rest in the unstable one",
+}  # fmt: skip
+
+
+def told(find: Callable[..., object]) -> str:
+    """The first sentence of what finds a quantity; nothing where its name says all."""
+    text = " ".join((inspect.getdoc(find) or "").split())
+    return re.split(r"(?<=[.;]) ", text)[0].rstrip(".;") if text and "<lambda>" not in find.__qualname__ else ""
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
     "statement.md": statement_page, "errors.md": errors_page, "solve.md": solve_page, "cli.md": commands_page,
-    "api.md": api_page,
+    "api.md": api_page, "ask.md": ask_page,
 }  # fmt: skip
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ _PUBLIC = {
     "derive": "rbpsym.derive",
     "derive_course": "rbpsym.courses",
     "solve": "rbpsym.solve",
+    "ask": "rbpsym.ask.asking",
     "problem": "rbpsym.face.stating",
     "quantity": "rbpsym.face.stating",
     "model": "rbpsym.face.model",

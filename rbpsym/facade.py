@@ -40,10 +40,13 @@ def _wrong(value: object, what: str, wanted: str) -> StatementError:
 
 
 def _problem(value: object, what: str) -> object:
+    from rbpsym.derivation.step import Derivation
     from rbpsym.mechanics.study import Study
     from rbpsym.statement.loader import load_problem
     from rbpsym.statement.model import Problem
 
+    if isinstance(value, Derivation):
+        return value.study.problem
     if isinstance(value, (Problem, Study)):
         return value
     if isinstance(value, (str, os.PathLike)):

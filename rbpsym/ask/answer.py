@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import certified
-from rbpsym.ask.moments import Asked, Moment, at_time, image_of, moment_of
+from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, at_time, image_of, moment_of
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
-from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
-from rbpsym.quantity.path import even, sense, work_done
+from rbpsym.quantity.path import even, first_push, sense, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -26,7 +31,7 @@ from rbpsym.quantity.problem import ProblemWorld
 class Found:
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
-    it; `ways`: in which sense a speed is taken; `told`: the chapter that says it."""
+    it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it."""
 
     study: Study
     named: tuple[Scalar, ...]
@@ -36,6 +41,7 @@ class Found:
     works: Mapping[str, tuple[Scalar, Scalar]] = field(default_factory=dict)
     ways: Mapping[str, int] = field(default_factory=dict)
     told: str = ""
+    asked: tuple[Demand, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -71,6 +77,13 @@ class Answer:
         raise StatementError(f"“{self.question.quantity}” is a vector", instead="ask for its magnitude or a component.")
 
     @property
+    def text(self) -> str:
+        """The value as text that Python and sympy read; a vector as a pair."""
+        style = replace(self.study.style, tangents=False)
+        texts = [to_machine(present(value, style)) for value in self.values]
+        return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+
+    @property
     def is_angle(self) -> bool:
         """Is it asked for an angle: a coordinate that is one, or a direction?"""
         angles = {c.name for c in self.study.problem.coordinates}
@@ -79,7 +92,10 @@ class Answer:
 
 def answer(asked: Asked, question: Question) -> Answer:
     """The answer about a quantity. Raises StatementError for what means nothing, never happens or has no closed form."""
-    return certified(asked, question, found_of(asked, question))
+    made = certified(asked, question, found_of(asked, question))
+    if made.verdict.is_refuted:
+        raise Undecided(f"what was found for “{question.text}” is refuted by its own check, and is not told")
+    return made
 
 
 def found_of(asked: Asked, question: Question) -> Found:
@@ -94,7 +110,7 @@ def found_of(asked: Asked, question: Question) -> Found:
 
 def parts(bound: Bound) -> tuple[Scalar, ...]:
     """The value of a quantity, or both components of a vector in the plane. Raises StatementError if it has none."""
-    if bound.vector is not None and (bound.scalar is None or bound.vector.plane.parts):
+    if bound.vector is not None and (bound.scalar is None or bound.in_plane or bound.vector.plane.parts):
         return bound.vector.plane.x, bound.vector.plane.y
     if bound.scalar is None:
         raise StatementError("this has no value of its own", instead="name a quantity.")
@@ -110,9 +126,9 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
     if place is not None:
         return place, asked.world(place).bound(question.quantity)
     refused = None
-    for number in range(len(asked.names)):
+    for each in range(len(asked.names)):
         try:
-            return number, asked.world(number).bound(question.quantity)
+            return each, asked.world(each).bound(question.quantity)
         except RbpsymError as error:
             refused = refused or error
     raise refused
@@ -125,7 +141,7 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
         if any(depends_on(value, name) for value in values):
             done = work_done(power, world.motion)
             if done is None:
-                raise StatementError("a work in this has no closed form", instead="ask for its power instead.")
+                raise NoClosedForm("a work in this has no closed form", instead="ask for its power, or with numbers.")
             found[name] = (power, done)
     return found
 
@@ -157,19 +173,21 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
     image = image_of(world.study, moment.state)
-    found = tuple(_tidy(world, substitute(world.motion.moved(substitute(value, closed)), image)) for value in named)
-    return tuple(_settled(world, value, question) for value in found)
+    try:
+        found = [short(even(substitute(world.motion.moved(substitute(value, closed)), image))) for value in named]
+    except ZeroDivisionError:
+        raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
+    return tuple(_settled(world, value, moment, question) for value in found)
 
 
-def _tidy(world: ProblemWorld, value: Scalar) -> Scalar:
-    return short(even(value))
-
-
-def _settled(world: ProblemWorld, value: Scalar, question: Question) -> Scalar:
+def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Question) -> Scalar:
     """The value, which must hold nothing that moves. Raises StatementError."""
-    moving = names_in(value) & {*world.motion.scope.rates, *world.motion.unsettled, *world.motion.speeds} - {"t"}
+    moving = names_in(value) & {*world.motion.scope.rates, *world.motion.unsettled, *world.motion.speeds}
+    moving -= {"t"} if moment.how == "time" else set()
     if moving:
         name = min(moving)
+        if name == "t":
+            raise NoClosedForm(f"“{question.quantity}” depends on the time, which is not known there", instead=BY_NUMBERS)
         raise StatementError(
             f"“{question.quantity}” still depends on {name} there",
             instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."?',
@@ -185,7 +203,8 @@ def _time(asked: Asked, question: Question) -> Found:
     clock = asked.stage(moment.place).clock if moment.place else NOTHING
     if None in (moment.state.time, clock):
         what = f"the time {question.when.text} has no closed form"
-        raise StatementError(what, instead="ask for it with numbers: --with “…”.")
+        raise NoClosedForm(what, instead=BY_NUMBERS)
+    moment = replace(moment, how="time") if moment.how == "start" else moment
     value = short(clock + moment.state.time)
     return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
 
@@ -204,7 +223,7 @@ def _along(asked: Asked, question: Question) -> Found:
     values = tuple(short(world.motion.moved(substitute(value, closed))) for value in named)
     unsolved = next((n for value in values for n in world.motion.unsettled if depends_on(value, n)), None)
     if unsolved is not None:
-        raise StatementError(f"{unsolved} has no closed form here", instead="ask for it with numbers: --with “…”.")
+        raise NoClosedForm(f"{unsolved} has no closed form here", instead=BY_NUMBERS)
     if question.of == "t" and _moving(world, values) - {"t"}:
         return _in_time(asked, question, place)
     found = Found(study, named, values, "state", works=works)
@@ -215,12 +234,16 @@ def _along(asked: Asked, question: Question) -> Found:
 
 def _without_speeds(world: ProblemWorld, found: Found) -> Found:
     """The values with the speeds as functions of the position, as far as these and their senses are known."""
-    motion, ways, values = world.motion, {}, found.values
+    motion, ways, values, asked = world.motion, {}, found.values, []
     values = tuple(with_squares(value, motion.squares) for value in values)
     for name, square in motion.squares.items():
         speed = f"{name}_dot"
         if any(depends_on(value, speed) for value in values):
             way = sense(motion, name)
+            if not way:
+                push = first_push(motion, name)
+                way = _at_sample(world, push)
+                asked.append(Demand(push * way))
             if not way:
                 return found
             ways[name] = way
@@ -230,7 +253,15 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
         return found
     moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
     of = "position" if moves or values != found.values else "state"
-    return replace(found, values=tuple(map(short, values)), of=of, ways=ways)
+    return replace(found, values=tuple(map(short, values)), of=of, ways=ways, asked=tuple(asked))
+
+
+def _at_sample(world: ProblemWorld, push: Scalar) -> int:
+    """1 or -1, the sense of a push at the sample numbers; 0 where it has none there."""
+    try:
+        return int(math.copysign(1, found)) if (found := number(push, sample(world.study.problem))) else 0
+    except NoNumber:
+        return 0
 
 
 def _moving(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:

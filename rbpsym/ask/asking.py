@@ -10,13 +10,15 @@ from rbpsym.statement.model import Problem
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:
-    """The answers to questions about a problem. Raises StatementError or ReadError for one that has none.
+    """The answers to questions about a problem, to its own ones if none are given. Raises StatementError for one that has none.
 
-    >>> from rbpsym.statement.loader import load_problem
-    >>> [found] = ask(load_problem("rod-pendulum"), "F_y at the start")
+    >>> import rbpsym
+    >>> [found] = rbpsym.ask("rod-pendulum", "F_y in equilibrium")
+    >>> found.text, str(found.verdict.kind)
+    ('M*g', 'PROVED')
     """
     asked = Asked(problem)
-    return [answered(asked, text) for text in questions]
+    return [answered(asked, text) for text in questions or problem.questions]
 
 
 def answered(asked: Asked, text: str) -> Answer:

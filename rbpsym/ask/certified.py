@@ -16,7 +16,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import all_of
-from rbpsym.errors import LimitError, RbpsymError, Undecided
+from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.sides import grips
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found
 
 LETTER = "Q"
-LONGEST_NAME = 3  # nodes of what a step gives a value: ϑ², f/N
+LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
 TOLD = ("solution", "first_integral", "work_done", "event_time", "event_place", "end_state")
 
 
@@ -107,7 +107,8 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = (step.id for step in draft.steps if step.rule in TOLD)
     named = draft.those(*([data["told"]] if found.told else told), "law.motion")
-    return draft.add("answer", rule, statement, "ask.answer", premises=named, is_result=True, data=data)
+    return draft.add("answer", rule, statement, "ask.answer", premises=named, is_result=True, data=data,
+                     obligations=draft.asked(found.asked))  # fmt: skip
 
 
 def _told_by(asked: Asked, found: Found) -> Draft:
@@ -125,7 +126,7 @@ CHAPTERS: Mapping[str, Callable[[Draft], None]] = {"oscillations": oscillations.
 
 
 def _said(draft: Draft, found: Found) -> dict[str, str]:
-    """The step that says what is asked for, and how that is made of it. Raises Undecided where none does."""
+    """The step that says what is asked for, and how that is made of it."""
     if not found.told:
         return {}
     for turned, turn in TURNED.items():
@@ -136,7 +137,7 @@ def _said(draft: Draft, found: Found) -> dict[str, str]:
                 said = draft.context.value(right) if is_name else None
                 if isinstance(said, Scalar) and is_zero(said - value):
                     return {"told": step.id, "turned": turned}
-    raise Undecided("no step of the derivation says this", instead="ask for what it is made of.")
+    return {"told": "", "turned": "itself"}
 
 
 def needed(steps: list[Step], last: Step) -> tuple[Step, ...]:

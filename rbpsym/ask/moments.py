@@ -31,6 +31,10 @@ from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.source import did_you_mean
 
 
+class NoClosedForm(StatementError):
+    """What is asked has no closed form that is found here; with numbers it may be found."""
+
+
 @dataclass(frozen=True)
 class Moment:
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
@@ -146,10 +150,15 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
         except (NotApplicable, StatementError) as error:
             refused = refused or error
             continue
+        except ZeroDivisionError:
+            refused = refused or StatementError("a speed has no value there: something is divided by zero")
+            continue
         if number + 1 < len(asked.names) and place is None and not _comes_before(asked, number, state):
             continue
         begun = _is_begun(study, state)
         return Moment(number, at_start(study)) if begun else Moment(number, _clear(study, state), "event", phase)
+    if event == "reaches" and is_zero(at_start(asked.study(place or 0)).places[subject] - scalar(value)):
+        return Moment(place or 0, at_start(asked.study(place or 0)))
     raise _told(refused, event, subject)
 
 
@@ -192,7 +201,7 @@ def _clear(study: Study, state: State) -> State:
 def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
     """The reason why a moment is not found, without the name of a phase."""
     if isinstance(error, NotApplicable):
-        return StatementError(error.what.replace("the phase “” begins when ", "the question is when "), instead=error.instead)
+        return NoClosedForm(error.what, instead=BY_NUMBERS)
     if error is not None and "the phase “”" in error.what:
         what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
                 "no slip": "does not stop slipping", "slips": "does not begin to slip"}[event]  # fmt: skip
@@ -278,6 +287,7 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     return find
 
 
+BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."
 FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest}
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "start": _start,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import names_in
@@ -133,13 +133,18 @@ def _check_declared(problem: Problem, numbers: Mapping[str, float]) -> None:
                     )
 
 
-def value_at(study: Study, values: Sequence[Scalar], valid: Iterable[t.Node], numbers: Mapping[str, float]) -> list[float]:
-    """The values at some numbers. Raises StatementError for a letter without one, or where a condition is not met."""
-    missing = sorted({n for value in values for n in names_in(value)} - {*numbers, "pi"})
+def require_numbers(study: Study, values: Iterable[Scalar], known: Collection[str]) -> None:
+    """Raise StatementError for letters without a number."""
+    missing = sorted({n for value in values for n in names_in(value)} - {*known, "pi"})
     if missing:
         dimensions = {**dimensions_with_unknowns(study.problem), "t": TIME}
         told = ", ".join(f"{n} ({dimensions[n]})" if n in dimensions else n for n in missing)
         raise StatementError(f"a number is missing for {told}", instead=f'add it: --with "…, {missing[0]} = …".')
+
+
+def value_at(study: Study, values: Sequence[Scalar], valid: Iterable[t.Node], numbers: Mapping[str, float]) -> list[float]:
+    """The values at some numbers. Raises StatementError for a letter without one, or where a condition is not met."""
+    require_numbers(study, values, numbers)
     for node in valid:
         for left, op, right in t.relations(node):
             gap = value_of(t.add(left, t.neg(right)), study.system.scope)

@@ -3,37 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.brackets import bracket
+from rbpsym.ask.integrated import HOW, integrated
+from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import Given, rounded, unit_for, value_at
+from rbpsym.ask.question import Question
 from rbpsym.derivation.step import Step
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.machine import machine_name, to_machine
+from rbpsym.statement.printed_units import unit_text
 
 
 def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
     """The answer as keys of JSON: question, answer (text for sympy, a vector as "(x, y)"), latex, verdict, valid_where, steps,
     symbols; with numbers their value and unit, or a table of them over a range."""
-    study, notation = found.study, Notation(found.study.problem.notation)
-    texts = [_machine(value, study) for value in found.values]
-    latex = [to_latex(node, notation) for node in found.nodes]
+    notation = Notation(found.study.problem.notation)
     names = sorted({name for node in (*found.nodes, *found.valid) for name in t.names(node)} - {"pi"})
     return {
         "question": found.question.text,
-        "answer": _answer(found, texts),
-        "latex": latex[0] if len(latex) == 1 else rf"\left({', '.join(latex)}\right)" if latex else None,
+        "answer": _answer(found),
+        "latex": latex_of(found) or None,
         **(_of_parameter(found) if is_of_parameter(found) else {}),
         "verdict": str(found.verdict.kind),
         "reason": found.verdict.reason or None,
@@ -41,7 +40,7 @@ def record(found: Answer, given: Given | None = None) -> dict[str, Any]:
         "valid_where": [to_machine(node) for node in found.valid],
         "steps": [_step(step, notation) for step in found.steps],
         "symbols": {name: {"sympy": plain} for name, plain in plain_names(map(machine_name, names)).items()},
-        **(_numbers(found, given) if given else {}),
+        **(numbers(found, given) if given and (found.values or found.equation) else {}),
     }
 
 
@@ -50,13 +49,13 @@ def is_of_parameter(found: Answer) -> bool:
     return bool(found.symbol or found.says or found.at) or found.relation != "="
 
 
-def _answer(found: Answer, texts: list[str]) -> str | None:
+def _answer(found: Answer) -> str | None:
     """A value, a relation, several values, True or False; None for a mere sentence."""
     if found.holds_so is not None:
         return str(found.holds_so)
     if found.relation in ("<", ">", "<=", ">="):
-        return f"{machine_name(found.symbol)} {found.relation} {texts[0]}" if texts else None
-    return _joined(texts) if texts else None
+        return f"{machine_name(found.symbol)} {found.relation} {found.text}" if found.values else None
+    return found.text if found.values else None
 
 
 def _of_parameter(found: Answer) -> dict[str, Any]:
@@ -71,28 +70,46 @@ def _of_parameter(found: Answer) -> dict[str, Any]:
     }
 
 
+def record_integrated(asked: Asked, question: Question, given: Given) -> dict[str, Any]:
+    """The record of what has no closed form: its value alone."""
+    rows = [integrated(asked, question, row) for row in given.rows()]
+    values = [value[0] if len(value) == 1 else list(value) for value, _ in rows]
+    return {
+        "question": question.text,
+        "answer": None,
+        "latex": None,
+        "verdict": "UNDECIDED",
+        "reason": HOW,
+        "function_of": None,
+        "valid_where": [],
+        "steps": [],
+        "symbols": {},
+        **_valued(given, values, unit_for(rows[0][1], asked.first)),
+    }
+
+
+def latex_of(found: Answer) -> str:
+    """The value in LaTeX; several, as of a vector, in brackets."""
+    latex = [to_latex(node, Notation(found.study.problem.notation)) for node in found.nodes]
+    return rf"\left({', '.join(latex)}\right)" if len(latex) > 1 else "".join(latex)
+
+
 def _step(step: Step, notation: Notation) -> dict[str, str]:
     verdict = step.certificate.verdict
     return {"id": step.id, "latex": to_latex(step.statement, notation), "verdict": str(verdict.kind)}
 
 
-def _machine(value: Scalar, study: Study) -> str:
-    return to_machine(present(value, replace(study.style, tangents=False)))
-
-
-def _joined(texts: list[str]) -> str:
-    return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
-
-
-def _numbers(found: Answer, given: Given) -> dict[str, Any]:
+def numbers(found: Answer, given: Given) -> dict[str, Any]:
     """value and unit, or the table over the names of a range."""
-    rows, unit = given.rows(), unit_of_answer(found)
-    values = [_at(found, row) for row in rows]
-    plain = [row[0] if len(row) == 1 else row for row in values]
-    if len(rows) == 1:
-        return {"value": plain[0], "unit": unit}
-    places = [{name: row[name] for name in given.ranges} for row in rows]
-    return {"table": [{**place, "value": value} for place, value in zip(places, plain, strict=True)], "unit": unit}
+    values = [_at(found, row) for row in given.rows()]
+    return _valued(given, [row[0] if len(row) == 1 else row for row in values], unit_of_answer(found))
+
+
+def _valued(given: Given, values: list[Any], unit: str) -> dict[str, Any]:
+    if len(values) == 1:
+        return {"value": values[0], "unit": unit}
+    places = [{name: row[name] for name in given.ranges} for row in given.rows()]
+    return {"table": [{**place, "value": value} for place, value in zip(places, values, strict=True)], "unit": unit}
 
 
 def _at(found: Answer, row: Mapping[str, float]) -> list[float]:
@@ -113,11 +130,11 @@ def unit_of_answer(found: Answer) -> str:
     return unit_for(node, found.study, is_angle=found.is_angle)
 
 
-def numbered(found: Answer, given: Given) -> Iterator[str]:
-    """The value at the numbers, with its unit; a line each over a range."""
-    unit = unit_of_answer(found)
-    for row in given.rows():
-        values = _at(found, row)
+def numbered(record: Mapping[str, Any], given: Given) -> Iterator[str]:
+    """The value of a record with its unit; a line each over a range."""
+    for row in record.get("table", [record]):
+        values = row["value"] if isinstance(row["value"], list) else [row["value"]]
         place = ", ".join(f"{name} = {rounded(row[name], given.digits)}" for name in given.ranges)
-        told = _joined([rounded(value, given.digits) for value in values])
-        yield f"{f'{place}: ' if place else ''}{told} {unit.replace('*', '·')}".rstrip()
+        told = ", ".join(rounded(value, given.digits) for value in values)
+        told = told if len(values) == 1 else f"({told})"
+        yield f"{f'{place}: ' if place else ''}{told} {unit_text(record['unit'])}".rstrip()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -11,6 +11,7 @@ from rbpsym.commands.arguments import name_argument
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer
+    from rbpsym.ask.moments import Asked
     from rbpsym.ask.numbers import Given
     from rbpsym.notation.glyphs import Notation
     from rbpsym.statement.model import Problem
@@ -36,7 +37,6 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     A question is a quantity, and when, where or as a function of what it is asked for: docs/ask.md has the
     whole grammar. In JSON, `answer` is text for sympy.sympify with the names that `symbols` tells.
     """
-    from rbpsym.ask.asking import answered
     from rbpsym.ask.moments import Asked
     from rbpsym.ask.numbers import read_numbers
     from rbpsym.commands.shelf import found
@@ -48,44 +48,66 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
     numbers, asked = read_numbers(given, problem) if given else None, Asked(problem)
-    answers = [answered(asked, text) for text in questions]
+    told = [_told(asked, text, numbers) for text in questions]
+    records = [record for _, record in told]
     if as_json:
         import json
 
-        from rbpsym.ask.telling import record
-
-        records = [record(found, numbers) for found in answers]
         click.echo(json.dumps(records[0] if len(records) == 1 else records, indent=2, ensure_ascii=False))
     else:
-        click.echo("\n\n".join("\n".join(lines(found, numbers, problem)) for found in answers))
-    return FINE if all(found.verdict.is_proved for found in answers) else DOUBTFUL
+        click.echo("\n\n".join("\n".join(lines(answer, record, numbers, problem)) for answer, record in told))
+    return FINE if all(record["verdict"] == "PROVED" for record in records) else DOUBTFUL
 
 
-def lines(found: Answer, numbers: Given | None, problem: Problem) -> Iterator[str]:
-    """An answer with its short road, as a textbook prints it."""
+def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None, dict[str, Any]]:
+    """The answer with its record; no answer where there is no closed form and numbers give the value."""
+    from rbpsym.ask.asking import answered
+    from rbpsym.ask.moments import NoClosedForm
+    from rbpsym.ask.question import read_question
+    from rbpsym.ask.telling import record, record_integrated
+
+    try:
+        answer = answered(asked, text)
+    except NoClosedForm:
+        if numbers is None:
+            raise
+        return None, record_integrated(asked, read_question(text), numbers)
+    return answer, record(answer, numbers)
+
+
+def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None, problem: Problem) -> Iterator[str]:
+    """An answer with its short road, as a textbook prints it, and its numbers."""
     from rbpsym.ask.telling import numbered
     from rbpsym.document.writers.terminal import MARKS
+    from rbpsym.equality.verdict import Kind
     from rbpsym.notation.glyphs import Notation
-    from rbpsym.notation.text import to_text
 
     notation = Notation(problem.notation)
-    told = list(_told(found, notation))
-    yield click.style(found.question.text, bold=True)
+    yield click.style(record["question"], bold=True)
+    sign, colour = MARKS[Kind(record["verdict"])]
+    mark = click.style(sign, fg=colour)
+    yield from _road(found, mark, notation) if found else [f"  {mark} {record['reason']}"]
+    yield from (f"    {line}" for line in numbered(record, numbers)) if numbers and {"value", "table"} & record.keys() else ()
+
+
+def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
+    """The steps, the values, what is said beside them, the conditions."""
+    from rbpsym.notation.text import to_text
+
     for step in found.steps[:-1]:
         rows = (row.strip() for row in to_text(step.statement, notation).splitlines())
         yield click.style(f"    {'; '.join(rows)}", dim=True)
-    sign, colour = MARKS[found.verdict.kind]
+    told = list(_values(found, notation))
     whole = told[0] if len(told) == 1 else f"({', '.join(told)})" if told else ""
-    yield f"  {click.style(sign, fg=colour)} {whole}".rstrip()
+    yield f"  {mark} {whole}".rstrip()
     yield from (f"    {line}" for line in _beside(found, notation))
     if found.valid:
         yield f"    where {', '.join(to_text(node, notation) for node in found.valid)}"
     if not found.verdict.is_proved:
         yield f"    {found.verdict.kind}: {found.verdict.reason}"
-    yield from (f"    {line}" for line in numbered(found, numbers)) if numbers and (found.values or found.equation) else ()
 
 
-def _told(found: Answer, notation: Notation) -> Iterator[str]:
+def _values(found: Answer, notation: Notation) -> Iterator[str]:
     """The values, those of a parameter with its name, each with its own conditions."""
     from rbpsym.notation import tree as t
     from rbpsym.notation.text import to_text

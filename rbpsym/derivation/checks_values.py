@@ -13,7 +13,7 @@ from rbpsym.derivation.checks_phases import seen_then
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare
-from rbpsym.equality.verdict import Verdict
+from rbpsym.equality.verdict import Verdict, undecided
 
 
 def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
@@ -43,7 +43,8 @@ def value_then(context: Context, step: Step) -> Verdict:
 def value_along(context: Context, step: Step) -> Verdict:
     """Each stated value is that of a quantity in each state, with the speeds that the motion from the start has, in the
     sense in which it sets out (`data`: "of", "ways")."""
-    found = [_sets_out(context, name, way) for name, way in step.data["ways"].items()]
+    said = [context.value(node.items[0]) for node in step.obligations]
+    found = [_sets_out(context, name, way, said) for name, way in step.data["ways"].items()]
     for left, _, right in relations(step.statement):
         gap = _on_motion(context, step, step.data["of"][left.name]) - context.value(right)
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
@@ -53,11 +54,13 @@ def value_along(context: Context, step: Step) -> Verdict:
     return weakest(found)
 
 
-def _sets_out(context: Context, name: str, way: int) -> Verdict:
-    """The speed at the start, or the acceleration from rest, is not against that sense."""
+def _sets_out(context: Context, name: str, way: int, said: list[Scalar]) -> Verdict:
+    """The speed at the start, or the acceleration from rest, is not against that sense; or it is as is said to be positive."""
     speed = context.start(symbol(f"{name}_dot"))
     push = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
-    return compare(NOTHING, push * way, context.assumptions, strict=False)
+    found = compare(NOTHING, push * way, context.assumptions, strict=False)
+    alike = (compare(NOTHING, push * way / value, context.assumptions) for value in said)
+    return found if found.is_proved else next((verdict for verdict in alike if verdict.is_proved), found)
 
 
 # how what is asked for is made of what a step says
@@ -71,6 +74,8 @@ TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
 
 def value_told(context: Context, step: Step) -> Verdict:
     """What is stated is, as it stands or turned, what another step says (`data`: "told", the id of that step, "turned")."""
+    if not step.data["told"]:
+        return undecided("no step of the derivation says this")
     context.use(step.data["told"])
     [(_, _, right)] = relations(step.statement)
     stated = TURNED[step.data["turned"]](context.value(right))

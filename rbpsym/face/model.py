@@ -11,10 +11,13 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar, symbol, total
 from rbpsym.algebra.vector import Vector, cartesian
+from rbpsym.ask.asking import answered
+from rbpsym.ask.moments import Asked
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.document.notes import notation_of
 from rbpsym.errors import StatementError
+from rbpsym.face.asking import SymbolicAnswer, in_sympy
 from rbpsym.face.late import sympy
 from rbpsym.face.parts import AngularMomentum, Halves, Linearization, together
 from rbpsym.face.reading import CLOCK, name_of, tree_of
@@ -228,6 +231,24 @@ class SymbolicModel:
     def _small(self, rest: oscillation.Equilibrium) -> Linearization:
         inertia, damping, stiffness = map(self._matrix, (rest.inertia, rest.linear.damping, rest.stiffness))
         return Linearization(self._by_symbol(rest.at), inertia, damping, stiffness, rest.stable)
+
+    # --- questions
+
+    @cached_property
+    def _asked(self) -> Asked:
+        return Asked(self.study.problem)
+
+    def ask(self, question: str) -> SymbolicAnswer:
+        """The answer to a question in the words of the problem (docs/ask.md): any quantity, at any moment or along the motion.
+
+        Raises StatementError where there is none.
+
+        >>> import rbpsym
+        >>> found = rbpsym.model("rod-pendulum").ask("F_y at the start")
+        >>> found.value, str(found.verdict.kind)
+        (M*g*(1 - 3*sin(theta_0)**2/4), 'PROVED')
+        """
+        return in_sympy(answered(self._asked, question))
 
     # --- numbers
 

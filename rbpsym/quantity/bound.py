@@ -24,7 +24,8 @@ class Bound:
     scalar, vector: its value; a quantity along the axis has both. kind: "value", "constant" (some
     constant of the motion), "unknown", "defined here", "up to a constant". points: the values at
     the points where the external forces act; density: what d(it) is for a mass element, over dm.
-    told: the chapter of a derivation that says it, for what is found there and not from its definition.
+    told: the chapter of a derivation that says it, for what is found there and not from its definition. in_plane: whether
+    it is a vector in the plane, also where that vanishes.
     """
 
     scalar: Scalar | None = None
@@ -33,6 +34,7 @@ class Bound:
     points: tuple[Space, ...] = ()
     density: Space | None = None
     told: str = ""
+    in_plane: bool = False
 
 
 def axial(value: Scalar) -> Bound:
@@ -44,7 +46,7 @@ def plane(value: Vector | Space) -> Bound:
     """A vector; as a scalar, its magnitude."""
     space = value if isinstance(value, Space) else Space(value)
     square = space.dot(space)
-    return Bound(function("sqrt", Scalar(shorten(square.num), square.den)), space)
+    return Bound(function("sqrt", Scalar(shorten(square.num), square.den)), space, in_plane=True)
 
 
 def number(value: Scalar, told: str = "") -> Bound:

@@ -115,7 +115,7 @@ def _speed(world: ProblemWorld, name: str, square: Scalar, place: Mapping[str, S
 def _sense(world: ProblemWorld, value: Scalar) -> Scalar | int:
     """1 or -1, or x/|x| where the sign depends on the parameters."""
     known = sign(value, world.motion.assumptions).kind
-    return SENSES.get(known) or value / root(value * value)
+    return 1 if known == "zero" else SENSES.get(known) or value / root(value * value)
 
 
 def where_equal(world: ProblemWorld, phrase: str, name: str, text: str) -> Bound:
@@ -213,7 +213,7 @@ def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
 def energy_lost(world: ProblemWorld, name: str) -> Bound:
     """Kinetic energy lost when PHASE begins."""
     place, stage = _stage(world, name)
-    return number(stage.began.energy_lost, f"phase {place}")
+    return number(stage.began.energy_lost, f"phase {place}" if stage.began.is_blow else "")
 
 
 def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
@@ -234,7 +234,7 @@ def needed_friction(world: ProblemWorld, contact: str) -> Bound:
 
 _W = r"([\w-]+)"
 JUMPS: tuple[Phrase, ...] = (
-    (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of FORCE when PHASE begins"),
+    (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of CONTACT when PHASE begins"),
     (rf"(?:kinetic )?energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
 )
 PHRASES: tuple[Phrase, ...] = (

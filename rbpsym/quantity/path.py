@@ -108,9 +108,10 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
     """∫ power dt from the start, coordinate by coordinate along which it is done; None without a closed form."""
     known = motion.moved(power)
     names = [n for n in motion.scope.start if n in motion.scope.rates and depends_on(known, f"{n}_dot")]
-    total = NOTHING
+    total, rest = NOTHING, known
     for name in names:
         speed = f"{name}_dot"
+        rest = rest - derivative(known, speed) * symbol(speed)
         part = derivative(known, speed) if len(names) > 1 else substitute(known / symbol(speed), {})
         integrand = along_motion(part, motion.squares)
         others = (*(n for n in motion.scope.rates if n != name), "t") if len(names) > 1 else ()
@@ -122,7 +123,7 @@ def work_done(power: Scalar, motion: Motion) -> Scalar | None:
         if done is None:
             return None
         total = total + done
-    return total if names else None
+    return total if len(names) == 1 or (names and is_zero(rest)) else None
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -122,21 +122,27 @@ class ProblemWorld:
         try:
             return number(substitute(scalar(read_infix(text, names), self.study.system.scope), self.dependent))
         except RbpsymError:
-            hint = did_you_mean(text, [*names, *self.offered], "")[:200]
+            hint = did_you_mean(text, [*names, *self.offered], "")
+            known = f"write a name ({', '.join(names)}), an expression, or a phrase of docs/ask.md such as “{self.offered[-1]}”."
             raise StatementError(
                 f"“{text}” means nothing in the problem “{self.study.problem.name}”",
-                instead=hint if hint.startswith("did") else f"write a name ({', '.join(names)}), an expression, or a phrase such "
-                f"as “{'”, “'.join(EXAMPLES)}”.",
+                instead=hint if hint.startswith("did you mean") else known,
             ) from None
 
     @cached_property
     def offered(self) -> list[str]:
         """The phrases that are offered to who writes something else, with the names of this problem."""
+        return self.filled(reversed(EXAMPLES))
+
+    def filled(self, examples: Iterable[str]) -> list[str]:
+        """The examples with each name of this problem in its place."""
         system = self.study.system
         forces = list(dict.fromkeys(force.name for force in system.forces))
-        known = {"BODY": list(system.bodies), "FORCE": forces, "COORDINATE": list(system.independent), "VALUE": ["0"]}
+        points = [f"{body.name}.{point}" for body in self.study.problem.bodies for point in (*body.points, "cm")]
+        known = {"BODY.cm": points, "BODY": list(system.bodies), "FORCE": forces, "VALUE": ["0"]}
+        known |= {"COORDINATE": list(system.independent)}
         known |= {"PHASE": [phase.name for phase in self.study.problem.phases], "CONTACT": list(system.unknowns)}
-        found = list(EXAMPLES)
+        found = list(examples)
         for slot, names in known.items():
             found = [text.replace(slot, name) for text in found for name in (names if slot in text else [""])]
         return found

@@ -1,0 +1,109 @@
+"""Values for which there is no closed form, by numbers: the motion is integrated to the moment that is asked for.
+
+Nothing is proved by it, and that is said: the verdict on the form is UNDECIDED.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.ask.answer import parts
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.numbers import require_numbers
+from rbpsym.ask.question import Question, When
+from rbpsym.errors import StatementError
+from rbpsym.mechanics.compiled import compiled_rates, compiled_values
+from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
+from rbpsym.quantity.problem import ProblemWorld
+
+if TYPE_CHECKING:
+    import numpy as np
+
+MOST_STEPS, LAST, LOOKS, NEAR = 20_000, 1e6, 200, 1e-7
+HOW = "no closed form was found; the value is that of the motion, integrated from the start"
+
+
+def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -> tuple[tuple[float, ...], t.Node]:
+    """The value of a quantity at a moment, and the formula that tells its dimension. Raises StatementError where the motion
+    does not come there, or a contact is lost before."""
+    if question.when is None or question.of:
+        raise StatementError("what has no closed form is found at one moment only", instead="say when: “… where theta = 0”.")
+    place = asked.named(question.phase) if question.phase else 0
+    world, study = asked.world(place), asked.study(place)
+    is_time = question.quantity == "time"
+    named = (symbol("t"),) if is_time else parts(world.bound(question.quantity))
+    ledger = world.motion.ledger
+    values = [*named, _watched(world, question.when), *ledger.values(), *map(symbol, _pushes(study))]
+    values = [_on_motion(study, value) for value in values]
+    begin = {name: study.system.scope.start.get(name) for name in (*study.system.coordinates, *study.system.speeds)}
+    missing = next((name for name, value in begin.items() if value is None), None)
+    if missing is not None:
+        raise StatementError(f"it is not said where “{missing}” starts", instead='give its coordinate a start = "...".')
+    require_numbers(study, [*values, *begin.values()], {*numbers, *begin, *ledger, "t"})
+    evaluate = _evaluated(study, values, numbers, tuple(ledger))
+    start = [*(number(value, numbers) for value in begin.values()), *(0.0 for _ in ledger)]
+    time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), question)
+    told = substitute(named[0], {name: power * symbol("t") for name, power in ledger.items()})
+    return tuple(float(value) for value in evaluate(time, state)[: len(named)]), present(told)
+
+
+def _watched(world: ProblemWorld, when: When) -> Scalar:
+    """What vanishes at the moment. Raises StatementError for a moment that is not found by numbers."""
+    if when.kind == "reaches" and when.words[0] != "t":
+        name, text = when.words
+        return world.dependent.get(name, symbol(name)) - scalar(read_infix(text, world.names))
+    if when.kind == "reaches":
+        return symbol("t") - scalar(read_infix(when.words[1], world.names))
+    if when.kind in ("vanishes", "rests") and when.words:
+        name = when.words[0]
+        return symbol(name if when.kind == "vanishes" else f"{name}_dot")
+    raise StatementError(f"the moment “{when.text}” has no closed form", instead="ask at a place: “where theta = 0”.")
+
+
+def _pushes(study: Study) -> list[str]:
+    return [name for element in study.problem.constraints for name in pushes(element) if name in study.dynamics.reactions]
+
+
+def _on_motion(study: Study, value: Scalar) -> Scalar:
+    return substitute(study.on_motion(value), study.system.dependent)
+
+
+Evaluate = Callable[[float, "np.ndarray"], "np.ndarray"]
+
+
+def _evaluated(study: Study, values: list[Scalar], numbers: Mapping[str, float], works: tuple[str, ...]) -> Evaluate:
+    """The values in a state (places, speeds, works)."""
+    size = len(study.system.coordinates) + len(study.system.speeds)
+    evaluate = compiled_values(study, values, numbers, works)
+    return lambda time, state: evaluate(time, state[:size], *state[size:])
+
+
+def _followed(study: Study, evaluate: Evaluate, start: list[float], numbers, first: int, works: int, question: Question):
+    """(time, state) at the moment, contacts watched on the way."""
+    import numpy as np
+
+    from rbpsym.numeric.integration import Event, followed
+
+    rates, size = compiled_rates(study, numbers), len(start) - works
+
+    def rate(time: float, state: np.ndarray) -> np.ndarray:
+        return np.concatenate((rates(time, state[:size]), evaluate(time, state)[first + 1 : first + 1 + works]))
+
+    event = Event(lambda time, state: float(evaluate(time, state)[first]))
+    path = followed(rate, start, LAST, events=[event], most=MOST_STEPS)
+    if not path.seen[0]:
+        raise StatementError(f"with these numbers the motion does not come {question.when.text}", instead="change a number.")
+    time = path.seen[0][0]
+    looks = np.array([evaluate(at, path.at(at))[first + 1 + works :] for at in np.linspace(0, time, LOOKS)[:-1]])
+    if looks.size and (looks < -NEAR * np.abs(looks).max()).any():
+        raise StatementError("with these numbers a contact is lost before", instead="ask for what comes before that.")
+    return time, path.at(time)
