@@ -19,6 +19,7 @@ from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError, 
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -86,8 +87,7 @@ class Answer:
     @property
     def is_angle(self) -> bool:
         """Is it asked for an angle: a coordinate that is one, or a direction?"""
-        angles = {c.name for c in self.study.problem.coordinates}
-        return self.question.quantity in angles or self.question.quantity.startswith(("direction", "angle"))
+        return self.question.is_direction or self.question.quantity in {c.name for c in self.study.problem.coordinates}
 
 
 def answer(asked: Asked, question: Question) -> Answer:
@@ -296,4 +296,9 @@ def _in_time(asked: Asked, question: Question, place: int) -> Found:
 
 
 def _inverted(world: ProblemWorld, found: Found, name: str, moving: set[str]) -> Found:
-    raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
+    """The values as functions of a coordinate that is tied to the one that moves."""
+    way, *others = moving
+    places = [] if others else zeros(world.dependent[name] - symbol(name), way)
+    if len(places) != 1:
+        raise StatementError(f"“{name}” is tied to {min(moving)}", instead=f"ask for it as a function of {min(moving)}.")
+    return replace(found, values=tuple(short(substitute(value, {way: places[0]})) for value in found.values))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.calculus import function, names_in
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask.moments import Asked, contacts_last
 from rbpsym.ask.question import Question
 from rbpsym.derivation.chapters import contact, endings, oscillations
@@ -15,9 +15,11 @@ from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of
-from rbpsym.errors import LimitError, RbpsymError
+from rbpsym.errors import LimitError, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
@@ -42,12 +44,14 @@ def certified(asked: Asked, question: Question, found: Found) -> Answer:
     _grounds(draft, found)
     if found.moment is not None and found.moment.how == "event" and found.moment.phase.event != "at once":
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
-    last = _last(draft, question, found)
+    last, values = _last(draft, question, found), found.values
+    if question.is_direction:
+        last, values = _direction(draft, question, found)
     steps = needed(draft.steps, last)
     verdict = all_of(step.certificate.verdict for step in (*before, *steps) if step.certificate)
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
     valid = _valid(draft, found, (*before, *steps))
-    return Answer(question, found.study, found.values, nodes, verdict, found.of, valid, (*before, *steps))
+    return Answer(question, found.study, values, nodes, verdict, found.of, valid, (*before, *steps))
 
 
 def asked_place(asked: Asked, study: Study) -> int:
@@ -57,9 +61,8 @@ def asked_place(asked: Asked, study: Study) -> int:
 
 def _before(asked: Asked, place: int) -> Iterator[Step]:
     """The steps by which the phases up to this one begin."""
-    for number in range(1, place + 1):
-        phase = asked.problem.phases[number - 1]
-        yield from hand_over(number, phase, asked.stage(number - 1), asked.stage(number)).steps
+    for k, phase in enumerate(asked.problem.phases[:place], 1):
+        yield from hand_over(k, phase, asked.stage(k - 1), asked.stage(k)).steps
 
 
 def _grounds(draft: Draft, found: Found) -> None:
@@ -111,12 +114,32 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
                      obligations=draft.asked(found.asked))  # fmt: skip
 
 
+def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tuple[Scalar]]:
+    """The angle of a vector from +x, counter-clockwise, and the step that says it. Raises StatementError for what is none."""
+    if len(found.values) != 2:
+        raise StatementError(f"“{question.quantity}” is no vector", instead="name a force, a velocity, an acceleration.")
+    x, y = found.values
+    kind = sign(x, draft.study.assumptions).kind
+    if kind == "zero":
+        side = sign(y, draft.study.assumptions).kind
+        if side not in ("positive", "negative"):
+            raise StatementError(f"which way “{question.quantity}” points is not decided", instead="ask for it itself.")
+        angle, asked = PI / 2 * (1 if side == "positive" else -1), ()
+    else:
+        way = {"positive": 1, "negative": -1}.get(kind) or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
+        angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), (Demand(x * way),)
+    letter = draft.define(draft.free("varphi"), angle)
+    step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.answer", premises=["answer"],
+                     is_result=True, data={"of": "answer"}, obligations=draft.asked(asked))  # fmt: skip
+    return step, (angle,)
+
+
 def _told_by(asked: Asked, found: Found) -> Draft:
     """The draft of the chapter that says what is asked for."""
     kind, _, place = found.told.partition(" ")
     if kind == "phase":
-        number = int(place)
-        return hand_over(number, asked.problem.phases[number - 1], asked.stage(number - 1), asked.stage(number))
+        k = int(place)
+        return hand_over(k, asked.problem.phases[k - 1], asked.stage(k - 1), asked.stage(k))
     draft = Draft(found.study)
     CHAPTERS[kind](draft)
     return draft

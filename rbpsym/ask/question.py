@@ -27,7 +27,7 @@ class When:
 @dataclass(frozen=True, slots=True)
 class Question:
     """What is asked: the words of a quantity, when (None: all along), since when a change or work is counted, in which
-    phase, as a function of what (“state”: of places and speeds)."""
+    phase, as a function of what (“state”: of places and speeds); whether the direction of the vector is asked for."""
 
     text: str
     quantity: str
@@ -35,6 +35,7 @@ class Question:
     since: When | None = None
     phase: str = ""
     of: str = ""
+    is_direction: bool = False
 
 
 _N, _W = r"(\w+)", r"([\w-]+(?: [\w-]+)??)"
@@ -86,6 +87,8 @@ def read_question(text: str) -> Question:
     found = Question(plain, rest.removeprefix("the "))
     if is_jump(found.quantity):
         return found
+    if match := re.fullmatch(r"(?:direction|angle) of (?:the )?(.+)", found.quantity):
+        found = replace(found, quantity=match[1], is_direction=True)
     if phase := PHASE.fullmatch(found.quantity):
         found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
     if (since := SINCE.fullmatch(found.quantity)) and (ends := _ends(since[2], since[3])):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import names_in, root, substitute
+from rbpsym.algebra.calculus import function, names_in, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_phases import seen_then
 from rbpsym.derivation.context import Context
@@ -46,7 +46,8 @@ def value_along(context: Context, step: Step) -> Verdict:
     said = [context.value(node.items[0]) for node in step.obligations]
     found = [_sets_out(context, name, way, said) for name, way in step.data["ways"].items()]
     for left, _, right in relations(step.statement):
-        gap = _on_motion(context, step, step.data["of"][left.name]) - context.value(right)
+        stated = substitute(context.value(right), context.study.system.dependent)
+        gap = _on_motion(context, step, step.data["of"][left.name]) - stated
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
         gap = substitute(gap, speeds) if speeds else gap
         is_seen = not is_zero(gap)
@@ -61,6 +62,22 @@ def _sets_out(context: Context, name: str, way: int, said: list[Scalar]) -> Verd
     found = compare(NOTHING, push * way, context.assumptions, strict=False)
     alike = (compare(NOTHING, push * way / value, context.assumptions) for value in said)
     return found if found.is_proved else next((verdict for verdict in alike if verdict.is_proved), found)
+
+
+def direction(context: Context, step: Step) -> Verdict:
+    """The stated angle is that of the vector which another step states: atan(y/x), half a turn more where x is negative, as
+    the step asks for (`data`: "of", the id of that step)."""
+    context.use(step.data["of"])
+    x, y = (context.value(right) for _, _, right in relations(context.steps[step.data["of"]].statement))
+    [(_, _, right)] = relations(step.statement)
+    if is_zero(x):
+        side = context.value(right) * 2 / PI
+        return weakest([same(context, side * side, UNITY), compare(NOTHING, y * side, context.assumptions)])
+    said = [context.value(node.items[0]) for node in step.obligations]
+    for way, turn in ((1, NOTHING), (-1, PI)):
+        if any(compare(NOTHING, x * way / value, context.assumptions).is_proved for value in (UNITY, *said)):
+            return same(context, context.value(right) - turn, function("atan", y / x))
+    return undecided("on which side the vector points is not decided")
 
 
 # how what is asked for is made of what a step says

@@ -73,6 +73,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "vanishing": (c.vanishing, c.holds_there, places.comes_first),
     "value_there": (c.identity, c.value_there),
     "value_then": (values.value_then,),
+    "direction": (values.direction,),
     "value_told": (values.value_told,),
     "value_along": (values.value_along,),
     "vanishes_for": (parameters.vanishes_there,),

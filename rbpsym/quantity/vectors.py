@@ -66,6 +66,17 @@ def of_path(world: ProblemWorld, part: str, phrase: str) -> Bound:
     return number(_vector(world, phrase).dot(velocity if part == "along" else velocity.turned()) / _length(velocity))
 
 
+def relative(world: ProblemWorld, what: str, name: str, other: str) -> Bound:
+    """How a point moves as seen from another one, without turning with that."""
+    return plane(world.bound(f"{what} of {name}").vector - world.bound(f"{what} of {other}").vector)
+
+
+def distance(world: ProblemWorld, first: str, second: str) -> Bound:
+    """The distance between two points."""
+    way = world.place(second) - world.place(first)
+    return number(function("sqrt", way.dot(way)))
+
+
 def instantaneous_centre(world: ProblemWorld, name: str) -> Bound:
     """The point of the plane of a body that is at rest: R + ω × V/ω², from O."""
     state = world.body(name)
@@ -83,5 +94,8 @@ PHRASES: tuple[Phrase, ...] = (
     (r"component of (.+) (along|across) ([\w-]+)", lambda w, p, k, b: of_body(w, k, p, b),
      "component of force FORCE on BODY along BODY"),
     (rf"(radial|tangential) component of (.+?)(?: about {_P})?", polar, "radial component of acceleration of BODY.cm about O"),
+    (rf"(velocity|acceleration) of {_P} relative to {_P}", relative, "velocity of BODY.cm relative to BODY.cm"),
+    (rf"distance (?:from|between) {_P} (?:to|and) {_P}", distance, "distance from O to BODY.cm"),
+    (rf"height of {_P}", lambda w, name: number(w.place(name).y), "height of BODY.cm"),
     (r"instantaneous cent(?:re|er) of ([\w-]+)", instantaneous_centre, "instantaneous centre of BODY"),
 )  # fmt: skip

@@ -124,7 +124,9 @@ _OTHER: Mapping[str, UnitOf] = MappingProxyType({
     "rpm": _unit(2 * pi / 60, rad=1, s=-1), "min": _unit(60, s=1), "h": _unit(3600, s=1), "d": _unit(86400, s=1),
     "ft": _unit(0.3048, m=1),
     "in": _unit(0.0254, m=1), "mi": _unit(1609.344, m=1), "lb": _unit(0.45359237, kg=1),
-    "lbf": _unit(4.4482216152605, kg=1, m=1, s=-2), "mph": _unit(0.44704, m=1, s=-1), "%": _unit(0.01),
+    "lbf": _unit(4.4482216152605, kg=1, m=1, s=-2), "mph": _unit(0.44704, m=1, s=-1),
+    "yd": _unit(0.9144, m=1), "slug": _unit(14.593902937206, kg=1), "oz": _unit(0.028349523125, kg=1),
+    "kip": _unit(4448.2216152605, kg=1, m=1, s=-2), "hp": _unit(745.6998715822702, kg=1, m=2, s=-3), "%": _unit(0.01),
 })  # fmt: skip
 _PREFIXES: Mapping[str, float] = MappingProxyType({
     "p": 1e-12, "n": 1e-9, "µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "da": 1e1,

@@ -33,6 +33,7 @@ WRONG = [
     ("rod-pendulum", "component of mass of rod along rod", "is no vector"),
     ("rod-pendulum", "frequency of M", "no stable equilibrium"),
     ("rod-pendulum", "impulse of F when struck begins", "no phase “struck”"),
+    ("rod-pendulum", "direction of mass of rod", "is no vector"),
     ("sliding-ladder", "N_w where theta = 2", "does not come to this value"),
     ("sliding-ladder", "F_y in equilibrium", "means nothing"),
     ("sliding-ladder", "N_w in equilibrium", "no stable equilibrium"),
