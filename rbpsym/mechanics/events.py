@@ -229,15 +229,15 @@ def _is_clear(factor: Scalar, way: Way, given: Assumptions) -> bool:
 
 
 def places_ahead(factor: Scalar, way: Way, given: Assumptions) -> list[Scalar]:
-    """The zeros of a factor that may lie ahead."""
+    """The zeros of a factor that may lie ahead; the ends belong to the range."""
     found: list[Scalar] = []
     turn = period(factor, way.name)
     lower, upper = given.range_of(way.name)
     for root in factor_zeros(factor, way.name):
         for place in [root] if turn is None else sorted((root + turn * k for k in TURNS), key=_turns):
             asked = [Demand(way.ahead(place))]
-            asked += [] if lower is None else [Demand(place - lower)]
-            asked += [] if upper is None else [Demand(upper - place)]
+            asked += [] if lower is None else [Demand(place - lower, ">=")]
+            asked += [] if upper is None else [Demand(upper - place, ">=")]
             asked += [] if turn is None else [Demand(turn * turn - way.ahead(place) ** 2)]
             if settle(asked, given) is not None and not any(is_zero(place - old) for old in found):
                 found.append(place)
