@@ -23,7 +23,7 @@ from rbpsym.teaching.bench import Bench, generic_state, is_number
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import without_noise
 from rbpsym.teaching.model import ChoiceKey, Item, NumberKey, Student
-from rbpsym.teaching.plan import Plan, _planned, bench_of
+from rbpsym.teaching.plan import WorksheetPlan, _planned, bench_of
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery, scenery
 from rbpsym.teaching.tasks.wish import Wish
@@ -43,17 +43,17 @@ def wishes(bench: Bench, sight: Scenery) -> Iterator[Wish]:
             yield Wish("number", (target.id,))
 
 
-def plans(name: str) -> Iterator[Plan]:
+def plans(name: str) -> Iterator[WorksheetPlan]:
     """One plan for each quantity and kind: what one set of numbers does not allow says nothing about another."""
     bench = bench_of(load_problem(find_problem(name)))
     sight = scenery(bench.study, {}, False)
     for wish in wishes(bench, sight):
         part = SheetPart(bench.study.problem, {}, (wish,))
         sheet = Sheet(name, bench.study.problem.title, (part,), text=name)
-        yield Plan(sheet, (_planned(bench, sight, part),))
+        yield WorksheetPlan(sheet, (_planned(bench, sight, part),))
 
 
-def faults(plan: Plan, seeds: int, seen: dict, counts: Counter) -> Iterator[str]:
+def faults(plan: WorksheetPlan, seeds: int, seen: dict, counts: Counter) -> Iterator[str]:
     """What is wrong with the options of so many students."""
     bench = plan.parts[0].bench
     for seed in range(seeds):

@@ -26,7 +26,7 @@ file_path = click.Path(dir_okay=False, path_type=Path)
 
 
 @dataclass(frozen=True)
-class Found:
+class CheckRun:
     """What a run found: results in order, and remarks on labels of a text."""
 
     results: list[Result] = field(default_factory=list)
@@ -112,24 +112,24 @@ def written(path: Path, text: str) -> None:
     write_whole(path, text)
 
 
-def selected(found: Found, word: str) -> Found:
+def selected(found: CheckRun, word: str) -> CheckRun:
     """Only the results of one id, number or label."""
     if not word:
         return found
     kept = [result for result in found.results if word in (result.id, result.number, result.label, result.erratum)]
     if not kept:
         raise click.UsageError(f"nothing here is called “{word}”.")
-    return Found(kept, found.remarks)
+    return CheckRun(kept, found.remarks)
 
 
 def everything(
     names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress
-) -> Found:
+) -> CheckRun:
     """What all arguments give; without arguments, all that ships."""
     texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
     if problems and not texts:
         raise click.UsageError("--problems belongs to a paper: rbpsym check PAPER.tex --problems FILE")
-    found = Found()
+    found = CheckRun()
     for name in texts:
         progress.step(name)
         one = paper(Path(name), problems, certificates)
@@ -181,7 +181,7 @@ def files_of(name: str) -> list[Path]:
     return [*([problem_files()[name]] if name in problem_files() else []), *claims]
 
 
-def paper(path: Path, problems: Names, certificates: Certificates) -> Found:
+def paper(path: Path, problems: Names, certificates: Certificates) -> CheckRun:
     """A paper, its symbols bound by claims files or, without any, by the names of problems."""
     from rbpsym.verify.claims_loader import is_claims, load_claims
     from rbpsym.verify.claims_run import check_paper, names_of_problem
@@ -190,7 +190,7 @@ def paper(path: Path, problems: Names, certificates: Certificates) -> Found:
         raise click.UsageError(f"which problems is {path.name} about? Add --problems with a claims file or a problem.")
     paths = [one for name in problems for one in files_of(name)[-1:]]
     files = [load_claims(one, binds=True) if is_claims(one) else names_of_problem(one) for one in paths]
-    return Found(*check_paper(path, files, certificates))
+    return CheckRun(*check_paper(path, files, certificates))
 
 
 def derivation(path: Path, certificates: Certificates, simulation: bool) -> Result:

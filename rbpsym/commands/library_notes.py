@@ -11,7 +11,7 @@ from rbpsym.commands.listing import place
 from rbpsym.commands.progress import Progress
 from rbpsym.commands.shelf import Entry, shelf
 from rbpsym.commands.solve import exit_code
-from rbpsym.commands.watching import Kept
+from rbpsym.commands.watching import KeptDerivations
 from rbpsym.courses import derive_course
 from rbpsym.document.book import Card, Chapter, around, book, index_page, occurring, page, problem_card
 from rbpsym.document.files import write_all
@@ -21,14 +21,14 @@ from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
 
 if TYPE_CHECKING:
-    from rbpsym.commands.notes import Wish
+    from rbpsym.commands.notes import NotesWish
 
 STEM = "library"
 
 
-def write_library(wish: Wish) -> int:
+def write_library(wish: NotesWish) -> int:
     """Writes all; tells the files. 1 if a problem can't be derived or not all of it is proved."""
-    kept = Kept(wish.simulation)
+    kept = KeptDerivations(wish.simulation)
     problems, failed = derived(wish, kept)
     made = dict(book_files(problems, wish))
     if "html" in wish.formats:
@@ -40,7 +40,7 @@ def write_library(wish: Wish) -> int:
     return 0 if not failed and all(is_fine(chapter) for chapter in problems) else 1
 
 
-def derived(wish: Wish, kept: Kept) -> tuple[list[Chapter], list[str]]:
+def derived(wish: NotesWish, kept: KeptDerivations) -> tuple[list[Chapter], list[str]]:
     """The problems by topic and from easy to hard, and the sentences of those that can't be derived."""
     entries = sorted((entry for entry in shelf() if entry.kind == "problem"), key=place)
     found, failed = [], []
@@ -59,7 +59,7 @@ def is_fine(chapter: Chapter) -> bool:
     return exit_code(chapter.derivation.summary()) == 0
 
 
-def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str | bytes]]:
+def book_files(problems: list[Chapter], wish: NotesWish) -> Iterator[tuple[str, str | bytes]]:
     """The book in all formats but HTML, which is the site."""
     document = book(problems, wish.language, wish.detail, plots=wish.plots)
     for name in wish.formats:
@@ -67,7 +67,7 @@ def book_files(problems: list[Chapter], wish: Wish) -> Iterator[tuple[str, str |
             yield from files(document, name, STEM, wish.engine).items()
 
 
-def site_files(problems: list[Chapter], wish: Wish, kept: Kept) -> dict[str, str | bytes]:
+def site_files(problems: list[Chapter], wish: NotesWish, kept: KeptDerivations) -> dict[str, str | bytes]:
     """The index page, and a page for each problem and course."""
     courses: list[tuple[Card, str]] = []
     for entry in (entry for entry in shelf() if entry.kind == "course"):

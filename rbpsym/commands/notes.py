@@ -11,7 +11,7 @@ import click
 from rbpsym.commands.arguments import ShelfName, detail_option, formats_option, output_option
 
 if TYPE_CHECKING:
-    from rbpsym.commands.watching import Kept
+    from rbpsym.commands.watching import KeptDerivations
     from rbpsym.document.model import Document
 
 FORMATS = ("pdf", "html", "tex", "beamer", "ipynb", "md", "docx", "typ")
@@ -19,7 +19,7 @@ ENGINES = ("typst", "pdflatex")
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class NotesWish:
     """What is to be written: formats, language, level of detail, whether plots and the simulation are wanted."""
 
     formats: tuple[str, ...]
@@ -59,7 +59,7 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
     beside it. All of them are written whole or not at all. Word needs pip install 'rbpsym[docx]'.
     With --all, each format but HTML is one book, and HTML a site that begins at index.html.
     """
-    wish = Wish(simulation=not is_watched if simulation is None else simulation, **told)
+    wish = NotesWish(simulation=not is_watched if simulation is None else simulation, **told)
     if is_all:
         return _library(name, is_watched, wish)
     if name is None:
@@ -70,21 +70,21 @@ def command(name: str | None, is_all: bool, simulation: bool | None, is_watched:
     return _watched(kind, path, wish) if is_watched else _once(kind, path, wish)
 
 
-def _once(kind: str, path: Path, wish: Wish) -> int:
+def _once(kind: str, path: Path, wish: NotesWish) -> int:
     """Write, tell the files; 1 if not all is proved."""
-    from rbpsym.commands.watching import Kept
+    from rbpsym.commands.watching import KeptDerivations
 
-    document, fine = DOCUMENTS[kind](path, wish, Kept(wish.simulation))
+    document, fine = DOCUMENTS[kind](path, wish, KeptDerivations(wish.simulation))
     for file in _written(document, path.stem, wish):
         click.echo(str(file))
     return 0 if fine else 1
 
 
-def _watched(kind: str, path: Path, wish: Wish) -> int:
+def _watched(kind: str, path: Path, wish: NotesWish) -> int:
     """Write again at each change."""
-    from rbpsym.commands.watching import Kept, watch
+    from rbpsym.commands.watching import KeptDerivations, watch
 
-    kept = Kept(wish.simulation)
+    kept = KeptDerivations(wish.simulation)
     return watch(
         lambda: _written(DOCUMENTS[kind](path, wish, kept)[0], path.stem, wish),
         lambda: _sources(kind, path),
@@ -104,7 +104,7 @@ def _sources(kind: str, path: Path) -> list[Path]:
         return [path]
 
 
-def _problem(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
+def _problem(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Document, bool]:
     """The document of a problem, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.solve import exit_code
@@ -115,7 +115,7 @@ def _problem(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
         return notes(derivation, wish.language, wish.detail, plots=wish.plots), exit_code(derivation.summary()) == 0
 
 
-def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
+def _course(path: Path, wish: NotesWish, kept: KeptDerivations) -> tuple[Document, bool]:
     """The document of a course, and whether all of it is proved."""
     from rbpsym.commands.progress import Progress
     from rbpsym.commands.solve import exit_code, verdict_of
@@ -135,7 +135,7 @@ def _course(path: Path, wish: Wish, kept: Kept) -> tuple[Document, bool]:
 DOCUMENTS = {"problem": _problem, "course": _course}
 
 
-def _library(name: str | None, is_watched: bool, wish: Wish) -> int:
+def _library(name: str | None, is_watched: bool, wish: NotesWish) -> int:
     """The book and the site."""
     if name is not None or is_watched:
         raise click.UsageError("--all writes the whole library: it takes no name and no --watch.")
@@ -144,7 +144,7 @@ def _library(name: str | None, is_watched: bool, wish: Wish) -> int:
     return write_library(wish)
 
 
-def _written(document: Document, stem: str, wish: Wish) -> list[Path]:
+def _written(document: Document, stem: str, wish: NotesWish) -> list[Path]:
     """All formats are made before the first file is written."""
     from rbpsym.document.files import write_all
     from rbpsym.document.writers import files

@@ -12,7 +12,7 @@ from rbpsym.verify.claims_model import Outcome, Result
 if TYPE_CHECKING:
     from rich.text import Text
 
-    from rbpsym.commands.check import Found
+    from rbpsym.commands.check import CheckRun
 
 STYLES = {
     Outcome.PROVED: "green",
@@ -53,14 +53,14 @@ def name_of(result: Result) -> str:
     return f"({result.number})" if result.number else result.id
 
 
-def totals(found: Found) -> dict[str, int]:
+def totals(found: CheckRun) -> dict[str, int]:
     """How many results of each kind, and how many are not as expected."""
     counted = Counter(str(result.outcome) for result in found.results)
     unexpected = sum(not result.expected for result in found.results)
     return {**{str(outcome): counted[str(outcome)] for outcome in Outcome}, "unexpected": unexpected}
 
 
-def summary(found: Found) -> str:
+def summary(found: CheckRun) -> str:
     """The last line: counts, and whether all is as expected."""
     counts = totals(found)
     told = [
@@ -85,7 +85,7 @@ def cells(result: Result) -> tuple[str | Text, ...]:
     return name_of(result), result.label, str(result.line or ""), verdict, Text("\n".join(lines(result)))
 
 
-def as_table(found: Found, failures: bool = False) -> str:
+def as_table(found: CheckRun, failures: bool = False) -> str:
     """A table for a terminal."""
     from rich.console import Console
     from rich.table import Table
@@ -129,7 +129,7 @@ def record(result: Result) -> dict[str, Any]:
     return {name: own.get(name, getattr(result, name, None)) for name in RESULT.split()} | {"links": links}
 
 
-def as_json(found: Found, failures: bool = False) -> str:
+def as_json(found: CheckRun, failures: bool = False) -> str:
     """All results for programs."""
     import json
 
@@ -139,7 +139,7 @@ def as_json(found: Found, failures: bool = False) -> str:
     return json.dumps(whole, indent=2, ensure_ascii=False) + "\n"
 
 
-def as_junit(found: Found) -> str:
+def as_junit(found: CheckRun) -> str:
     """A JUnit report: a test case a formula."""
     from xml.etree import ElementTree as xml
 
@@ -173,7 +173,7 @@ def first(text: str) -> str:
     return text.split("\n", 1)[0]
 
 
-def as_annotations(found: Found) -> str:
+def as_annotations(found: CheckRun) -> str:
     """Workflow commands that put a note on the line of each formula that is not as expected."""
     told = [
         annotation("error", *place(result), f"{name_of(result)} {word(result)}", "\n".join(lines(result)))
@@ -200,7 +200,7 @@ def escaped(text: str, whole: bool = False) -> str:
     return "".join(marks.get(char, char) for char in text)
 
 
-def as_html(found: Found) -> str:
+def as_html(found: CheckRun) -> str:
     """A page: one row a formula, its LaTeX beside what was found."""
     from markupsafe import Markup
 

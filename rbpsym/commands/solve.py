@@ -76,7 +76,7 @@ def verdict_of(step: Step) -> Verdict:
 
 def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
     """The results in short, as a textbook prints them."""
-    drawn = Drawn(problem)
+    drawn = InLetters(problem)
     yield click.style(drawn.title, bold=True)
     speeds = {f"{name}_dot**2": value for name, value in (answer["speed_squared"] or {}).items()}
     accelerations = {f"{name}_ddot": value for name, value in (answer["accelerations"] or {}).items()}
@@ -102,7 +102,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class InLetters:
     """How the infix text of an answer is printed: with the letters of the problem."""
 
     problem: Problem
@@ -137,7 +137,7 @@ class Drawn:
             return text
 
 
-def table(title: str, values: Mapping[str, str | None] | None, drawn: Drawn) -> Iterator[str]:
+def table(title: str, values: Mapping[str, str | None] | None, drawn: InLetters) -> Iterator[str]:
     """One group of results."""
     known = {drawn.name(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
     width = max(map(columns, known), default=0)
@@ -146,7 +146,7 @@ def table(title: str, values: Mapping[str, str | None] | None, drawn: Drawn) -> 
         yield from (f"  {padded(name, width)} = {value}" for name, value in known.items())
 
 
-def _places(values: Mapping[str, str], drawn: Drawn) -> str:
+def _places(values: Mapping[str, str], drawn: InLetters) -> str:
     return ", ".join(f"{drawn.formula(name)} = {drawn.formula(value)}" for name, value in values.items())
 
 
@@ -155,12 +155,12 @@ SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
 
 
-def _begins(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+def _begins(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     if answer["start_valid_where"]:
         yield f"the motion begins so only{_valid({'valid_where': answer['start_valid_where']}, drawn)}"
 
 
-def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+def _equilibria(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     if answer["equilibria"]:
         yield click.style("equilibria", dim=True)
     for item in answer["equilibria"]:
@@ -175,7 +175,7 @@ def _equilibria(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     yield from _not_all("equilibria", answer["equilibria_complete"])
 
 
-def _valid(item: Mapping[str, Any], drawn: Drawn) -> str:
+def _valid(item: Mapping[str, Any], drawn: InLetters) -> str:
     """The conditions under which something is said."""
     relations = (text.rsplit(" ", 2) for text in item["valid_where"])  # left, sign, 0
     told = ", ".join(f"{drawn.formula(left)} {SIGNS[sign]} 0" for left, sign, _ in relations)
@@ -187,7 +187,7 @@ def _not_all(what: str, found: Mapping[str, Any]) -> Iterator[str]:
         yield f"  {click.style(f'not decided whether these are all {what}:', dim=True)} {found['reason']}"
 
 
-def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
+def _balance(item: Mapping[str, Any] | None, drawn: InLetters) -> Iterator[str]:
     if item is None:
         return
     yield click.style("equilibrium (no formula found)", dim=True)
@@ -196,7 +196,7 @@ def _balance(item: Mapping[str, Any] | None, drawn: Drawn) -> Iterator[str]:
     yield f"  where {drawn.formula(item['vanishes'])} = 0: {STABLE[item['stable']]}{told}"
 
 
-def _stability(item: Mapping[str, Any], drawn: Drawn) -> str:
+def _stability(item: Mapping[str, Any], drawn: InLetters) -> str:
     where = item["stable_where_positive"]
     return (
         ("asymptotically " if item["stability"] == "asymptotic" else "") + STABLE[item["stable"]]
@@ -205,7 +205,7 @@ def _stability(item: Mapping[str, Any], drawn: Drawn) -> str:
     )
 
 
-def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+def _conditions(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     if answer["conditions"]:
         yield click.style("loss of contact", dim=True)
     for item in answer["conditions"]:
@@ -217,7 +217,7 @@ def _conditions(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
     yield from _not_all("losses of contact", answer["conditions_complete"])
 
 
-def _friction(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+def _friction(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     needed = [item for item in answer["static_friction"] if item["needed"] is not None]
     if needed:
         yield click.style("static friction that is needed", dim=True)
@@ -225,7 +225,7 @@ def _friction(answer: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
         yield f"  {drawn.formula(item['friction'])}: coefficient of at least {drawn.formula(item['needed'])}"
 
 
-def _phase(phase: Mapping[str, Any], drawn: Drawn) -> Iterator[str]:
+def _phase(phase: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     """A further phase: when and where it begins, how fast things then move, what the blow brought and cost."""
     yield click.style(f"phase “{phase['name']}”", bold=True)
     if "reason" in phase:

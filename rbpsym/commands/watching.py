@@ -77,7 +77,7 @@ WORDS: Mapping[str, Any] = {
 
 
 @dataclass(frozen=True)
-class Kept:
+class KeptDerivations:
     """The derivations of files, by path."""
 
     simulation: bool

@@ -22,7 +22,7 @@ EMPTY = b.Row(())
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class DisplayLine:
     """One line of a display: what stands before and after the alignment mark.
 
     An `indent`ed line goes on with the sum of the line above and begins with its sign.
@@ -48,7 +48,7 @@ def node_width(node: Node, notation: Notation = DEFAULT) -> float:
 
 
 @lru_cache(maxsize=4096)
-def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
+def lines(node: Node, notation: Notation, column: float) -> tuple[DisplayLine, ...]:
     """The lines of a displayed formula in a column of that many em."""
     parts = node.rows if isinstance(node, System) else (node,)
     lefts = [width(layout_rows(part, notation).rows[0][0]) for part in parts]
@@ -57,18 +57,18 @@ def lines(node: Node, notation: Notation, column: float) -> tuple[Line, ...]:
     return tuple(line for part, own in zip(parts, room, strict=True) for line in chain_lines(part, notation, own))
 
 
-def display_lines(block: Display, notation: Notation, column: float) -> tuple[Line, ...]:
+def display_lines(block: Display, notation: Notation, column: float) -> tuple[DisplayLine, ...]:
     """The lines of a displayed block; its box takes room."""
     return lines(block.node, notation, column - (3.0 if block.boxed else 0.0))
 
 
-def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]:
+def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[DisplayLine]:
     """The lines of a chain: one, or one for each relation and more for long sums."""
     found = layout_rows(node, notation).rows
     left, rights = found[0][0], tuple(right for _, right in found)
     margin = width(left)
     if margin + sum(map(width, rights)) <= column * SHARES.get(len(rights), SEVERAL):
-        yield Line(left, b.Row(tuple(flat(b.Row(rights)))))
+        yield DisplayLine(left, b.Row(tuple(flat(b.Row(rights)))))
         return
     if margin and margin + max(map(least, rights)) > column:
         yield from long_left(left, rights, column)
@@ -76,7 +76,7 @@ def chain_lines(node: Node, notation: Notation, column: float) -> Iterator[Line]
     yield from with_short_ends(left, rights, column - margin)
 
 
-def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator[Line]:
+def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator[DisplayLine]:
     """The lines of a left side that has no room beside a right one; a very short one ("= 0") ends its last line."""
     end = rights[0] if width(rights[0]) <= SHORT else EMPTY
     *before, last = sum_lines(EMPTY, left, column - width(end))
@@ -85,7 +85,7 @@ def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator
         yield last
         yield from with_short_ends(EMPTY, rights, column - INDENT)
         return
-    yield Line(EMPTY, b.Row((*flat(last.right), *flat(end))), last.indent)
+    yield DisplayLine(EMPTY, b.Row((*flat(last.right), *flat(end))), last.indent)
     yield from with_short_ends(EMPTY, rights[1:], column - INDENT)
 
 
@@ -93,12 +93,12 @@ def long_left(left: b.Box, rights: tuple[b.Box, ...], column: float) -> Iterator
 SHARES, SEVERAL = {1: 1.0, 2: 0.85}, 0.6
 
 
-def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[Line]:
+def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iterator[DisplayLine]:
     """A line for each side of a chain; a very short one ("= 0") goes on with the line before."""
-    held: Line | None = None
+    held: DisplayLine | None = None
     for right in rights:
         if held and width(right) <= SHORT and held.width + width(right) <= room:
-            held = Line(held.left, b.Row((*flat(held.right), *flat(right))), held.indent)
+            held = DisplayLine(held.left, b.Row((*flat(held.right), *flat(right))), held.indent)
             continue
         if held:
             yield held
@@ -112,11 +112,11 @@ def with_short_ends(left: b.Box, rights: tuple[b.Box, ...], room: float) -> Iter
 SHORT = 3.0
 
 
-def sum_lines(left: b.Box, right: b.Box, room: float) -> Iterator[Line]:
+def sum_lines(left: b.Box, right: b.Box, room: float) -> Iterator[DisplayLine]:
     """A line, or several if its right side is a sum that is too long for the room."""
     groups = [right] if width(right) <= room else list(packed(opened(right, room), room - INDENT))
-    yield Line(left, groups[0])
-    yield from (Line(EMPTY, group, True) for group in groups[1:])
+    yield DisplayLine(left, groups[0])
+    yield from (DisplayLine(EMPTY, group, True) for group in groups[1:])
 
 
 def least(box: b.Box) -> float:
@@ -124,7 +124,7 @@ def least(box: b.Box) -> float:
     return max((width(piece) for term in terms(box) for piece in pieces(term, 0.0)), default=0.0) + INDENT
 
 
-def widest(found: tuple[Line, ...]) -> float:
+def widest(found: tuple[DisplayLine, ...]) -> float:
     """The width of the block: its widest left and right parts meet at the alignment mark."""
     return max(width(line.left) for line in found) + max(line.width - width(line.left) for line in found)
 

@@ -11,8 +11,8 @@ from rbpsym.derivation.step import Derivation
 from rbpsym.document.model import FigureBlock, Inlines, Paragraph, Section, Text
 from rbpsym.document.phrases import plain
 from rbpsym.document.plots.following import REASONS
-from rbpsym.document.plots.motion import Motion, motion
-from rbpsym.document.plots.panel import Curve, Mark, Panel, has_jump, scene
+from rbpsym.document.plots.motion import PlottedMotion, motion
+from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
 from rbpsym.document.plots.scales import Scale, told_numbers
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.document.words import Words
@@ -68,13 +68,13 @@ def without_noise(values: np.ndarray, whole: float) -> np.ndarray:
     return np.where(np.abs(values) < FLAT * whole, 0.0, values)
 
 
-def told_mark(mark: Mark, scale: Scale, notation: Notation, said: Words) -> str:
+def told_mark(mark: PlotMark, scale: Scale, notation: Notation, said: Words) -> str:
     """Where something happens, and what."""
     name = said.named(mark.name) if isinstance(mark.name, str) else name_of(mark.name, notation)
     return plain("plots.alt.mark", said.language, place=amount(mark.place, scale, notation), name=name)
 
 
-def told_curve(curve: Curve, panel: Panel, whole: float, notation: Notation, said: Words) -> str:
+def told_curve(curve: PlotCurve, panel: Panel, whole: float, notation: Notation, said: Words) -> str:
     """Whether it stays, rises or falls, with a single turn on the way, or more of them."""
     is_known = np.isfinite(panel.places) & np.isfinite(curve.values)
     places, values = panel.places[is_known], without_noise(curve.values[is_known], whole)
@@ -129,7 +129,7 @@ def why_not(reason: NotApplicable, said: Words) -> Inlines:
     return said.say(f"plots.none.{key}")
 
 
-def plot_figures(moving: Motion, said: Words) -> Iterator[FigureBlock]:
+def plot_figures(moving: PlottedMotion, said: Words) -> Iterator[FigureBlock]:
     """Works, energies with speeds, forces with the motion in time; two panels in a figure."""
     worked = list(works(moving))
     groups = [("works" if len(worked) > 1 else "works_one", worked)] if worked else []
@@ -158,7 +158,7 @@ def shared(one: tuple[str, Panels], other: tuple[str, Panels]) -> Iterator[tuple
             yield name, panels[start : start + IN_A_ROW]
 
 
-def caption(moving: Motion, name: str, panels: Panels, said: Words, *, is_first: bool) -> Inlines:
+def caption(moving: PlottedMotion, name: str, panels: Panels, said: Words, *, is_first: bool) -> Inlines:
     """What the panels of a figure show, and what their dashed lines and circles mean."""
     found = said.say(f"plots.{name}")
     for key, slots in remarks(moving, name, panels, is_first):
@@ -166,7 +166,7 @@ def caption(moving: Motion, name: str, panels: Panels, said: Words, *, is_first:
     return found
 
 
-def remarks(moving: Motion, name: str, panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
+def remarks(moving: PlottedMotion, name: str, panels: Panels, is_first: bool) -> Iterator[tuple[str, dict]]:
     """What has to be said beside: keys of phrases and their slots."""
     all_curves = [curve for panel in panels for curve in panel.curves]
     if any(isinstance(curve.name, t.Delta) for curve in all_curves):
@@ -183,13 +183,13 @@ def remarks(moving: Motion, name: str, panels: Panels, is_first: bool) -> Iterat
         yield "jumps", {}
 
 
-def kind_of_loss(moving: Motion) -> str:
+def kind_of_loss(moving: PlottedMotion) -> str:
     """Whether a string goes slack or a contact is lost."""
     element = moving.way.legs[-1].study.system.element(moving.loss[1])
     return "slack" if element.kind == "string" else "lost"
 
 
-def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: Motion, said: Words) -> FigureBlock:
+def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: PlottedMotion, said: Words) -> FigureBlock:
     """Panels side by side."""
     notation = said.notation
     alt = " ".join(described(panel, notation, said) for panel in panels)
@@ -197,7 +197,7 @@ def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: Motion,
     return FigureBlock(scenes, caption, alt, f"{said.prefix}figure.{name}")
 
 
-def numbers(moving: Motion, said: Words) -> Inlines:
+def numbers(moving: PlottedMotion, said: Words) -> Inlines:
     """With which numbers the curves are drawn."""
     problem = moving.derivation.study.problem
     told = list(told_numbers(problem, moving.scales, said.notation.decimal))

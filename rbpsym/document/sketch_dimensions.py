@@ -15,8 +15,6 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import PlacedShape, PointRef
 
-ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
-
 
 def lengths(pose: DrawnPose) -> Iterator[LengthMark]:
     """Sizes of bodies, length coordinates, and distances that are parameters and not shown otherwise."""

@@ -14,7 +14,7 @@ from types import MappingProxyType
 from rbpsym.errors import Place, RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_grammar import expression
-from rbpsym.notation.infix_names import FUNCTIONS, Reader, tokenize
+from rbpsym.notation.infix_names import FUNCTIONS, InfixReader, tokenize
 from rbpsym.notation.source import Source
 
 MOST_WAYS = 32
@@ -95,7 +95,7 @@ def read_ways(
     raise error
 
 
-def _whole(reader: Reader) -> t.Node:
+def _whole(reader: InfixReader) -> t.Node:
     """The expression or relation that a text is."""
     items, ops = [expression(reader)], []
     while reader.sees(*RELATION_SIGNS):
@@ -112,13 +112,13 @@ def _reader(
     functions: Mapping[str, Callable[[t.Node], t.Node]],
     aliases: Mapping[str, str],
     place: Place | None,
-) -> Reader:
+) -> InfixReader:
     source = Source(text, place)
     known = frozenset(symbols) | {"pi"}
-    return Reader(source, tokenize(source), symbols=known, functions=functions, aliases=aliases)
+    return InfixReader(source, tokenize(source), symbols=known, functions=functions, aliases=aliases)
 
 
-def _left_over(reader: Reader) -> RbpsymError:
+def _left_over(reader: InfixReader) -> RbpsymError:
     token = reader.token
     if reader.sees(*RELATION_SIGNS):
         return reader.error(f"“{token.text}” makes a relation, but an expression is expected")

@@ -10,8 +10,8 @@ from types import MappingProxyType
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix_names import (
-    Reader,
-    Token,
+    InfixReader,
+    InfixToken,
     function_named,
     in_last_argument,
     is_bare_call,
@@ -29,7 +29,7 @@ _POWERED = frozenset({
 })  # fmt: skip
 
 
-def expression(reader: Reader) -> t.Node:
+def expression(reader: InfixReader) -> t.Node:
     """term + term - term"""
     start = reader.token.start
     with reader.deeper():
@@ -43,7 +43,7 @@ def expression(reader: Reader) -> t.Node:
     return terms[0] if len(terms) == 1 else reader.spanned(t.Add(tuple(terms)), start)
 
 
-def _term(reader: Reader) -> t.Node:
+def _term(reader: InfixReader) -> t.Node:
     """A product with perhaps signs before it."""
     start = reader.token.start
     if reader.accept("-"):
@@ -55,7 +55,7 @@ def _term(reader: Reader) -> t.Node:
     return _product(reader)
 
 
-def _product(reader: Reader) -> t.Node:
+def _product(reader: InfixReader) -> t.Node:
     """factor * factor / factor factor"""
     start = reader.token.start
     factors = [_factor(reader)]
@@ -70,13 +70,13 @@ def _product(reader: Reader) -> t.Node:
             return _one(factors, start, reader)
 
 
-def _one(factors: list[t.Node], start: int, reader: Reader) -> t.Node:
+def _one(factors: list[t.Node], start: int, reader: InfixReader) -> t.Node:
     if len(factors) == 1:
         return factors[0]
     return reader.spanned(t.Mul(tuple(factors)), start)
 
 
-def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
+def _division(reader: InfixReader, num: t.Node, start: int) -> t.Node:
     what = "this can be read in two ways: is the function's argument divided, or its value?"
     inside = is_bare_call(num, reader) and reader.decide(what, "Write sin(x)/2 or sin(x/2).")
     reader.take()
@@ -86,7 +86,7 @@ def _division(reader: Reader, num: t.Node, start: int) -> t.Node:
     return reader.spanned(t.Div(num, den), start)
 
 
-def _signed_factor(reader: Reader) -> t.Node:
+def _signed_factor(reader: InfixReader) -> t.Node:
     start = reader.token.start
     if reader.accept("-"):
         with reader.deeper():
@@ -94,11 +94,11 @@ def _signed_factor(reader: Reader) -> t.Node:
     return _factor(reader)
 
 
-def _begins_factor(reader: Reader) -> bool:
+def _begins_factor(reader: InfixReader) -> bool:
     return reader.token.kind in ("name", "number") or reader.sees("(", "√") or (reader.sees("|") and not reader.bars)
 
 
-def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
+def _with_implied(reader: InfixReader, before: t.Node) -> tuple[t.Node, ...]:
     """A factor and the one that follows without a sign. Raises ReadError where this can be read in two ways."""
     below = inside = False
     if isinstance(before, t.Div) and not is_settled(before, reader):
@@ -118,7 +118,7 @@ def _with_implied(reader: Reader, before: t.Node) -> tuple[t.Node, ...]:
     return before, factor
 
 
-def _factor(reader: Reader) -> t.Node:
+def _factor(reader: InfixReader) -> t.Node:
     """An atom with its powers."""
     start = reader.token.start
     base = _atom(reader)
@@ -132,12 +132,12 @@ def _factor(reader: Reader) -> t.Node:
     return base
 
 
-def _exponent(reader: Reader) -> t.Node:
+def _exponent(reader: InfixReader) -> t.Node:
     with reader.deeper():
         return _signed_factor(reader)
 
 
-def _fraction(reader: Reader, exponent: t.Node) -> t.Node:
+def _fraction(reader: InfixReader, exponent: t.Node) -> t.Node:
     """The exponent, or the fraction that it begins: in x^1/2 it may be one half."""
     below = reader.ahead()
     numbers = isinstance(exponent, t.Num) and reader.sees("/") and below.kind == "number" and below.value
@@ -150,12 +150,12 @@ def _fraction(reader: Reader, exponent: t.Node) -> t.Node:
     return reader.spanned(t.Div(exponent, _atom(reader)), exponent.span[0])
 
 
-def _exponent_number(token: Token) -> t.Node:
+def _exponent_number(token: InfixToken) -> t.Node:
     value = t.Num(abs(token.value), span=(token.start, token.end))
     return t.Neg(value, span=value.span) if token.value < 0 else value
 
 
-def _atom(reader: Reader) -> t.Node:
+def _atom(reader: InfixReader) -> t.Node:
     """A number, a symbol, a call, or a parenthesis."""
     token = reader.token
     if token.kind == "number":
@@ -170,11 +170,11 @@ def _atom(reader: Reader) -> t.Node:
     raise _missing(reader)
 
 
-def _whole(token: Token) -> Fraction | int:
+def _whole(token: InfixToken) -> Fraction | int:
     return int(token.value) if token.value.denominator == 1 else token.value
 
 
-def _missing(reader: Reader) -> RbpsymError:
+def _missing(reader: InfixReader) -> RbpsymError:
     token = reader.token
     if token.kind == "end":
         return reader.error("the expression ends too early", "A number or symbol is missing here.")
@@ -182,14 +182,14 @@ def _missing(reader: Reader) -> RbpsymError:
     return reader.error(what, "Remove the sign, or write what is missing.")
 
 
-def _parenthesis(reader: Reader) -> t.Node:
+def _parenthesis(reader: InfixReader) -> t.Node:
     opening = reader.take()
     inner = _within(reader, bars=False)
     _close(reader, opening)
     return inner
 
 
-def _within(reader: Reader, *, bars: bool) -> t.Node:
+def _within(reader: InfixReader, *, bars: bool) -> t.Node:
     """An expression in which a | closes, or opens."""
     waiting, reader.bars = reader.bars, bars
     inner = expression(reader)
@@ -200,7 +200,7 @@ def _within(reader: Reader, *, bars: bool) -> t.Node:
 _CLOSINGS = MappingProxyType({"(": ")", "[": "]"})
 
 
-def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
+def _close(reader: InfixReader, opening: InfixToken, sign: str = ")") -> None:
     text = reader.source.text
     if sign == ")" and reader.sees(sign) and _CLOSINGS.get(text[opening.start], ")") != text[reader.token.start]:
         raise reader.error(f"“{text[reader.token.start]}” closes what “{text[opening.start]}” opened", "Use one kind.")
@@ -210,12 +210,12 @@ def _close(reader: Reader, opening: Token, sign: str = ")") -> None:
         raise reader.error(f"“{reader.token.text}” stands where “{sign}” is expected")
 
 
-def _root(reader: Reader) -> t.Node:
+def _root(reader: InfixReader) -> t.Node:
     sign = reader.take()
     return reader.spanned(t.Sqrt(_radicand(reader)), sign.start)
 
 
-def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
+def _radicand(reader: InfixReader, head: InfixToken | None = None) -> t.Node:
     """What stands under a root without parentheses: a factor, perhaps those behind it, and what these are divided by."""
     what, hint = "this can be read in two ways: does it stand under the root?", "Write sqrt(x)*y, or sqrt(x*y)."
     decided = partial(reader.decide, what, hint, changes_value=True, usual=True)
@@ -230,7 +230,7 @@ def _radicand(reader: Reader, head: Token | None = None) -> t.Node:
     return reader.spanned(t.Div(under, _factor(reader)), start)
 
 
-def _bars(reader: Reader) -> t.Node:
+def _bars(reader: InfixReader) -> t.Node:
     opening = reader.take()
     inner = _within(reader, bars=True)
     _close(reader, opening, "|")
@@ -240,7 +240,7 @@ def _bars(reader: Reader) -> t.Node:
 _OPENINGS = MappingProxyType({"(": _parenthesis, "√": _root, "|": _bars})
 
 
-def _named(reader: Reader) -> t.Node:
+def _named(reader: InfixReader) -> t.Node:
     token = reader.take()
     name = symbol_named(token, reader)
     if name:
@@ -251,7 +251,7 @@ def _named(reader: Reader) -> t.Node:
     raise unknown(token, reader)
 
 
-def _call(token: Token, reader: Reader) -> t.Node:
+def _call(token: InfixToken, reader: InfixReader) -> t.Node:
     """A function with an optional power before its argument: sin^2(x), sin x."""
     exponent = _function_power(token, reader)
     bare = _radicand if token.text in _ROOTS else _bare_argument
@@ -261,7 +261,7 @@ def _call(token: Token, reader: Reader) -> t.Node:
     return reader.power(call, exponent, token.start) if exponent else call
 
 
-def _function_power(token: Token, reader: Reader) -> t.Node | None:
+def _function_power(token: InfixToken, reader: InfixReader) -> t.Node | None:
     if reader.token.kind == "raised":
         exponent = _exponent_number(reader.take())
     elif reader.accept("^"):
@@ -275,7 +275,7 @@ def _function_power(token: Token, reader: Reader) -> t.Node | None:
     return exponent
 
 
-def _bare_argument(reader: Reader, token: Token) -> t.Node:
+def _bare_argument(reader: InfixReader, token: InfixToken) -> t.Node:
     """An argument without parentheses: a number, a symbol, or a number and a symbol."""
     start = reader.token.start
     first = reader.token

@@ -41,7 +41,7 @@ _DIGITS = re.compile(r"[0-9]+(?![0-9.,])")
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
+class InfixToken:
     """A token: `kind` is number, name, raised (², as an integer), operator or end.
 
     `names` are the names that a typed letter may stand for; `spaced` says if a blank was before.
@@ -56,7 +56,7 @@ class Token:
     spaced: bool = False
 
 
-def tokenize(source: Source) -> tuple[Token, ...]:
+def tokenize(source: Source) -> tuple[InfixToken, ...]:
     """The tokens of a text, with an end token. Raises ReadError, LimitError."""
     if len(source.text) > MAX_LENGTH:
         what = f"the expression has {len(source.text)} characters; at most {MAX_LENGTH} are read"
@@ -64,7 +64,7 @@ def tokenize(source: Source) -> tuple[Token, ...]:
     return tuple(_tokens(source))
 
 
-def _tokens(source: Source) -> Iterator[Token]:
+def _tokens(source: Source) -> Iterator[InfixToken]:
     position, spaced = 0, False
     while position < len(source.text):
         found = _PATTERNS.match(source.text, position)
@@ -75,17 +75,17 @@ def _tokens(source: Source) -> Iterator[Token]:
         token = _READERS[kind](source, found, spaced)
         yield token
         position, spaced = token.end, False
-    yield Token("end", "", len(source.text), len(source.text))
+    yield InfixToken("end", "", len(source.text), len(source.text))
 
 
-def _number(source: Source, found: re.Match[str], spaced: bool) -> Token:
+def _number(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     text, (start, end) = found[0], found.span()
     if "," in text:
         text = _with_point(source, text, start, end)
     if len(text) > MAX_DIGITS:
         what = f"a number of {len(text)} digits; at most {MAX_DIGITS} are read"
         raise source.limit(what, start, end)
-    return Token("number", text, start, end, Fraction(text), spaced=spaced)
+    return InfixToken("number", text, start, end, Fraction(text), spaced=spaced)
 
 
 def _with_point(source: Source, text: str, start: int, end: int) -> str:
@@ -96,7 +96,7 @@ def _with_point(source: Source, text: str, start: int, end: int) -> str:
     return text.replace(",", ".")
 
 
-def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
+def _name(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     start = found.start()
     word, end = found[0], found.end()
     if word.startswith("_") or "__" in word:
@@ -107,7 +107,7 @@ def _name(source: Source, found: re.Match[str], spaced: bool) -> Token:
     return _with_tail(source, (word,), start, end, spaced)
 
 
-def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spaced: bool) -> Token:
+def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spaced: bool) -> InfixToken:
     """A name with the dots and subscripts typed after it: θ̈₁ is theta_1_ddot."""
     dots = ""
     while end < len(source.text) and source.text[end] in _DOTS:
@@ -120,25 +120,25 @@ def _with_tail(source: Source, names: tuple[str, ...], start: int, end: int, spa
     suffix = label + written[len(small) :] + dots.replace("_dot_dot", "_ddot")
     end = tail.end() if tail else end
     text = source.text[start:end]
-    return Token("name", text, start, end, names=tuple(n + suffix for n in names), spaced=spaced)
+    return InfixToken("name", text, start, end, names=tuple(n + suffix for n in names), spaced=spaced)
 
 
-def _raised(source: Source, found: re.Match[str], spaced: bool) -> Token:
+def _raised(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     start, end = found.span()
     if end - start > 4:
         raise source.limit("the exponent is too large; at most 64 is read", start, end)
     value = Fraction(found[0].translate(_SUPERSCRIPTS))
-    return Token("raised", found[0], start, end, value, spaced=spaced)
+    return InfixToken("raised", found[0], start, end, value, spaced=spaced)
 
 
-def _sign(source: Source, found: re.Match[str], spaced: bool) -> Token:
+def _sign(source: Source, found: re.Match[str], spaced: bool) -> InfixToken:
     text, (start, end) = found[0], found.span()
     if text in OPERATORS:
-        return Token("operator", OPERATORS[text], start, end, spaced=spaced)
+        return InfixToken("operator", OPERATORS[text], start, end, spaced=spaced)
     return _character(source, text, start, spaced)
 
 
-def _character(source: Source, char: str, start: int, spaced: bool) -> Token:
+def _character(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
     """A single character that is no operator: a letter, ½, ẋ. Raises ReadError for others."""
     names = names_of_letter(char)
     if names:
@@ -146,26 +146,26 @@ def _character(source: Source, char: str, start: int, spaced: bool) -> Token:
     parts = unicodedata.normalize("NFKD", char)
     if "⁄" in parts and unicodedata.category(char) == "No":
         value = Fraction(parts.replace("⁄", "/"))
-        return Token("number", char, start, start + 1, value, spaced=spaced)
+        return InfixToken("number", char, start, start + 1, value, spaced=spaced)
     return _dotted(source, char, start, spaced)
 
 
-def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> Token:
+def _greek(source: Source, names: tuple[str, ...], start: int, spaced: bool) -> InfixToken:
     """A letter with its tail; θ0 is θ₀."""
     digits = _DIGITS.match(source.text, start + 1)
     if digits is None:
         return _with_tail(source, names, start, start + 1, spaced)
     text, end = source.text[start : digits.end()], digits.end()
-    return Token("name", text, start, end, names=tuple(f"{n}_{digits[0]}" for n in names), spaced=spaced)
+    return InfixToken("name", text, start, end, names=tuple(f"{n}_{digits[0]}" for n in names), spaced=spaced)
 
 
-def _dotted(source: Source, char: str, start: int, spaced: bool) -> Token:
+def _dotted(source: Source, char: str, start: int, spaced: bool) -> InfixToken:
     """A letter that carries its dots, such as ẋ. Raises ReadError for any other character."""
     base, *marks = unicodedata.normalize("NFD", char)
     if marks and base.isascii() and all(mark in _DOTS for mark in marks):
         token = _with_tail(source, (base,), start, start + 1, spaced)
         names = tuple(name + "_" + _DOTS[marks[0]] for name in token.names)
-        return Token("name", token.text, start, token.end, names=names, spaced=spaced)
+        return InfixToken("name", token.text, start, token.end, names=names, spaced=spaced)
     raise refused(source, char, start)
 
 
@@ -189,7 +189,7 @@ FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
 
 
 @dataclass(slots=True)
-class Reader(Cursor[Token]):
+class InfixReader(Cursor[InfixToken]):
     """A cursor with the symbols, functions and aliases of a problem.
 
     `script` says what to choose at the places that can be read in two ways (False behind its end; None: the usual
@@ -219,19 +219,19 @@ class Reader(Cursor[Token]):
         return chosen
 
 
-def symbol_named(token: Token, reader: Reader) -> str | None:
+def symbol_named(token: InfixToken, reader: InfixReader) -> str | None:
     """The symbol of the problem that a token names, by its own name or an alias."""
     spellings = (*token.names, *_squeezed(token), *_spread(token))
     names = [reader.aliases.get(name, name) for name in spellings]
     return next((name for name in names if name in reader.symbols), None)
 
 
-def _squeezed(token: Token) -> tuple[str, ...]:
+def _squeezed(token: InfixToken) -> tuple[str, ...]:
     """ω₁ may also be omega1."""
     return tuple(name.replace("_", "") for name in token.names if name != token.text)
 
 
-def _spread(token: Token) -> tuple[str, ...]:
+def _spread(token: InfixToken) -> tuple[str, ...]:
     """v0 and theta0 may also be v_0 and theta_0."""
     return tuple(f"{found[1]}_{found[2]}" for name in token.names if (found := _NUMBERED.fullmatch(name)))
 
@@ -239,13 +239,13 @@ def _spread(token: Token) -> tuple[str, ...]:
 _NUMBERED = re.compile(r"([A-Za-z]+)(\d+)")
 
 
-def function_named(token: Token, reader: Reader) -> str | None:
+def function_named(token: InfixToken, reader: InfixReader) -> str | None:
     """The function that a name calls, its aliases included; None if it is no function."""
     found = token.kind == "name" and token.text in reader.functions
     return token.text if found and token.text not in reader.symbols else None
 
 
-def unknown(token: Token, reader: Reader) -> RbpsymError:
+def unknown(token: InfixToken, reader: InfixReader) -> RbpsymError:
     """The error for a name that the problem doesn't have."""
     known = sorted(reader.symbols | set(reader.aliases))
     pieces = _pieces(token.names[0], reader.symbols)
@@ -275,24 +275,24 @@ def _pieces(word: str, symbols: frozenset[str]) -> list[str]:
     return found.get(len(word), [])
 
 
-def stands_apart(reader: Reader) -> bool:
+def stands_apart(reader: InfixReader) -> bool:
     """Does a function follow, or a parenthesis behind a blank, which one hardly takes for a part of a denominator?"""
     return is_call(reader) or (reader.sees("(") and reader.token.spaced)
 
 
-def is_settled(node: t.Div, reader: Reader) -> bool:
+def is_settled(node: t.Div, reader: InfixReader) -> bool:
     """Was the quotient, or what stands below its bar, written in parentheses?"""
     text, (start, end) = reader.source.text, node.den.span or (0, 0)
     below = text[:start].rstrip().endswith(("(", "[")) and text[end:].lstrip().startswith((")", "]"))
     return _is_closed(node, reader) or below or text[start : start + 1] in ("(", "[")
 
 
-def _is_closed(node: t.Node, reader: Reader) -> bool:
+def _is_closed(node: t.Node, reader: InfixReader) -> bool:
     """Was the node written in parentheses?"""
     return bool(node.span) and reader.source.text[node.span[1] :].lstrip().startswith((")", "]"))
 
 
-def is_bare_call(node: t.Node, reader: Reader) -> bool:
+def is_bare_call(node: t.Node, reader: InfixReader) -> bool:
     """Does the node end with a function whose argument has no parentheses?"""
     if isinstance(node, (t.Mul, t.Neg)):
         return is_bare_call(node.factors[-1] if isinstance(node, t.Mul) else node.arg, reader)
@@ -312,6 +312,6 @@ def in_last_argument(node: t.Node, change: Callable[[t.Node], t.Node]) -> t.Node
     return replace(node, arg=change(node.arg))
 
 
-def is_call(reader: Reader) -> bool:
+def is_call(reader: InfixReader) -> bool:
     """Does the name of a function follow?"""
     return function_named(reader.token, reader) is not None

@@ -7,13 +7,13 @@ from rbpsym.notation.latex_functions import operand, relation
 from rbpsym.notation.latex_grammar import argument, between, expression, multiplied
 from rbpsym.notation.latex_names import begins_name, label_after, read_name, read_symbol
 from rbpsym.notation.latex_tokens import Token
-from rbpsym.notation.symbol_table import Reader, begins
+from rbpsym.notation.symbol_table import LatexReader, begins
 
 Limits = tuple[t.Node | str | None, t.Node | None]
 
 
 @begins(r"\frac")
-def _fraction(reader: Reader) -> t.Node:
+def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
     start = reader.take().start
     derivative = _derivative(reader, start)
@@ -23,7 +23,7 @@ def _fraction(reader: Reader) -> t.Node:
     return reader.spanned(t.Div(num, argument(reader)), start)
 
 
-def _derivative(reader: Reader, start: int) -> t.Node | None:
+def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     """A derivative, if the fraction is one; else nothing is passed."""
     if not (reader.sees_sign("{") and reader.sees_differential(1)):
         return None
@@ -39,7 +39,7 @@ def _derivative(reader: Reader, start: int) -> t.Node | None:
 
 
 @begins("d/")
-def slashed_derivative(reader: Reader) -> t.Node | None:
+def slashed_derivative(reader: LatexReader) -> t.Node | None:
     """dω/dt in a line, if it stands here; else nothing is passed."""
     start, token = reader.position, reader.token
     if reader.integrals or not reader.sees_differential():
@@ -54,7 +54,7 @@ def slashed_derivative(reader: Reader) -> t.Node | None:
     return reader.spanned(t.Deriv(of, wrt, 1, partial), token.start)
 
 
-def _order(reader: Reader) -> int:
+def _order(reader: LatexReader) -> int:
     """The order after the d: 1, or what ^ says."""
     if not reader.pass_sign("^"):
         return 1
@@ -65,13 +65,13 @@ def _order(reader: Reader) -> int:
     raise reader.error("the order of a derivative is a number from 1 to 9", "", token)
 
 
-def _whole_name(reader: Reader) -> t.Node:
+def _whole_name(reader: LatexReader) -> t.Node:
     if begins_name(reader.token):
         return read_name(reader)
     raise reader.error(r"a symbol is expected after d", r"Write \frac{d}{dt}(...) instead.")
 
 
-def _below(reader: Reader, order: int) -> str:
+def _below(reader: LatexReader, order: int) -> str:
     """The denominator d t^n. Raises ReadError if it doesn't fit the numerator."""
     opening = reader.token
     reader.expect("{")
@@ -86,7 +86,7 @@ def _below(reader: Reader, order: int) -> str:
     return wrt
 
 
-def _is_time(reader: Reader, *behind: str) -> bool:
+def _is_time(reader: LatexReader, *behind: str) -> bool:
     """Pass a plain t (with one of these behind it); was it there?"""
     found = reader.token.kind == "letter" and reader.token.text == "t"
     found = found and (not behind or reader.ahead().text in behind)
@@ -95,7 +95,7 @@ def _is_time(reader: Reader, *behind: str) -> bool:
 
 
 @begins(r"\int")
-def _integral(reader: Reader) -> t.Node:
+def _integral(reader: LatexReader) -> t.Node:
     """An integral with its differential first or last."""
     start = reader.take()
     limits = _limits(reader)
@@ -115,13 +115,13 @@ def _integral(reader: Reader) -> t.Node:
     return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
 
 
-def _has_integrand(reader: Reader) -> bool:
+def _has_integrand(reader: LatexReader) -> bool:
     """Does anything follow dθ?"""
     ends = ("sign", "row", "end", "begin")
     return reader.token.kind not in ends or reader.sees_sign("(", "[", "{", "|")
 
 
-def _limits(reader: Reader) -> Limits:
+def _limits(reader: LatexReader) -> Limits:
     """(lower limit or the name of a region, upper limit); None for what is absent."""
     found: dict[str, object] = {}
     while reader.sees_sign("_", "^") and reader.token.text not in found:
@@ -130,7 +130,7 @@ def _limits(reader: Reader) -> Limits:
     return found.get("_"), found.get("^")
 
 
-def _region(reader: Reader) -> str | None:
+def _region(reader: LatexReader) -> str | None:
     """The name of a path 𝒞 or of a region; None (and nothing passed) if it is a limit."""
     begin = reader.position
     braces = reader.pass_sign("{")
@@ -141,7 +141,7 @@ def _region(reader: Reader) -> str | None:
     return None
 
 
-def _path_label(reader: Reader) -> str | None:
+def _path_label(reader: LatexReader) -> str | None:
     """𝒞 or 𝒞_i: the path itself, which a path integral does not name otherwise."""
     texts = [reader.ahead(count).text for count in range(4)]
     if texts[0] != r"\mathcal" or "C" not in texts[1:3]:
@@ -152,7 +152,7 @@ def _path_label(reader: Reader) -> str | None:
     return "path"
 
 
-def argument_label(reader: Reader) -> None:
+def argument_label(reader: LatexReader) -> None:
     """Pass the index of a path. Raises ReadError if it is no letter or digit."""
     braces = reader.pass_sign("{")
     if reader.token.kind not in ("letter", "digit"):
@@ -162,7 +162,7 @@ def argument_label(reader: Reader) -> None:
         reader.expect("}")
 
 
-def _region_label(reader: Reader) -> str | None:
+def _region_label(reader: LatexReader) -> str | None:
     """Ω, or the upright name of a body, if it is not a symbol that could be a limit."""
     token = reader.token
     if token.kind == "letter" and token.text == "Ω":
@@ -174,7 +174,7 @@ def _region_label(reader: Reader) -> str | None:
     return None
 
 
-def _differential(reader: Reader) -> t.Node:
+def _differential(reader: LatexReader) -> t.Node:
     """What stands after the d: a symbol, a vector, or a parenthesis; `m` for a mass element."""
     reader.take()
     token = reader.token
@@ -186,12 +186,12 @@ def _differential(reader: Reader) -> t.Node:
     raise reader.error("a symbol is expected after d", "", token)
 
 
-def _mass(reader: Reader) -> t.Node:
+def _mass(reader: LatexReader) -> t.Node:
     token = reader.take()
     return t.Sym("m", span=(token.start, token.end))
 
 
-def _integrated(reader: Reader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
+def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str, path: t.Node, limits: Limits) -> t.Node:
     """The integral that a sign, a differential and limits make."""
     lower, upper = limits
     product = {r"\cdot": "dot", r"\times": "cross", "": "times"}[sign]
@@ -220,7 +220,7 @@ def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.No
 
 
 @begins(r"\sum")
-def _sum(reader: Reader) -> t.Node:
+def _sum(reader: LatexReader) -> t.Node:
     start = reader.take().start
     reader.expect("_")
     braces = reader.pass_sign("{")
@@ -233,7 +233,7 @@ def _sum(reader: Reader) -> t.Node:
 
 
 @begins(r"\lim")
-def _limit(reader: Reader) -> t.Node:
+def _limit(reader: LatexReader) -> t.Node:
     start = reader.take().start
     reader.expect("_")
     opening = reader.token
@@ -247,7 +247,7 @@ def _limit(reader: Reader) -> t.Node:
 
 
 @begins("[")
-def _bracket(reader: Reader) -> t.Node:
+def _bracket(reader: LatexReader) -> t.Node:
     """[f] with limits is taken between them; without, it is a parenthesis."""
     start = reader.token.start
     node = between(reader, "]")
@@ -263,7 +263,7 @@ def _bracket(reader: Reader) -> t.Node:
     return reader.spanned(t.Bracket(node, var, lower, upper), start)
 
 
-def _end(reader: Reader) -> tuple[str | None, t.Node]:
+def _end(reader: LatexReader) -> tuple[str | None, t.Node]:
     """(variable or None, value) of a limit `θ = 0` or `0`."""
     opening = reader.token
     if not reader.pass_sign("{"):
@@ -276,7 +276,7 @@ def _end(reader: Reader) -> tuple[str | None, t.Node]:
 
 
 @begins(r"\left.")
-def _at(reader: Reader) -> t.Node:
+def _at(reader: LatexReader) -> t.Node:
     """\\left. f \\right|_{condition}"""
     start = reader.token.start
     node = between(reader, r"\rvert")

@@ -30,7 +30,7 @@ from rbpsym.notation.latex_grammar import (
 from rbpsym.notation.latex_names import begins_name, read_name
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token
 from rbpsym.notation.limits import MAX_EXPONENT
-from rbpsym.notation.symbol_table import COMMANDS, Reader, begins
+from rbpsym.notation.symbol_table import COMMANDS, LatexReader, begins
 
 SIGNS = {
     "=": "=", "<": "<", ">": ">", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
@@ -38,13 +38,13 @@ SIGNS = {
 }  # fmt: skip
 
 
-def relation(reader: Reader) -> t.Node:
+def relation(reader: LatexReader) -> t.Node:
     """A chain, or an expression alone."""
     start = reader.token.start
     return reader.spanned(chained(reader, [expression(reader)], []), start)
 
 
-def chained(reader: Reader, items: list[t.Node], ops: list[str]) -> t.Node:
+def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
     """The chain that goes on with the signs that follow."""
     while reader.sees_sign(*SIGNS):
         ops.append(SIGNS[reader.take().text])
@@ -58,7 +58,7 @@ _WRITE = r"Say in the symbols what all of it means, or write a product without t
 
 
 @begins("f()")
-def called(reader: Reader) -> t.Node:
+def called(reader: LatexReader) -> t.Node:
     """A name; in x(t) and V(θ, φ) it is a function of these, and stands for its value there."""
     name = read_name(reader)
     if not isinstance(name, (t.Sym, t.Vec)) or not reader.sees_sign("("):
@@ -79,14 +79,14 @@ def called(reader: Reader) -> t.Node:
 _TIME = t.Sym("t")
 
 
-def _varies(reader: Reader, node: t.Node) -> bool | None:
+def _varies(reader: LatexReader, node: t.Node) -> bool | None:
     """Is it no constant? None where nothing is known."""
     if node is _TIME or reader.table.varies is None:
         return True if node is _TIME else None
     return any(reader.table.varies(name) for name in t.names(node) - {"pi"})
 
 
-def _arguments(reader: Reader) -> list[t.Node] | None:
+def _arguments(reader: LatexReader) -> list[t.Node] | None:
     """Names with commas between them, the time, or a number, in parentheses, which are passed; None for anything else."""
     found: list[t.Node] = []
     while reader.pass_sign(*((",",) if found else ("(",))):
@@ -97,7 +97,7 @@ def _arguments(reader: Reader) -> list[t.Node] | None:
     return found if found and reader.pass_sign(")") else None
 
 
-def _applied_to(reader: Reader) -> t.Node | None:
+def _applied_to(reader: LatexReader) -> t.Node | None:
     token, digits = reader.token, ""
     while reader.token.kind == "digit":
         digits += reader.take().text
@@ -112,7 +112,7 @@ def _applied_to(reader: Reader) -> t.Node | None:
         return _TIME if is_time else None
 
 
-def operand(reader: Reader) -> t.Node:
+def operand(reader: LatexReader) -> t.Node:
     r"""What \frac{d}{dt} in front stands for: a factor in parentheses, or the whole product side by side.
 
     Raises ReadError where it matters which of several factors that change is meant.
@@ -139,7 +139,7 @@ _ENDING = (r"\vec", r"\hat", r"\boldsymbol")
 
 
 @begins(*FUNCTIONS)
-def _function(reader: Reader) -> t.Node:
+def _function(reader: LatexReader) -> t.Node:
     token = reader.take()
     name = FUNCTIONS[token.text]
     exponent = None
@@ -154,7 +154,7 @@ def _function(reader: Reader) -> t.Node:
     return reader.power(call, exponent, token.start) if exponent else call
 
 
-def _argument(reader: Reader, head: Token) -> t.Node:
+def _argument(reader: LatexReader, head: Token) -> t.Node:
     """(expression), {expression}, or factors side by side."""
     start = reader.token.start
     if reader.sees_sign(*_CLOSED):
@@ -180,7 +180,7 @@ def _is_number(node: t.Node) -> bool:
     return isinstance(node, t.Num) or node == t.Sym("pi")
 
 
-def _is_simple(reader: Reader) -> bool:
+def _is_simple(reader: LatexReader) -> bool:
     """Does a number, a symbol, a fraction or a root follow, which may be a factor of a bare argument?"""
     token = reader.token
     if token.kind == "digit" or token.text in _ROOTS:
@@ -188,7 +188,7 @@ def _is_simple(reader: Reader) -> bool:
     return begins_name(token) and not reader.sees_differential() and token.text not in _ENDING
 
 
-def _part(reader: Reader, head: Token) -> t.Node:
+def _part(reader: LatexReader, head: Token) -> t.Node:
     node = atom(reader)
     if reader.sees_sign("^"):
         raise reader.error("is the argument or the function raised to this power?",
@@ -196,7 +196,7 @@ def _part(reader: Reader, head: Token) -> t.Node:
     return node
 
 
-def _goes_on(reader: Reader, before: t.Node) -> bool:
+def _goes_on(reader: LatexReader, before: t.Node) -> bool:
     """Does the next factor belong to the argument?"""
     if not (_is_simple(reader) or reader.sees_sign("(", "[", r"\{")) or not begins_factor(reader):
         return False
@@ -206,14 +206,14 @@ def _goes_on(reader: Reader, before: t.Node) -> bool:
     return reader.decide("does this belong to the function's argument?", question, yes=int(_is_apart(reader, before)))
 
 
-def _is_apart(reader: Reader, before: t.Node) -> bool:
+def _is_apart(reader: LatexReader, before: t.Node) -> bool:
     """Would one hardly take what follows for a part of the argument?"""
     gap = reader.source.text[reader.previous_end : reader.token.start]
     apart = isinstance(before, (t.Div, t.Sqrt)) or reader.token.text in _DOTTED
     return apart or reader.sees_sign(*_CLOSED) or bool(SPACING.search(gap))
 
 
-def _divided(reader: Reader, whole: t.Node, start: int) -> t.Node:
+def _divided(reader: LatexReader, whole: t.Node, start: int) -> t.Node:
     """The argument, or its quotient where a slash follows."""
     if not reader.sees_sign("/"):
         return whole
@@ -226,7 +226,7 @@ def _divided(reader: Reader, whole: t.Node, start: int) -> t.Node:
 
 
 @begins(r"\lvert", "|", r"\Vert")
-def _absolute(reader: Reader) -> t.Node:
+def _absolute(reader: LatexReader) -> t.Node:
     start = reader.token
     double = start.text == reader.ahead().text == "|"
     reader.position += double
@@ -237,7 +237,7 @@ def _absolute(reader: Reader) -> t.Node:
 
 
 @begins(r"\sqrt")
-def _root(reader: Reader) -> t.Node:
+def _root(reader: LatexReader) -> t.Node:
     start = reader.take().start
     order = _root_order(reader) if reader.sees_sign("[") else 2
     arg = argument(reader)
@@ -245,7 +245,7 @@ def _root(reader: Reader) -> t.Node:
     return reader.spanned(whole, start)
 
 
-def _root_order(reader: Reader) -> int:
+def _root_order(reader: LatexReader) -> int:
     """n of \\sqrt[n]{x}, from 2 to 64."""
     opening = reader.take()
     node = number(reader) if reader.token.kind == "digit" else None

@@ -11,14 +11,14 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
 from rbpsym.notation.limits import number_of
-from rbpsym.notation.symbol_table import COMMANDS, Reader, begins
+from rbpsym.notation.symbol_table import COMMANDS, LatexReader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
 BELOW = "is this factor above or below the slash?"
 _PLAIN_BARS = frozenset({"|", r"\Vert"})
 
 
-def expression(reader: Reader) -> t.Node:
+def expression(reader: LatexReader) -> t.Node:
     """term + term - term"""
     start = reader.token.start
     with reader.deeper():
@@ -30,7 +30,7 @@ def expression(reader: Reader) -> t.Node:
     return terms[0] if len(terms) == 1 else reader.spanned(t.Add(tuple(terms)), start)
 
 
-def _term(reader: Reader) -> t.Node:
+def _term(reader: LatexReader) -> t.Node:
     start = reader.token.start
     if reader.pass_sign("-"):
         with reader.deeper():
@@ -39,7 +39,7 @@ def _term(reader: Reader) -> t.Node:
     return multiplied(reader)
 
 
-def multiplied(reader: Reader) -> t.Node:
+def multiplied(reader: LatexReader) -> t.Node:
     """Products joined by a dot or cross; between vectors these are Dot and Cross."""
     start = reader.token.start
     node = _product(reader)
@@ -50,7 +50,7 @@ def multiplied(reader: Reader) -> t.Node:
     return node
 
 
-def ends_integrand(reader: Reader) -> bool:
+def ends_integrand(reader: LatexReader) -> bool:
     """Does `\\cdot d\\vec R` follow, which belongs to the integral around?"""
     return bool(reader.integrals) and reader.sees_differential(1)
 
@@ -77,14 +77,14 @@ def is_vector(node: t.Node) -> bool:
     return any(is_vector(part) for part in t.children(node))
 
 
-def _signed_product(reader: Reader) -> t.Node:
+def _signed_product(reader: LatexReader) -> t.Node:
     start = reader.token.start
     if reader.pass_sign("-"):
         return reader.spanned(t.Neg(_product(reader)), start)
     return _product(reader)
 
 
-def _product(reader: Reader) -> t.Node:
+def _product(reader: LatexReader) -> t.Node:
     """Factors side by side, with perhaps a slash."""
     start = reader.token.start
     factors = [factor(reader)]
@@ -98,7 +98,7 @@ def _product(reader: Reader) -> t.Node:
             return _one(reader, factors, start)
 
 
-def goes_on(reader: Reader, sign: str = "") -> bool:
+def goes_on(reader: LatexReader, sign: str = "") -> bool:
     """Does a sum (with this sign) or product go on where rows or gaps may part two relations? The parting is passed then."""
     token, place = reader.token, reader.position
     if token.kind != "row" or token.text != OPEN or (reader.ahead().text == "-") != bool(sign):
@@ -111,13 +111,13 @@ def goes_on(reader: Reader, sign: str = "") -> bool:
     return False
 
 
-def _one(reader: Reader, factors: list[t.Node], start: int) -> t.Node:
+def _one(reader: LatexReader, factors: list[t.Node], start: int) -> t.Node:
     if len(factors) == 1:
         return factors[0]
     return reader.spanned(t.Mul(tuple(factors)), start)
 
 
-def _slash(reader: Reader, num: t.Node, start: int) -> t.Node:
+def _slash(reader: LatexReader, num: t.Node, start: int) -> t.Node:
     """num / den: what stands side by side behind the slash may belong below it."""
     reader.take()
     closed, begin = reader.sees_sign("(", "[", "{", r"\{"), reader.token.start
@@ -130,7 +130,7 @@ def _slash(reader: Reader, num: t.Node, start: int) -> t.Node:
     return reader.spanned(t.Div(num, _one(reader, below, begin)), start)
 
 
-def _is_below(reader: Reader, num: t.Node, below: list[t.Node]) -> bool:
+def _is_below(reader: LatexReader, num: t.Node, below: list[t.Node]) -> bool:
     """Does the next factor stand below the slash? In v²/2g it does, in 1/2 m it hardly does; 1/2π can be either."""
     coefficient = len(below) == 1 and isinstance(below[0], t.Num)
     half = coefficient and number_of(num) is not None
@@ -143,7 +143,7 @@ def _is_below(reader: Reader, num: t.Node, below: list[t.Node]) -> bool:
     return reader.decide(question, hint, no=int(coefficient and close))
 
 
-def begins_factor(reader: Reader) -> bool:
+def begins_factor(reader: LatexReader) -> bool:
     """Does something that can be multiplied follow?"""
     token = reader.token
     if reader.sees_differential():
@@ -154,7 +154,7 @@ def begins_factor(reader: Reader) -> bool:
     return known or token.text in COMMANDS
 
 
-def _sees_derivative(reader: Reader) -> bool:
+def _sees_derivative(reader: LatexReader) -> bool:
     """Does dω/dt in a line follow?"""
     position = reader.position
     try:
@@ -165,13 +165,13 @@ def _sees_derivative(reader: Reader) -> bool:
         reader.position = position
 
 
-def refuse_number(reader: Reader) -> None:
+def refuse_number(reader: LatexReader) -> None:
     """Raise ReadError for 2 3."""
     if reader.token.kind == "digit":
         raise reader.error("a number can't follow here without a sign", r"Write \cdot.")
 
 
-def factor(reader: Reader) -> t.Node:
+def factor(reader: LatexReader) -> t.Node:
     """An atom with its powers."""
     start = reader.token.start
     base = atom(reader)
@@ -183,7 +183,7 @@ def factor(reader: Reader) -> t.Node:
     return base
 
 
-def _exponent(reader: Reader) -> t.Node:
+def _exponent(reader: LatexReader) -> t.Node:
     """What is raised; in a typed x^1/2 it may be one half, since nobody writes a first power."""
     node = argument(reader)
     half = node == t.ONE and reader.sees_sign("/") and reader.ahead().kind == "digit" and reader.table.faults
@@ -193,7 +193,7 @@ def _exponent(reader: Reader) -> t.Node:
     return t.Div(node, number(reader))
 
 
-def atom(reader: Reader) -> t.Node:
+def atom(reader: LatexReader) -> t.Node:
     """A number, a name, or what a command begins."""
     token = reader.token
     if token.kind == "digit":
@@ -210,7 +210,7 @@ def atom(reader: Reader) -> t.Node:
     raise _missing(reader)
 
 
-def _exponential(reader: Reader) -> t.Node | None:
+def _exponential(reader: LatexReader) -> t.Node | None:
     """e^{...} where e is no symbol: an upright e, or an exponent that holds symbols; else nothing is passed."""
     token, begin = reader.token, reader.position
     if token.text != "e" or token.kind not in ("letter", "text") or reader.ahead().text != "^" or reader.table.has_e:
@@ -223,7 +223,7 @@ def _exponential(reader: Reader) -> t.Node | None:
     return None
 
 
-def _missing(reader: Reader) -> RbpsymError:
+def _missing(reader: LatexReader) -> RbpsymError:
     token = reader.token
     if token.kind == "end":
         return reader.error("the formula ends too early", "A number or symbol is missing here.")
@@ -232,7 +232,7 @@ def _missing(reader: Reader) -> RbpsymError:
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
 
 
-def number(reader: Reader) -> t.Node:
+def number(reader: LatexReader) -> t.Node:
     """A number of adjacent digits, with perhaps a decimal mark."""
     start, digits, commas = reader.token.start, "", 0
     while reader.token.kind == "digit" or (reader.sees_sign(".", "{,}") and _in_number(reader)):
@@ -249,11 +249,11 @@ def number(reader: Reader) -> t.Node:
     return reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
 
 
-def _in_number(reader: Reader) -> bool:
+def _in_number(reader: LatexReader) -> bool:
     return reader.ahead().kind == "digit" and reader.ahead().start == reader.token.end
 
 
-def argument(reader: Reader) -> t.Node:
+def argument(reader: LatexReader) -> t.Node:
     """What a command or `^` acts on: a group in braces, one digit, or one symbol."""
     if reader.sees_sign("{"):
         return braced(reader)
@@ -264,22 +264,22 @@ def argument(reader: Reader) -> t.Node:
 
 
 @begins("{")
-def braced(reader: Reader) -> t.Node:
+def braced(reader: LatexReader) -> t.Node:
     """{expression}"""
     return between(reader, "}")
 
 
 @begins("(")
-def _parenthesis(reader: Reader) -> t.Node:
+def _parenthesis(reader: LatexReader) -> t.Node:
     return between(reader, ")")
 
 
 @begins(r"\{")
-def _curly(reader: Reader) -> t.Node:
+def _curly(reader: LatexReader) -> t.Node:
     return between(reader, r"\}")
 
 
-def between(reader: Reader, closing: str) -> t.Node:
+def between(reader: LatexReader, closing: str) -> t.Node:
     """An expression up to the closing sign; what waits outside waits meanwhile."""
     opening = reader.take()
     waiting = reader.integrals, reader.bars

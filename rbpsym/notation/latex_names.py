@@ -9,7 +9,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_tokens import FUNCTION_WORDS, Token, tokenize
 from rbpsym.notation.source import Source
-from rbpsym.notation.symbol_table import COMMANDS, Drawn, Reader, SymbolTable, spelling
+from rbpsym.notation.symbol_table import COMMANDS, Drawn, LatexReader, SymbolTable, spelling
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 _ACCENTS = {r"\hat": "hat", r"\bar": "bar", r"\tilde": "tilde", r"\check": "check"}
@@ -27,7 +27,7 @@ def begins_name(token: Token) -> bool:
     return token.kind in ("letter", "text") or (token.kind == "command" and token.text in _HEADS)
 
 
-def read_name(reader: Reader) -> t.Node:
+def read_name(reader: LatexReader) -> t.Node:
     """A symbol, vector, unit vector or word. Raises ReadError for an unknown name."""
     start = reader.token.start
     spelled = _spelled(reader)
@@ -41,7 +41,7 @@ def read_name(reader: Reader) -> t.Node:
     return _change(reader, drawn, start, first)
 
 
-def read_symbol(reader: Reader) -> str:
+def read_symbol(reader: LatexReader) -> str:
     """The name of a symbol. Raises ReadError if something else stands there."""
     token = reader.token
     braces = reader.pass_sign("{")
@@ -53,7 +53,7 @@ def read_symbol(reader: Reader) -> str:
     raise reader.error("a symbol is expected here", "", token)
 
 
-def _spelled(reader: Reader) -> t.Node | None:
+def _spelled(reader: LatexReader) -> t.Node | None:
     """A name by its spelling: the longest that matches the tokens here."""
     if not reader.table.spellings:
         return None
@@ -67,7 +67,7 @@ def _spelled(reader: Reader) -> t.Node | None:
     return None
 
 
-def _scripted(reader: Reader) -> tuple[Drawn, bool]:
+def _scripted(reader: LatexReader) -> tuple[Drawn, bool]:
     """(a letter with its accents, primes and subscripts; has it a vector arrow?)"""
     drawn, vector = _accented(reader)
     while True:
@@ -84,7 +84,7 @@ def _scripted(reader: Reader) -> tuple[Drawn, bool]:
             return drawn, vector
 
 
-def _accented(reader: Reader) -> tuple[Drawn, bool]:
+def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
     token = reader.take()
     if token.kind in ("letter", "text"):
         return Drawn(token.text), False
@@ -110,7 +110,7 @@ def _with_accent(drawn: Drawn, command: str) -> Drawn:
     )
 
 
-def label_after(reader: Reader) -> str:
+def label_after(reader: LatexReader) -> str:
     """The subscript that follows, as one label."""
     reader.take()
     if not reader.sees_sign("{"):
@@ -128,7 +128,7 @@ def label_after(reader: Reader) -> str:
     return label
 
 
-def _label_part(reader: Reader) -> str:
+def _label_part(reader: LatexReader) -> str:
     """One token of a label. Raises ReadError if it can't be part of one."""
     token = reader.take()
     if token.kind in ("letter", "text", "digit"):
@@ -144,7 +144,7 @@ def _label_part(reader: Reader) -> str:
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
 
 
-def _primes_ahead(reader: Reader) -> int:
+def _primes_ahead(reader: LatexReader) -> int:
     """Pass ^', ^{'} or ^\\prime; the number of primes, 0 if the superscript is something else."""
     tokens = reader.tokens[reader.position + 1 :]
     braces = tokens[0].text == "{"
@@ -157,7 +157,7 @@ def _primes_ahead(reader: Reader) -> int:
     return count
 
 
-def _power_before_subscript(reader: Reader) -> int:
+def _power_before_subscript(reader: LatexReader) -> int:
     """In x^2_1, the position of `_`; 0 if no subscript follows the superscript."""
     position, depth = reader.position + 1, 0
     while position < len(reader.tokens) - 1:
@@ -169,7 +169,7 @@ def _power_before_subscript(reader: Reader) -> int:
     return position if reader.tokens[position].text == "_" else 0
 
 
-def _label_behind(reader: Reader, end: int) -> str:
+def _label_behind(reader: LatexReader, end: int) -> str:
     """Read the subscript at `end` and take it out, so that the power comes next."""
     begin = reader.position
     reader.position = end
@@ -180,7 +180,7 @@ def _label_behind(reader: Reader, end: int) -> str:
     return label
 
 
-def _change(reader: Reader, drawn: Drawn, start: int, first: int) -> t.Node:
+def _change(reader: LatexReader, drawn: Drawn, start: int, first: int) -> t.Node:
     """A Δ: alone a name, or part of one (Delta_x), or the change of what follows."""
     if drawn in reader.table.names:
         return reader.spanned(_known(reader, drawn, False, None, first), start)
@@ -196,7 +196,7 @@ def _change(reader: Reader, drawn: Drawn, start: int, first: int) -> t.Node:
     return reader.spanned(t.Delta(_changed(reader)), start)
 
 
-def _changed(reader: Reader) -> t.Node:
+def _changed(reader: LatexReader) -> t.Node:
     """What stands after Δ: a name, or something in delimiters."""
     if begins_name(reader.token):
         return read_name(reader)
@@ -205,7 +205,7 @@ def _changed(reader: Reader) -> t.Node:
     raise reader.error("a symbol or a parenthesis is expected after Δ")
 
 
-def _known(reader: Reader, drawn: Drawn, vector: bool, word: Token | None, first: int) -> t.Node:
+def _known(reader: LatexReader, drawn: Drawn, vector: bool, word: Token | None, first: int) -> t.Node:
     names = reader.table.names.get(drawn, ())
     if len(names) == 1:
         return (t.Vec if vector else t.Sym)(names[0])
@@ -222,7 +222,7 @@ def _known(reader: Reader, drawn: Drawn, vector: bool, word: Token | None, first
 _UNIT_DRAWN = frozenset(Drawn(base) for base in _UNITS)
 
 
-def _unknown(reader: Reader, drawn: Drawn, first: int) -> RbpsymError:
+def _unknown(reader: LatexReader, drawn: Drawn, first: int) -> RbpsymError:
     begin = reader.tokens[first]
     text = reader.source.text[begin.start : reader.previous_end]
     known = {_shown(key): names[0] for key, names in reader.table.names.items()}
@@ -241,7 +241,7 @@ def _shown(drawn: Drawn) -> str:
 def drawn_name(text: str) -> tuple[Drawn, bool] | None:
     """(what a reader sees of a printed name such as `\\vec{R}_{cm}`; has it an arrow?), None if it is no name."""
     source = Source(text)
-    reader = Reader(source, tokenize(source), table=SymbolTable({}))
+    reader = LatexReader(source, tokenize(source), table=SymbolTable({}))
     if not begins_name(reader.token):
         return None
     try:

@@ -21,10 +21,10 @@ from rbpsym.notation.latex_grammar import BELOW
 from rbpsym.notation.latex_rows import GAP, laid_out
 from rbpsym.notation.latex_tokens import CONDITION, Token, tokenize
 from rbpsym.notation.source import Source
-from rbpsym.notation.symbol_table import Question, Reader, SymbolTable, equally, symbol_table
+from rbpsym.notation.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 
 MOST_READINGS, MOST_TOKENS = 128, 12_000  # readings, and tokens read in all of them
-Read = Callable[[Reader], t.Node]
+Read = Callable[[LatexReader], t.Node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ def _tree(reading: Reading) -> t.Node:
 def _reading(
     source: Source, tokens: tuple[Token, ...], table: SymbolTable, read: Read, script: tuple[bool, ...]
 ) -> Reading:
-    reader = Reader(source, tokens, table=table, script=script)
+    reader = LatexReader(source, tokens, table=table, script=script)
     try:
         node, error = read(reader), None
     except RbpsymError as found:
@@ -167,7 +167,7 @@ def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
 
 
-def _rows(reader: Reader) -> t.Node:
+def _rows(reader: LatexReader) -> t.Node:
     """One formula, or several relations, perhaps with the conditions under which they hold."""
     rows, conditions = [relation(reader)], []
     while reader.token.kind == "row":

@@ -119,7 +119,7 @@ Question = tuple[str, str, Token]  # what is asked, what to write instead, at wh
 
 
 @dataclass(slots=True)
-class Reader(Cursor[Token]):
+class LatexReader(Cursor[Token]):
     """A cursor with the symbols; `integrals` counts the integrals that wait for their dx.
 
     `bars` tells if a plain | would close. `script` says what to choose at the places that can be read in
@@ -170,7 +170,7 @@ class Reader(Cursor[Token]):
         raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected")
 
 
-Read = Callable[[Reader], t.Node]
+Read = Callable[[LatexReader], t.Node]
 COMMANDS: dict[str, Read] = {}
 
 

@@ -16,7 +16,7 @@ from rbpsym.document.files import write_whole
 from rbpsym.teaching.executor import Crew, Journal, run
 from rbpsym.teaching.formats import Options, exporter
 from rbpsym.teaching.model import Student, Worksheet
-from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.plan import WorksheetPlan, plan_of
 
 JOURNAL = ".worksheets.journal"
 PART = 16  # papers that one process makes before it tells
@@ -40,13 +40,13 @@ class Order:
     engine: str = "typst"
     fingerprint: str = ""
 
-    def options(self, plan: Plan) -> Options:
+    def options(self, plan: WorksheetPlan) -> Options:
         """What exporters are told: with solutions go keys."""
         return Options(self.key or self.solution, self.engine, self.solution, plan.derivations)
 
 
 @dataclass(frozen=True, slots=True)
-class Paper:
+class StudentPaper:
     """A student of an order."""
 
     order: Order
@@ -54,7 +54,7 @@ class Paper:
 
 
 @lru_cache(maxsize=4)
-def known_plan(source: str) -> Plan:
+def known_plan(source: str) -> WorksheetPlan:
     """The plan of a source, made once in each process; it is not searched for garbage again and again."""
     found = plan_of(source)
     gc.collect()
@@ -74,7 +74,7 @@ def papers(
     journal = Journal(path, _about(order, plan, students))
     if who.address:
         order = replace(order, source=findable(order.source), fingerprint=plan.fingerprint)
-    jobs = [Paper(order, student) for student in students]
+    jobs = [StudentPaper(order, student) for student in students]
     if who.address:
         found = run(send_papers, jobs, who, journal, told, PART, lambda text: _taken(text, order.folder))
     else:
@@ -89,28 +89,28 @@ def findable(source: str) -> str:
     return str(path.resolve()) if path.is_file() else source
 
 
-def _about(order: Order, plan: Plan, students: Sequence[Student | None]) -> str:
+def _about(order: Order, plan: WorksheetPlan, students: Sequence[Student | None]) -> str:
     """What a journal belongs to: the same order of the same text for the same students."""
     return sha256(repr((order, plan.fingerprint, students)).encode()).hexdigest()
 
 
-def write_papers(jobs: tuple[Paper, ...]) -> list[str]:
+def write_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
     """The work of one process: each paper written whole; the paths as JSON."""
     return [json.dumps(_written(job)) for job in jobs]
 
 
-def _written(job: Paper) -> list[str]:
+def _written(job: StudentPaper) -> list[str]:
     plan = known_plan(job.order.source)
     return written(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
 
 
-def send_papers(jobs: tuple[Paper, ...]) -> list[str]:
+def send_papers(jobs: tuple[StudentPaper, ...]) -> list[str]:
     """The work of a worker elsewhere: the files of each paper, by name, as JSON."""
     with TURN:
         return [json.dumps({name: b64encode(data).decode() for name, data in _files_of(job).items()}) for job in jobs]
 
 
-def _files_of(job: Paper) -> dict[str, bytes]:
+def _files_of(job: StudentPaper) -> dict[str, bytes]:
     plan = known_plan(job.order.source)
     plan.require(job.order.fingerprint, job.order.source)
     found = files_of(plan.worksheet(job.student, job.order.secret, job.order.language), plan, job.order)
@@ -123,13 +123,13 @@ def _taken(text: str, folder: str) -> str:
     return json.dumps([str(write_whole(Path(folder) / name, b64decode(data))) for name, data in files.items()])
 
 
-def written(worksheet: Worksheet, plan: Plan, order: Order) -> list[str]:
+def written(worksheet: Worksheet, plan: WorksheetPlan, order: Order) -> list[str]:
     """One worksheet in the formats of an order; the paths of its files. All are made before the first is written."""
     files = files_of(worksheet, plan, order)
     return [str(write_whole(Path(order.folder) / name, content)) for name, content in files.items()]
 
 
-def files_of(worksheet: Worksheet, plan: Plan, order: Order) -> dict[str, str | bytes]:
+def files_of(worksheet: Worksheet, plan: WorksheetPlan, order: Order) -> dict[str, str | bytes]:
     """The files of one worksheet by name."""
     files: dict[str, str | bytes] = {}
     for name in order.formats:

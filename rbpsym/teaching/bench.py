@@ -25,7 +25,7 @@ from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.model import Asked, Item, Measure
-from rbpsym.teaching.ranges import Range, default_ranges, middles
+from rbpsym.teaching.ranges import NumberRange, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.spoilers import Content, claims
 from rbpsym.teaching.targets import Target
@@ -43,7 +43,7 @@ class Bench:
     derivation: Derivation
     targets: Mapping[str, Target]
     pool: Pool
-    wishes: Mapping[str, Range] = field(default_factory=dict)
+    wishes: Mapping[str, NumberRange] = field(default_factory=dict)
     memo: dict[Hashable, object] = field(default_factory=dict, compare=False, repr=False)
 
     def once(self, key: Hashable, make: Callable[[], T]) -> T:

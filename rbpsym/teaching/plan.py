@@ -28,7 +28,7 @@ from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
 from rbpsym.teaching.papers.statement import given_table, statement_blocks
-from rbpsym.teaching.ranges import Range
+from rbpsym.teaching.ranges import NumberRange
 from rbpsym.teaching.sheet import Sheet, SheetPart, is_sheet, sheet_of
 from rbpsym.teaching.situations import Scenery, Situation, scenery
 from rbpsym.teaching.standard_sheet import bare_sheet, standard_sheet
@@ -67,7 +67,7 @@ class PlannedPart:
 
 
 @dataclass(frozen=True)
-class Plan:
+class WorksheetPlan:
     """A worksheet with everything worked out that does not depend on the student."""
 
     sheet: Sheet
@@ -175,7 +175,7 @@ def _place(part: PlannedPart, wish: int, task: int) -> int:
 # --- making a plan
 
 
-def plan_of(source: str | Path | Problem | Sheet) -> Plan:
+def plan_of(source: str | Path | Problem | Sheet) -> WorksheetPlan:
     """The plan of a worksheet or of a problem: a name that ships, a file, a `Problem` or a `Sheet`.
 
     Raises RbpsymError with the place of what is wrong.
@@ -190,7 +190,7 @@ def plan_of(source: str | Path | Problem | Sheet) -> Plan:
             sheet = standard_sheet(bench, sight)
             part = sheet.parts[0]
         parts.append(_planned(bench, sight, part))
-    return Plan(sheet, tuple(parts))
+    return WorksheetPlan(sheet, tuple(parts))
 
 
 def _check_numbers(sight: Scenery, part: SheetPart) -> None:
@@ -226,7 +226,7 @@ def _found(name: str) -> Path:
         raise not_found(name, [*worksheet_files(), *problem_files()], "worksheet, no problem") from None
 
 
-def bench_of(problem: Problem, numbers: Mapping[str, Range] | None = None) -> Bench:
+def bench_of(problem: Problem, numbers: Mapping[str, NumberRange] | None = None) -> Bench:
     """A problem derived, with its targets and its wrong studies."""
     from rbpsym.derive import derive
 

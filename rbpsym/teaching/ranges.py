@@ -29,7 +29,7 @@ LESS, MORE = Fraction(7, 10), Fraction(14, 10)  # how far from the example
 
 
 @dataclass(frozen=True, slots=True)
-class Range:
+class NumberRange:
     """The numbers low, low + step, ... up to high, in `unit`, printed with so many figures."""
 
     low: Fraction
@@ -71,7 +71,7 @@ def figures(value: Fraction) -> int:
     return next((digits for digits in range(1, 20) if in_figures(value, digits) == value), 20)
 
 
-def middles(ranges: Mapping[str, Range]) -> dict[str, float]:
+def middles(ranges: Mapping[str, NumberRange]) -> dict[str, float]:
     """The middle of each range, in SI units."""
     return {name: float(r.low + r.high) / 2 * scale_of(r.unit) for name, r in ranges.items()}
 
@@ -81,7 +81,7 @@ def named_quantities(problem: Problem) -> Mapping[str, Dimension]:
     return {q.name: q.dimension for q in problem.parameters}
 
 
-def default_ranges(problem: Problem) -> dict[str, Range]:
+def default_ranges(problem: Problem) -> dict[str, NumberRange]:
     """A range for each constant of a problem, around its example."""
     generic = sample(problem)
     starts = {c.start.name for c in problem.coordinates if isinstance(c.start, t.Sym)}
@@ -91,14 +91,14 @@ def default_ranges(problem: Problem) -> dict[str, Range]:
     }
 
 
-def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], is_start: bool) -> Range:
+def _around(name: str, dimension: Dimension, problem: Problem, generic: Mapping[str, float], is_start: bool) -> NumberRange:
     text = str(problem.example.get(name, ""))
     if text:
         measure = read_measure(text, dimension, f"the example of “{name}”")
     else:
         measure = _generic(generic.get(name, 1.0), dimension, is_start)
     if dimension == ACCELERATION or not measure.value:
-        return Range(measure.value, measure.value, Fraction(0), measure.unit)
+        return NumberRange(measure.value, measure.value, Fraction(0), measure.unit)
     return spread(measure)
 
 
@@ -108,7 +108,7 @@ def _generic(value: float, dimension: Dimension, is_start: bool) -> Measure:
     return Measure(Fraction(Decimal(f"{value:.2g}")), unit_of(dimension))
 
 
-def spread(measure: Measure) -> Range:
+def spread(measure: Measure) -> NumberRange:
     """From 0.7 to 1.4 times a value, in steps that leave three figures; angles in whole degrees.
 
     A pure number below 1 stays below 1.
@@ -120,14 +120,14 @@ def spread(measure: Measure) -> Range:
     low, high = (Fraction(round(end / step)) * step for end in ends)
     if not measure.unit and 0 < measure.value < 1:
         high = min(high, Fraction(19, 20))  # coefficients of friction and restitution
-    return Range(low, high, step, measure.unit)
+    return NumberRange(low, high, step, measure.unit)
 
 
-def _angles(measure: Measure) -> Range:
+def _angles(measure: Measure) -> NumberRange:
     low, high = sorted((round(measure.value * LESS), round(measure.value * MORE)))
     if 0 < measure.value < 90:
         low, high = max(low, 2), min(high, 85)
-    return Range(Fraction(low), Fraction(high), Fraction(1), measure.unit)
+    return NumberRange(Fraction(low), Fraction(high), Fraction(1), measure.unit)
 
 
 def step_near(value: Fraction) -> Fraction:
@@ -168,7 +168,7 @@ class Named:
     upper: float = math.inf
 
 
-def numbers_in(table: Table, problem: Problem) -> Iterator[tuple[str, Range]]:
+def numbers_in(table: Table, problem: Problem) -> Iterator[tuple[str, NumberRange]]:
     """(name, range) for each entry of [problem.numbers]. Raises StatementError with its place."""
     known = {named.name: named for named in _known(problem)}
     table.check_keys(known, f"the numbers of “{problem.name}”")
@@ -196,12 +196,12 @@ def _bounds(quantity) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _range(table: Table, named: Named) -> Range:
+def _range(table: Table, named: Named) -> NumberRange:
     """A fixed number "60 deg", or { from, to, step, digits }."""
     value, name = table.data[named.name], named.name
     if isinstance(value, str):
         measure = _measure(table.item(name), named, f"“{name}”")
-        return Range(measure.value, measure.value, Fraction(0), measure.unit, max(DIGITS, figures(measure.value)))
+        return NumberRange(measure.value, measure.value, Fraction(0), measure.unit, max(DIGITS, figures(measure.value)))
     if not isinstance(value, Mapping):
         raise table.value_error(
             name, f"“{name}” must be a number with its unit or a range, not {kind_of(value)}", _example(named)
@@ -212,7 +212,7 @@ def _range(table: Table, named: Named) -> Range:
         row.require(key, f"the range of “{name}”")
     low, high = (_measure(row.item(key), named, f"“{key}”") for key in ("from", "to"))
     step = _told(row.item("step"), lambda: read_measure(row.string("step"), named.dimension, "“step”"))
-    found = Range(low.value, high.value, step.value, low.unit, row.whole("digits", DIGITS, 1, MOST_DIGITS))
+    found = NumberRange(low.value, high.value, step.value, low.unit, row.whole("digits", DIGITS, 1, MOST_DIGITS))
     _check_range(row, found, {low.unit, high.unit, step.unit})
     return found
 
@@ -256,7 +256,7 @@ def _between(named: Named, unit: str) -> str:
     return f"it goes {' '.join(told)}"
 
 
-def _check_range(row: Table, found: Range, units: set[str]) -> None:
+def _check_range(row: Table, found: NumberRange, units: set[str]) -> None:
     if len(units) > 1:
         raise row.value_error("step", "“from”, “to” and “step” must be in the same unit", f"write all in {found.unit}")
     if found.step <= 0:

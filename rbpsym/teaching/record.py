@@ -13,7 +13,7 @@ from pathlib import Path
 from rbpsym.document.files import write_whole
 from rbpsym.errors import Place, RbpsymError
 from rbpsym.teaching.model import Student, Worksheet
-from rbpsym.teaching.plan import Plan
+from rbpsym.teaching.plan import WorksheetPlan
 
 SUFFIX = ".papers.json"
 FRAME = {"worksheet": str, "version": str, "fingerprint": str, "papers": dict}
@@ -36,7 +36,7 @@ def _order(key: object) -> list[object]:
     return [*pieces, *options, getattr(key, "right", None), getattr(key, "wrong", None)]
 
 
-def remember(folder: Path, plan: Plan, secret: str, language: str, people: Iterable[Student | None]) -> None:
+def remember(folder: Path, plan: WorksheetPlan, secret: str, language: str, people: Iterable[Student | None]) -> None:
     """Write down what papers were made in a folder, beside those that were made there before."""
     from rbpsym import __version__
 
@@ -69,7 +69,7 @@ def record_of(name: str, folders: Iterable[Path]) -> Path | None:
     return None
 
 
-def check(path: Path, plan: Plan, secret: str, language: str, students: Iterable[str]) -> str:
+def check(path: Path, plan: WorksheetPlan, secret: str, language: str, students: Iterable[str]) -> str:
     """A sentence if there is something to say. Raises RbpsymError if the papers that are made now are others."""
     from rbpsym import __version__
 

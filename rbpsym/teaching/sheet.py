@@ -16,7 +16,7 @@ from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
 from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
-from rbpsym.teaching.ranges import Range, numbers_in
+from rbpsym.teaching.ranges import NumberRange, numbers_in
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import languages
@@ -34,7 +34,7 @@ class SheetPart:
     """One [[problem]] of a worksheet: the problem, the wishes for its numbers, and its tasks."""
 
     problem: Problem
-    numbers: Mapping[str, Range]
+    numbers: Mapping[str, NumberRange]
     wishes: tuple[Wish, ...]
     at: Item | None = field(default=None, compare=False, repr=False)
 

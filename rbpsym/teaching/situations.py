@@ -23,7 +23,7 @@ from rbpsym.statement.model import Coordinate
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.model import Measure
-from rbpsym.teaching.ranges import Range, default_ranges, middles, named_quantities, step_near
+from rbpsym.teaching.ranges import NumberRange, default_ranges, middles, named_quantities, step_near
 from rbpsym.teaching.units import si
 
 MOST_DRAWS = 600
@@ -61,9 +61,9 @@ class Scenery:
     """
 
     study: Study
-    ranges: Mapping[str, Range]
+    ranges: Mapping[str, NumberRange]
     coordinate: str | None
-    wished: Range | None
+    wished: NumberRange | None
     still: tuple[tuple[str, Scalar], ...]
     along: tuple[tuple[str, Scalar], ...]
     evaluate_still: Callable = field(compare=False, repr=False)
@@ -150,7 +150,7 @@ REASONS: Mapping[str, str] = {
 }
 
 
-def scenery(study: Study, wishes: Mapping[str, Range], is_timed: bool) -> Scenery:
+def scenery(study: Study, wishes: Mapping[str, NumberRange], is_timed: bool) -> Scenery:
     """The scenery of a problem; `wishes` are ranges by name; `is_timed`: an oscillation is to be measured."""
     names = named_quantities(study.problem)
     ranges = {**default_ranges(study.problem), **{n: r for n, r in wishes.items() if n in names}}
@@ -160,7 +160,7 @@ def scenery(study: Study, wishes: Mapping[str, Range], is_timed: bool) -> Scener
     return _scenery(study, ranges, coordinate, wishes.get(coordinate or ""), is_timed)
 
 
-def _gets_anywhere(study: Study, ranges: Mapping[str, Range], coordinate: str) -> bool:
+def _gets_anywhere(study: Study, ranges: Mapping[str, NumberRange], coordinate: str) -> bool:
     """Whether it leaves its start at all in some of the drawn situations."""
     trial, draws = _scenery(study, ranges, coordinate, None, False), Draws(b"trial", study.problem.name)
     for _ in range(TRIALS):
@@ -171,7 +171,7 @@ def _gets_anywhere(study: Study, ranges: Mapping[str, Range], coordinate: str) -
 
 
 def _scenery(
-    study: Study, ranges: Mapping[str, Range], coordinate: str | None, wished: Range | None, is_timed: bool
+    study: Study, ranges: Mapping[str, NumberRange], coordinate: str | None, wished: NumberRange | None, is_timed: bool
 ) -> Scenery:
     sizes = (*_sound(study), *_ordered(study, ranges))
     still = (*_held_in_the_middle(sizes, ranges), *(_measurable(study, ranges) if is_timed else ()))
@@ -204,7 +204,7 @@ def names_in(value: Scalar) -> set[str]:
     return calculus.names_in(value) - {"pi"}
 
 
-def _held_in_the_middle(conditions, ranges: Mapping[str, Range]) -> list[tuple[str, Scalar]]:
+def _held_in_the_middle(conditions, ranges: Mapping[str, NumberRange]) -> list[tuple[str, Scalar]]:
     """Those that the middle of the ranges keeps; another (a pulley without mass) is what the author wants."""
     values = compiled([value for _, value in conditions])(middles(ranges))
     return [condition for condition, value in zip(conditions, values, strict=True) if value > SMALLEST]
@@ -217,7 +217,7 @@ def _sound(study: Study) -> Iterator[tuple[str, Scalar]]:
                 yield "mass", value
 
 
-def _ordered(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, Scalar]]:
+def _ordered(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:
     """Lengths keep the order that they have in the example (a hole stays smaller than its disk)."""
     from rbpsym.algebra.scalar import symbol
 
@@ -229,7 +229,7 @@ def _ordered(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, S
                 yield "order", symbol(second) - symbol(first)
 
 
-def _measurable(study: Study, ranges: Mapping[str, Range]) -> Iterator[tuple[str, Scalar]]:
+def _measurable(study: Study, ranges: Mapping[str, NumberRange]) -> Iterator[tuple[str, Scalar]]:
     """4π²·f² within the bounds, if the middle of the ranges lies there (else what the author wants is followed)."""
     known = set(named_quantities(study.problem))
     middle = middles(ranges)

@@ -120,7 +120,7 @@ _ITEM = re.compile(r"(?:q|question|item|task|pregunta|p)?[\s_.:-]*(\d+(?:\.\d+)?
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class AnswerRow:
     """The answers of one student by item; `line` of the file, `name` that of the class list, points `decided` by the teacher."""
 
     student: str
@@ -135,7 +135,7 @@ class Row:
 class AnswerTable:
     """All rows, in the order of the file, and the columns that were passed over."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[AnswerRow, ...]
     passed_over: tuple[str, ...] = ()
 
 
@@ -178,18 +178,18 @@ def _from_wide(
     columns: Mapping[int, str],
     decided: Mapping[int, str],
     file: str,
-) -> tuple[Row, ...]:
+) -> tuple[AnswerRow, ...]:
     rows = []
     for line, cells in lines:
         answers = {item: _cell(cells, place) for place, item in columns.items()}
         points = {item: told for place, item in decided.items() if (told := _cell(cells, place).strip())}
-        rows.append(Row(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line, decided=points))
+        rows.append(AnswerRow(_cell(cells, who).strip(), _cell(cells, code).strip(), answers, line, decided=points))
     return _unique(rows, file)
 
 
 def _from_long(
     lines: Iterator[tuple[int, list[str]]], who: int | None, code: int | None, item: int, answer: int, file: str
-) -> tuple[Row, ...]:
+) -> tuple[AnswerRow, ...]:
     held: dict[tuple[str, str], dict[str, str]] = {}
     first: dict[tuple[str, str], int] = {}
     for line, cells in lines:
@@ -204,10 +204,10 @@ def _from_long(
             raise ReadError(f"item {found[1]} of “{key[0] or key[1]}” is answered twice", place=Place(file, line))
         answers[found[1]] = _cell(cells, answer)
         first.setdefault(key, line)
-    return _unique([Row(*key, answers, first[key]) for key, answers in held.items()], file)
+    return _unique([AnswerRow(*key, answers, first[key]) for key, answers in held.items()], file)
 
 
-def _unique(rows: list[Row], file: str) -> tuple[Row, ...]:
+def _unique(rows: list[AnswerRow], file: str) -> tuple[AnswerRow, ...]:
     """The rows, if each says who it is of, and no student comes twice. Raises ReadError."""
     seen: dict[str, int] = {}
     for row in rows:

@@ -29,7 +29,7 @@ from rbpsym.quantities import DIMENSIONS, NUMBER, TIME, Dimension
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class RootReading:
     """The number that is asked for, where it is not the value itself: v from v², T from ϑ²."""
 
     left: t.Node
@@ -56,7 +56,7 @@ class Target:
     step: str = ""
     slots: Mapping[str, Any] = field(default_factory=dict)
     unit_name: str = ""
-    reading: Reading | None = None
+    reading: RootReading | None = None
 
     @property
     def kind(self) -> str:
@@ -139,7 +139,7 @@ def _speeds(derivation: Derivation) -> Iterator[Target]:
             rate**2,
             f"square.{name}",
             {"coordinate": t.Sym(name), "speed": speed},
-            reading=Reading(t.Abs(speed), t.Sqrt, math.sqrt, rate),
+            reading=RootReading(t.Abs(speed), t.Sqrt, math.sqrt, rate),
         )
 
 
@@ -271,7 +271,7 @@ def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str
 
 
 _TURN = t.Mul((t.TWO, t.Sym("pi")))
-_PERIOD = Reading(
+_PERIOD = RootReading(
     t.Sym("T"), lambda node: t.Div(_TURN, t.Sqrt(node)), lambda square: math.tau / math.sqrt(square), TIME
 )
 

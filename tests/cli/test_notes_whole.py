@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 from rbpsym.cli import main
 from rbpsym.commands import watching
-from rbpsym.commands.watching import Kept
+from rbpsym.commands.watching import KeptDerivations
 from rbpsym.courses import derive_course, sources
 from rbpsym.document.book import Chapter, around, book, index_page, occurring, page, problem_card
 from rbpsym.document.model import Display, Ref
@@ -40,7 +40,7 @@ def edit(file: Path, old: str, new: str) -> None:
 
 
 def test_an_edit_of_words_derives_nothing_anew(file: Path) -> None:
-    kept = Kept(False)
+    kept = KeptDerivations(False)
     before = kept.derivation(file)
     edit(file, "mass of the ladder", "how heavy it is")
     after = kept.derivation(file)
@@ -52,7 +52,7 @@ def test_an_edit_of_words_derives_nothing_anew(file: Path) -> None:
 
 
 def test_an_edit_of_the_mechanics_derives_anew(file: Path) -> None:
-    kept = Kept(False)
+    kept = KeptDerivations(False)
     before = kept.derivation(file)
     edit(file, 'speed   = "0"', 'speed   = "-omega_0"')
     edit(file, "[parameters]", '[parameters]\nomega_0 = "angular speed: at the start"')
@@ -61,7 +61,7 @@ def test_an_edit_of_the_mechanics_derives_anew(file: Path) -> None:
 
 
 def test_an_edit_of_the_notation_restyles_the_kept_steps(file: Path) -> None:
-    kept = Kept(False)
+    kept = KeptDerivations(False)
     before = kept.derivation(file)
     edit(file, 'theta_dot  = "omega"', 'theta_dot  = "Omega"')
     after = kept.derivation(file)
@@ -70,7 +70,7 @@ def test_an_edit_of_the_notation_restyles_the_kept_steps(file: Path) -> None:
 
 
 def test_a_course_derives_only_the_problem_that_changed() -> None:
-    course, kept = load_course(course_files()["paper"]), Kept(False)
+    course, kept = load_course(course_files()["paper"]), KeptDerivations(False)
     first = derive_course(course, derived=kept.derivation)
     again = derive_course(course, derived=kept.derivation)
     assert all(again.derivations[name].steps is found.steps for name, found in first.derivations.items())
@@ -82,7 +82,7 @@ def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsy
     edits = iter(
         [("half the length", "half of it"), ("[parameters]", "[parametres]"), ("[parametres]", "[parameters]")]
     )
-    kept, written = Kept(False), []
+    kept, written = KeptDerivations(False), []
 
     def write() -> list[Path]:
         written.append(writer("html")(notes(kept.derivation(file))))
@@ -103,7 +103,7 @@ def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsy
 
 
 def test_a_small_edit_is_written_in_well_under_a_second(file: Path) -> None:
-    kept = Kept(False)
+    kept = KeptDerivations(False)
     for ending in ("html", "pdf"):
         writer(ending)(notes(kept.derivation(file)))
     edit(file, "mass of the ladder", "how heavy it is")
@@ -127,7 +127,7 @@ def test_notes_needs_a_name_or_all() -> None:
 
 @cache
 def chapters() -> tuple[Chapter, ...]:
-    kept = Kept(False)
+    kept = KeptDerivations(False)
     topics = ("ladders", "pendulums", "")
     return tuple(Chapter(n, t, kept.derivation(find_problem(n))) for n, t in zip(NAMES, topics, strict=True))
 
@@ -214,4 +214,4 @@ def test_a_problem_that_cannot_be_derived_is_told_and_left_out(tmp_path: Path, m
 
 def test_errors_are_sentences() -> None:
     with pytest.raises(RbpsymError):
-        Kept(False).derivation(Path("nowhere.toml"))
+        KeptDerivations(False).derivation(Path("nowhere.toml"))

@@ -11,7 +11,7 @@ import pytest
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Label, Line
 from rbpsym.document.notes import notation_of
-from rbpsym.document.plots.motion import Motion, motion
+from rbpsym.document.plots.motion import PlottedMotion, motion
 from rbpsym.document.plots.panel import Panel, scene
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
 from rbpsym.statement.library import problem_files
@@ -24,7 +24,7 @@ by_name = pytest.mark.parametrize("name", MOVING)
 
 
 @cache
-def drawn(name: str) -> tuple[Motion, tuple[tuple[Panel, ...], ...]]:
+def drawn(name: str) -> tuple[PlottedMotion, tuple[tuple[Panel, ...], ...]]:
     moving = motion(derived(name))
     return moving, tuple(tuple(make(moving)) for make in MAKERS)
 

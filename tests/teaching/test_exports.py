@@ -423,10 +423,10 @@ def test_references_are_resolved_or_told() -> None:
     from dataclasses import replace
 
     from rbpsym.document.model import Paragraph, Ref, Text
-    from rbpsym.teaching.exports.bench import Desk
+    from rbpsym.teaching.exports.bench import ExportDesk
 
     figure = replace(SHEETS[0].parts[0].statement[1], label="fig")
-    text = Desk(SHEETS[0]).html(
+    text = ExportDesk(SHEETS[0]).html(
         (Paragraph((Text("See Figure "), Ref("fig"), Text(" and "), Ref("step.7"))), figure)
     )
     assert "See Figure 1 and a step of the derivation" in text and "Figure 1. " in text

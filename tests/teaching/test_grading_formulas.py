@@ -14,14 +14,14 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.grading.answer import grade_answer
 from rbpsym.teaching.grading.formula import Sought, judge_formula
-from rbpsym.teaching.grading.ground import Ground, bare_ground, ground_of
+from rbpsym.teaching.grading.ground import GradingGround, bare_ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Status
 from rbpsym.teaching.model import Anticipated, Slip
 from tests.teaching.made_answers import SIGNS, made_answers
 from tests.teaching.typed_answers import Row, rows
 
 ROWS = rows()
-_grounds: dict[tuple, Ground] = {}
+_grounds: dict[tuple, GradingGround] = {}
 
 
 def judged(row: Row) -> Judgement:
@@ -63,7 +63,7 @@ def test_made_answers() -> None:
 
 
 @cache
-def ground(name: str) -> Ground:
+def ground(name: str) -> GradingGround:
     return ground_of(Study(load_problem(find_problem(name))))
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from rbpsym.teaching.grading.answer import grade_answer, grade_number
-from rbpsym.teaching.grading.ground import Ground, bare_ground
+from rbpsym.teaching.grading.ground import GradingGround, bare_ground
 from rbpsym.teaching.grading.judgement import Judgement, Status
 from tests.teaching.typed_answers import Row, rows
 
@@ -18,7 +18,7 @@ ROWS = rows("holdout.txt")
 
 
 @cache
-def ground(symbols: tuple[tuple[str, str], ...]) -> Ground:
+def ground(symbols: tuple[tuple[str, str], ...]) -> GradingGround:
     return bare_ground(dict(symbols))
 
 

@@ -16,7 +16,7 @@ from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
 from rbpsym.teaching.lines import gaps, is_negated
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
-from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.plan import WorksheetPlan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.slip import SHORT, SPLITS, brief
@@ -27,7 +27,7 @@ STUDENTS = [Student(f"s{k}") for k in range(8)]
 
 
 @cache
-def plan(name: str) -> Plan:
+def plan(name: str) -> WorksheetPlan:
     return plan_of(name)
 
 

@@ -13,11 +13,11 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.grading.answer import grade_answer
 from rbpsym.teaching.grading.formula import Sought, judge_formula
-from rbpsym.teaching.grading.ground import Ground, ground_of
+from rbpsym.teaching.grading.ground import GradingGround, ground_of
 
 
 @cache
-def rod() -> Ground:
+def rod() -> GradingGround:
     return ground_of(Study(load_problem(find_problem("rod-pendulum"))))
 
 

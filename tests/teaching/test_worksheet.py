@@ -25,7 +25,7 @@ from rbpsym.teaching.papers.latex_paper import write_paper as latex_paper
 from rbpsym.teaching.papers.layout import key_document, paper_document, solution_document
 from rbpsym.teaching.papers.naming import file_stem, own, safe
 from rbpsym.teaching.papers.typst_paper import write_paper as typst_paper
-from rbpsym.teaching.plan import Plan, plan_of
+from rbpsym.teaching.plan import WorksheetPlan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
 from rbpsym.teaching.spreadsheets import roster_of
 
@@ -34,7 +34,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 @cache
-def plan(name: str = "sliding-ladder") -> Plan:
+def plan(name: str = "sliding-ladder") -> WorksheetPlan:
     return plan_of(name)
 
 

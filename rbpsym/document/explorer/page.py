@@ -15,7 +15,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.explorer.events import force_labels, label, strikes
 from rbpsym.document.explorer.sliders import DEGREE, Slider, sliders, unit_of
-from rbpsym.document.explorer.stage import LAST, Began, Ending, Phase, phase
+from rbpsym.document.explorer.stage import LAST, Began, PhaseEnding, StagePhase, phase
 from rbpsym.document.figures.scene import COLORS
 from rbpsym.document.files import data_folder
 from rbpsym.document.phrases import phrases, plain
@@ -39,7 +39,7 @@ class Model:
     """A problem in the explorer; `is_first_phase_only` if its later phases have no closed form."""
 
     data: dict[str, Any]
-    phases: tuple[Phase, ...]
+    phases: tuple[StagePhase, ...]
     alt: str = ""
     is_first_phase_only: bool = False
 
@@ -110,7 +110,7 @@ def problem_stages(problem: Problem) -> tuple[tuple[Stage, ...], bool]:
         return (Stage(problem.name, Study(problem)),), True
 
 
-def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> Phase:
+def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str, ...], notation: Notation) -> StagePhase:
     """A phase with what strikes at its start, and what ends it."""
 
     def struck(put: Callable[[Scalar], int]) -> dict[str, Any] | None:
@@ -127,14 +127,14 @@ def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     )
 
 
-def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> Ending:
+def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     """The moment at which a phase ends, if it is known, and the event that is no surprise then."""
     if k + 1 == len(parts):
         return LAST
     ending = problem.phases[k]
     goal = (ending.subject, scalar(ending.value)) if ending.event == "reaches" else None
     names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
-    return Ending(parts[k + 1].began.before.time, names_of, goal)
+    return PhaseEnding(parts[k + 1].began.before.time, names_of, goal)
 
 
 # event that begins a phase -> events of the explorer that end the phase before

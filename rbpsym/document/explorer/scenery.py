@@ -27,7 +27,7 @@ Part = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Scenery:
+class SeenStudy:
     """A study seen: `put` stores a scalar and says where; `elsewhere` is the ground of other phases."""
 
     study: Study
@@ -51,10 +51,10 @@ class Scenery:
 
 def scenery(study: Study, put: Callable[[Scalar], int], elsewhere: tuple[Element, ...] = ()) -> dict[str, list[Part]]:
     """All that is drawn besides the forces."""
-    return Scenery(study, put, geometry_of(study.system), elsewhere).parts()
+    return SeenStudy(study, put, geometry_of(study.system), elsewhere).parts()
 
 
-def bodies(seen: Scenery) -> Iterator[Part]:
+def bodies(seen: SeenStudy) -> Iterator[Part]:
     """Shape, circles that it rolls on or that carry strings, pose, motion and inertia of each body."""
     radii = list(touched_radii(seen.study.problem))
     for body in seen.study.problem.bodies:
@@ -73,19 +73,19 @@ def bodies(seen: Scenery) -> Iterator[Part]:
         }
 
 
-def shape(seen: Scenery, found: Shape) -> Part:
+def shape(seen: SeenStudy, found: Shape) -> Part:
     """Kind, sizes and parts of a shape."""
     sizes = {key: seen.node(size) for key, size in found.sizes.items() if key != "moment"}
     return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, p) for p in found.parts]}
 
 
-def part(seen: Scenery, placed) -> Part:
+def part(seen: SeenStudy, placed) -> Part:
     """A part of a composite."""
     at = [seen.node(node) for node in placed.at]
     return {**shape(seen, placed.shape), "at": at, "angle": seen.node(placed.angle), "removed": placed.removed}
 
 
-def points(seen: Scenery) -> Iterator[Part]:
+def points(seen: SeenStudy) -> Iterator[Part]:
     """Pivots, pins, welds, slots, edges and the fixed ends of springs and strings."""
     where = seen.geometry.where
     for element in seen.study.problem.of_kind("pivot"):
@@ -105,7 +105,7 @@ def points(seen: Scenery) -> Iterator[Part]:
         yield {"kind": "fixed", "at": seen.at(where(ref)), "of": None}
 
 
-def fixed_ends(seen: Scenery) -> Iterator[Any]:
+def fixed_ends(seen: SeenStudy) -> Iterator[Any]:
     """Points of the ground to which springs, dampers and strings are tied."""
     for element in seen.study.problem.of_kind("spring", "damper"):
         yield from (ref for ref in element["between"] if ref.body is None)
@@ -113,7 +113,7 @@ def fixed_ends(seen: Scenery) -> Iterator[Any]:
         yield from (turn.center for turn in element["path"] if turn.body is None and not turn.sense)
 
 
-def lines(seen: Scenery) -> Iterator[Part]:
+def lines(seen: SeenStudy) -> Iterator[Part]:
     """Lines that are touched: a x + b y = c, in the frame of the body `of` or in space; a slot has no normal."""
     done = set()
     for element in (*seen.study.problem.constraints, *seen.elsewhere):
@@ -126,13 +126,13 @@ def lines(seen: Scenery) -> Iterator[Part]:
         yield {**values, "of": of, "normal": normal, "through": touched(seen, element)}
 
 
-def touched(seen: Scenery, element: Element) -> list[int]:
+def touched(seen: SeenStudy, element: Element) -> list[int]:
     """A point of what touches: where it is, the line is drawn."""
     ref = element.values.get("point")
     return seen.at(seen.geometry.where(ref) if ref else seen.geometry.center(element["body"]))
 
 
-def circles(seen: Scenery) -> Iterator[Part]:
+def circles(seen: SeenStudy) -> Iterator[Part]:
     """Fixed circles that are touched (a wire has no normal), and those that strings slide round."""
     for element in seen.study.problem.constraints:
         centre = element.values.get("circle")
@@ -146,14 +146,14 @@ def circles(seen: Scenery) -> Iterator[Part]:
                 yield {"at": seen.at(seen.geometry.where(turn.center)), "r": seen.node(turn.radius)}
 
 
-def links(seen: Scenery) -> Iterator[Part]:
+def links(seen: SeenStudy) -> Iterator[Part]:
     """Springs and dampers."""
     for element in seen.study.problem.of_kind("spring", "damper"):
         ends = [seen.at(seen.geometry.where(ref)) for ref in element["between"]]
         yield {"kind": element.kind, "ends": ends}
 
 
-def cords(seen: Scenery) -> Iterator[Part]:
+def cords(seen: SeenStudy) -> Iterator[Part]:
     """The straight pieces of each string, and the circles round which it runs between them."""
     for element in seen.study.problem.of_kind("string"):
         for run in runs(element["path"]):
@@ -161,7 +161,7 @@ def cords(seen: Scenery) -> Iterator[Part]:
                 yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
 
 
-def turn(seen: Scenery, found) -> Part | None:
+def turn(seen: SeenStudy, found) -> Part | None:
     """The circle that a string meets, and the sense in which it runs round it."""
     if not found.sense:
         return None
@@ -169,14 +169,14 @@ def turn(seen: Scenery, found) -> Part | None:
     return {"at": seen.at(centre), "r": seen.node(found.radius), "sense": found.sense}
 
 
-def coils(seen: Scenery) -> Iterator[Part]:
+def coils(seen: SeenStudy) -> Iterator[Part]:
     """Torsion springs and rotary dampers, at the hinge of the second body."""
     for element in seen.study.problem.of_kind("torsion-spring", "rotary-damper"):
         names = [name for name in reversed(element["between"]) if name in seen.study.system.bodies]
         yield {"kind": element.kind, "at": seen.at(hinge(seen, names[0]))}
 
 
-def hinge(seen: Scenery, body: str) -> Vector:
+def hinge(seen: SeenStudy, body: str) -> Vector:
     """Where a body is hinged, else its centre of mass."""
     for element in seen.study.problem.of_kind("pivot", "pin", "weld"):
         refs = element["points"] if element.kind != "pivot" else (element["point"],)
@@ -186,13 +186,13 @@ def hinge(seen: Scenery, body: str) -> Vector:
     return seen.geometry.center(body)
 
 
-def gravity(seen: Scenery) -> Iterator[Part]:
+def gravity(seen: SeenStudy) -> Iterator[Part]:
     """The direction of gravity."""
     for element in seen.study.problem.of_kind("gravity"):
         yield {"along": seen.at(pair(element["direction"]))}
 
 
-KINDS: Mapping[str, Callable[[Scenery], Iterator[Part]]] = {
+KINDS: Mapping[str, Callable[[SeenStudy], Iterator[Part]]] = {
     "bodies": bodies,
     "points": points,
     "lines": lines,

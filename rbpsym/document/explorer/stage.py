@@ -27,7 +27,7 @@ from rbpsym.statement.model import Element
 
 
 @dataclass(frozen=True)
-class Phase:
+class StagePhase:
     """Code (function texts by name) and data of a phase."""
 
     code: dict[str, str]
@@ -35,7 +35,7 @@ class Phase:
 
 
 @dataclass(frozen=True)
-class Ending:
+class PhaseEnding:
     """What ends a phase and begins the next: a time since its start (None: not known), events by (kind,
     name) that are no surprise then, and a value that a coordinate reaches."""
 
@@ -44,7 +44,7 @@ class Ending:
     goal: tuple[str, Scalar] | None = None
 
 
-LAST = Ending()
+LAST = PhaseEnding()
 Struck = Callable[[Callable[[Scalar], int]], dict[str, Any] | None]
 
 
@@ -59,7 +59,7 @@ class Began:
 START = Began()
 
 
-def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST, began: Began = START) -> Phase:
+def phase(study: Study, names: tuple[str, ...], ending: PhaseEnding = LAST, began: Began = START) -> StagePhase:
     """A phase; `names` are those of the adjustable numbers in their order."""
     solved = is_lighter_solved_here(study, names)
     look, data = _look(study, names, solved, ending, began.ground)
@@ -72,7 +72,7 @@ def phase(study: Study, names: tuple[str, ...], ending: Ending = LAST, began: Be
     gaps, data["gaps"] = _gaps(study, names)
     data["nudge"] = _nudge(study)
     code = {"start": starts.text, "rates": _rates(study, names, solved), "look": look.text, "gaps": gaps}
-    return Phase({name: function(ARGUMENTS, text) for name, text in code.items()}, data)
+    return StagePhase({name: function(ARGUMENTS, text) for name, text in code.items()}, data)
 
 
 ARGUMENTS = "x,p,t"
@@ -175,7 +175,7 @@ def _gaps(study: Study, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
 
 
 def _look(
-    study: Study, names: tuple[str, ...], solved: bool, ending: Ending, elsewhere
+    study: Study, names: tuple[str, ...], solved: bool, ending: PhaseEnding, elsewhere
 ) -> tuple[Program, dict[str, Any]]:
     """The program of all numbers that are shown, and where each stands."""
     program, system = _program(study, names, solved=solved), study.system

@@ -17,7 +17,7 @@ EM = 0.40  # the size of a label's letters, in cm
 
 
 @dataclass(frozen=True, slots=True)
-class Style:
+class DrawingStyle:
     """Colour names are those of COLORS; `width` is in points; `dash` in cm or None."""
 
     stroke: str = "ink"
@@ -26,37 +26,37 @@ class Style:
     dash: float | None = None
 
 
-STYLES: Mapping[str, Style] = {
-    "body": Style("ink", 0.9, fill="body"),
-    "rod edge": Style("ink", 4.4),
-    "rod": Style("body", 2.8),
-    "rim": Style("ink", 0.7),
-    "cord": Style("ink", 0.7),
-    "ground": Style("ink", 0.9, fill="ground"),
-    "rail": Style("soft", 0.8),
-    "hole": Style("ink", 0.9, fill="paper"),
-    "line": Style("ink", 0.9),
-    "hatch": Style("soft", 0.5),
-    "spring": Style("ink", 0.8),
-    "support": Style("ink", 0.8, fill="ground"),
-    "guide": Style("soft", 0.6, dash=0.09),
-    "dimension": Style("soft", 0.5),
-    "angle": Style("accent", 0.8),
-    "axis": Style("soft", 0.7),
-    "force": Style("force", 1.3),
-    "couple": Style("force", 1.1),
-    "velocity": Style("motion", 1.2),
-    "dot": Style("ink", 0.6, fill="ink"),
-    "particle": Style("ink", 1.2, fill="ink"),
-    "joint": Style("ink", 0.9, fill="paper"),
-    "curve 1": Style("accent", 1.4),
-    "curve 2": Style("force", 1.4, dash=0.16),
-    "curve 3": Style("green", 1.4),
-    "curve 4": Style("purple", 1.4, dash=0.09),
-    "curve 5": Style("orange", 1.4),
-    "curve 6": Style("teal", 1.4, dash=0.22),
-    "curve sum": Style("ink", 2.0),
-    "curve thin": Style("soft", 1.1, dash=0.09),
+STYLES: Mapping[str, DrawingStyle] = {
+    "body": DrawingStyle("ink", 0.9, fill="body"),
+    "rod edge": DrawingStyle("ink", 4.4),
+    "rod": DrawingStyle("body", 2.8),
+    "rim": DrawingStyle("ink", 0.7),
+    "cord": DrawingStyle("ink", 0.7),
+    "ground": DrawingStyle("ink", 0.9, fill="ground"),
+    "rail": DrawingStyle("soft", 0.8),
+    "hole": DrawingStyle("ink", 0.9, fill="paper"),
+    "line": DrawingStyle("ink", 0.9),
+    "hatch": DrawingStyle("soft", 0.5),
+    "spring": DrawingStyle("ink", 0.8),
+    "support": DrawingStyle("ink", 0.8, fill="ground"),
+    "guide": DrawingStyle("soft", 0.6, dash=0.09),
+    "dimension": DrawingStyle("soft", 0.5),
+    "angle": DrawingStyle("accent", 0.8),
+    "axis": DrawingStyle("soft", 0.7),
+    "force": DrawingStyle("force", 1.3),
+    "couple": DrawingStyle("force", 1.1),
+    "velocity": DrawingStyle("motion", 1.2),
+    "dot": DrawingStyle("ink", 0.6, fill="ink"),
+    "particle": DrawingStyle("ink", 1.2, fill="ink"),
+    "joint": DrawingStyle("ink", 0.9, fill="paper"),
+    "curve 1": DrawingStyle("accent", 1.4),
+    "curve 2": DrawingStyle("force", 1.4, dash=0.16),
+    "curve 3": DrawingStyle("green", 1.4),
+    "curve 4": DrawingStyle("purple", 1.4, dash=0.09),
+    "curve 5": DrawingStyle("orange", 1.4),
+    "curve 6": DrawingStyle("teal", 1.4, dash=0.22),
+    "curve sum": DrawingStyle("ink", 2.0),
+    "curve thin": DrawingStyle("soft", 1.1, dash=0.09),
 }
 
 # name -> (light, dark)

@@ -88,7 +88,7 @@ def tikz_styles() -> str:
     return "\n".join([*colors, *styles, label])
 
 
-def options(style: s.Style) -> str:
+def options(style: s.DrawingStyle) -> str:
     """The options of a style."""
     found = [f"draw=rb{style.stroke}", f"line width={style.width}pt", "line join=round"]
     found += [f"fill=rb{style.fill}"] if style.fill else []

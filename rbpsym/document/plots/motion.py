@@ -44,7 +44,7 @@ class Journey:
 
 
 @dataclass(frozen=True)
-class Motion:
+class PlottedMotion:
     """A derivation with the numbers of its motion.
 
     `whole` are all moments; `way` those until it turns back for the first time, if curves are drawn over the
@@ -84,14 +84,14 @@ class Motion:
         return self.way if self.loss is None else self.way.part(self.loss[0] + 1)
 
 
-def motion(derivation: Derivation) -> Motion:
+def motion(derivation: Derivation) -> PlottedMotion:
     """The motion of a derived problem in numbers, with all its phases.
 
     Raises NotApplicable where there is none, or where the end of a phase has no closed form.
     """
     found = scales(derivation.study.problem)
     require_motion(derivation.study)
-    return Motion(derivation, found, Journey(tuple(legs(derivation, found))))
+    return PlottedMotion(derivation, found, Journey(tuple(legs(derivation, found))))
 
 
 def legs(derivation: Derivation, found: Scales) -> Iterator[Leg]:

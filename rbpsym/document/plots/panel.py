@@ -27,7 +27,7 @@ NEAR = 0.035  # cm
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class PlotCurve:
     """Values at the places of a panel: what it is called, and its style."""
 
     name: t.Node | str
@@ -36,7 +36,7 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Mark:
+class PlotMark:
     """A place at which something happens, and what; a dot is where it meets the height 0."""
 
     place: float
@@ -54,15 +54,15 @@ class Panel:
 
     across: t.Node
     places: np.ndarray
-    curves: tuple[Curve, ...]
+    curves: tuple[PlotCurve, ...]
     across_scale: Scale
     up_scale: Scale
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[PlotMark, ...] = ()
     omitted: int = 0
 
 
 @dataclass(frozen=True, eq=False)
-class Drawn:
+class DrawnCurve:
     """A curve in the picture: its points as rows, in cm; a gap between its pieces is not a number."""
 
     name: t.Node | str
@@ -112,10 +112,10 @@ def axes_of(panel: Panel, decimal: str = ".") -> tuple[Axis, Axis]:
     return across, axis(heights, HIGH, sign=panel.up_scale.sign, decimal=decimal)
 
 
-def drawn(panel: Panel, x: Axis, y: Axis) -> list[Drawn]:
+def drawn(panel: Panel, x: Axis, y: Axis) -> list[DrawnCurve]:
     """The curves in the picture."""
     return [
-        Drawn(curve.name, np.stack([x.at(panel.places), y.at(curve.values)], axis=1), curve.style or look)
+        DrawnCurve(curve.name, np.stack([x.at(panel.places), y.at(curve.values)], axis=1), curve.style or look)
         for curve, look in zip(panel.curves, cycle(LOOKS), strict=False)
     ]
 
@@ -125,9 +125,9 @@ def has_jump(panel: Panel) -> bool:
     return any(curve.jumps for curve in drawn(panel, *axes_of(panel)))
 
 
-def together(curves: Sequence[Drawn], y: Axis) -> list[Drawn]:
+def together(curves: Sequence[DrawnCurve], y: Axis) -> list[DrawnCurve]:
     """The curves, those that lie on each other as one with an equation for a name; one on the axis says so."""
-    found: list[Drawn] = []
+    found: list[DrawnCurve] = []
     for curve in curves:
         like = next((k for k, one in enumerate(found) if are_same(one, curve)), None)
         if like is None:
@@ -135,17 +135,17 @@ def together(curves: Sequence[Drawn], y: Axis) -> list[Drawn]:
         else:
             one = found[like]
             style = one.style if one.style == "curve sum" else curve.style
-            found[like] = Drawn(t.equation(*one.names, curve.name), one.points, style)
+            found[like] = DrawnCurve(t.equation(*one.names, curve.name), one.points, style)
     return [replace(one, name=t.equation(*one.names, t.ZERO)) if is_nothing(one, y) else one for one in found]
 
 
-def are_same(one: Drawn, other: Drawn) -> bool:
+def are_same(one: DrawnCurve, other: DrawnCurve) -> bool:
     """Do two curves with formulas for names lie on each other?"""
     has_words = isinstance(one.name, str) or isinstance(other.name, str)
     return not has_words and np.allclose(one.points, other.points, rtol=0.0, atol=SAME, equal_nan=True)
 
 
-def is_nothing(curve: Drawn, y: Axis) -> bool:
+def is_nothing(curve: DrawnCurve, y: Axis) -> bool:
     """Does a curve with a formula for a name lie on the axis?"""
     return not isinstance(curve.name, str) and np.nanmax(np.abs(curve.points[:, 1] - y.at(0.0))) <= SAME
 
@@ -160,7 +160,7 @@ def frame(x: Axis, y: Axis) -> Iterator[Item]:
         yield Line(((0.0, y.at(0.0)), (WIDE, y.at(0.0))), "dimension")
 
 
-def mark(one: Mark, x: Axis, y: Axis) -> Iterator[Item]:
+def mark(one: PlotMark, x: Axis, y: Axis) -> Iterator[Item]:
     """A dashed line at a place, with a dot where it meets the height 0."""
     yield Line(((x.at(one.place), 0.0), (x.at(one.place), HIGH)), "guide")
     if one.has_dot:
@@ -208,7 +208,7 @@ def in_units(node: t.Node, scale: Scale) -> t.Node:
     return t.Mul((node, t.Word(f"/ {scale.node.text}"))) if isinstance(scale.node, t.Word) else t.Div(node, scale.node)
 
 
-def named(curves: Sequence[Drawn], rest: Scene, notation: Notation) -> Scene:
+def named(curves: Sequence[DrawnCurve], rest: Scene, notation: Notation) -> Scene:
     """A name beside each curve, in its colour; for those that have no room a line in a legend."""
     labels = [fixed(curve.name, (0.0, 0.0), STYLES[curve.style].stroke, notation) for curve in curves]
     pieces = [tuple(curve.pieces) for curve in curves]
@@ -221,7 +221,7 @@ def named(curves: Sequence[Drawn], rest: Scene, notation: Notation) -> Scene:
     return Scene(tuple(line for line, _ in listed), (*beside, *(label for _, label in listed)))
 
 
-def legend(left: Sequence[tuple[Drawn, Label]], start: float) -> Iterator[tuple[Item, Label]]:
+def legend(left: Sequence[tuple[DrawnCurve, Label]], start: float) -> Iterator[tuple[Item, Label]]:
     """A line and a name for each of some curves, from the highest end to the lowest."""
     order = sorted(left, key=lambda pair: -pair[0].points[np.isfinite(pair[0].points[:, 1])][-1, 1])
     step = max((label.size[1] for _, label in left), default=0.0) + 0.04

@@ -14,8 +14,8 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.step import Step
 from rbpsym.document.plots.following import Leg, at
-from rbpsym.document.plots.motion import Journey, Motion
-from rbpsym.document.plots.panel import Curve, Mark, Panel
+from rbpsym.document.plots.motion import Journey, PlottedMotion
+from rbpsym.document.plots.panel import Panel, PlotCurve, PlotMark
 from rbpsym.document.plots.scales import Scale
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -56,7 +56,7 @@ def power(study: Study, force: str, body: str, half: str) -> Scalar:
 # --- the small oscillation about the stable equilibrium that a motion passes, from the same start
 
 
-def small_oscillations(moving: Motion, way: Journey) -> dict[str, np.ndarray]:
+def small_oscillations(moving: PlottedMotion, way: Journey) -> dict[str, np.ndarray]:
     """By coordinate its motion after the linear equations; empty where the motion is not one about an equilibrium."""
     study, leg = moving.derivation.study, way.legs[0]
     if len(way.legs) > 1 or leg.flow.shown != study.system.independent:
@@ -94,7 +94,7 @@ MOST = 6  # curves in a panel
 Chosen = Callable[[Leg], Iterable[Step]]
 
 
-def across(moving: Motion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
+def across(moving: PlottedMotion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
     """What the curves are drawn over: the coordinate of a system whose speed it determines, else the time."""
     if not moving.is_over_place:
         return over_time(moving, way)
@@ -103,13 +103,13 @@ def across(moving: Motion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
     return t.Sym(name), column(way, name, scale), scale
 
 
-def over_time(moving: Motion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
+def over_time(moving: PlottedMotion, way: Journey) -> tuple[t.Node, np.ndarray, Scale]:
     """The time as what curves are drawn over."""
     scale = moving.scales.of(TIME)
     return t.Sym("t"), way.times / scale.size, scale
 
 
-def dimension_of(moving: Motion, name: str) -> Dimension:
+def dimension_of(moving: PlottedMotion, name: str) -> Dimension:
     """The dimension of a coordinate."""
     return next(c.quantity.dimension for c in moving.derivation.study.problem.coordinates if c.name == name)
 
@@ -129,14 +129,14 @@ def stated(step: Step) -> tuple[t.Node, Scalar] | None:
         return None
 
 
-def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[Curve]:
+def curves(chosen: Chosen, way: Journey, scale: Scale) -> Iterator[PlotCurve]:
     """A curve for each name that steps state, where it has numbers along most of the way."""
     tables = {id(leg): dict(filter(None, map(stated, chosen(leg)))) for leg in way.legs}
     for name in dict.fromkeys(name for table in tables.values() for name in table):
         values = way.joined(lambda leg, name=name: leg.values(tables[id(leg)].get(name, NOWHERE))) / scale.size
         count = sum(len(leg.moments) for leg in way.legs if name in tables[id(leg)])
         if np.isfinite(values).sum() > count / 2:
-            yield Curve(name, values)
+            yield PlotCurve(name, values)
 
 
 NOWHERE = symbol("[nowhere]")  # a quantity without a number
@@ -145,37 +145,37 @@ NOWHERE = symbol("[nowhere]")  # a quantity without a number
 # --- works
 
 
-def works(moving: Motion) -> Iterator[Panel]:
+def works(moving: PlottedMotion) -> Iterator[Panel]:
     """Translational works with their sum, and rotational works with theirs."""
     scale = moving.scales.of(ENERGY)
     for half in ("T", "theta"):
         found = [curve for curve in halves(moving, half, scale) if largest_value(curve) > 1e-9]
         if not found:
             continue
-        whole = [Curve(t.Sym(f"cal_W_{half}"), sum(one.values for one in found), "curve sum")] if len(found) > 1 else []
+        whole = [PlotCurve(t.Sym(f"cal_W_{half}"), sum(one.values for one in found), "curve sum")] if len(found) > 1 else []
         shown = largest(found)
         yield replace(panel(moving, moving.real, (*shown, *whole), scale), omitted=len(found) - len(shown))
 
 
-def largest(found: Sequence[Curve]) -> list[Curve]:
+def largest(found: Sequence[PlotCurve]) -> list[PlotCurve]:
     """As many curves as a panel can hold, the largest ones, in their order."""
     shown = sorted(found, key=largest_value, reverse=True)[:MOST]
     return [curve for curve in found if curve in shown]
 
 
-def largest_value(curve: Curve) -> float:
+def largest_value(curve: PlotCurve) -> float:
     """The largest size of a value."""
     return np.nanmax(np.abs(curve.values), initial=0.0)
 
 
-def halves(moving: Motion, half: str, scale: Scale) -> Iterator[Curve]:
+def halves(moving: PlottedMotion, half: str, scale: Scale) -> Iterator[PlotCurve]:
     """The translational (T) or rotational (theta) work of each force on each body."""
     closed = {s.statement.items[0]: s for s in moving.derivation.steps if s.rule == "work_done"}
     for name, (force, body) in work_names(moving.derivation.steps, half).items():
         if moving.is_over_place and name in closed:
             yield from curves(lambda _, step=closed[name]: [step], moving.real, scale)
         else:
-            yield Curve(name, work_done(moving.real, force, body, half) / scale.size)
+            yield PlotCurve(name, work_done(moving.real, force, body, half) / scale.size)
 
 
 def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]]:
@@ -190,22 +190,24 @@ def work_names(steps: Iterable[Step], half: str) -> dict[t.Node, tuple[str, str]
     return found
 
 
-def panel(moving: Motion, way: Journey, found: tuple[Curve, ...], scale: Scale, marks: tuple[Mark, ...] = ()) -> Panel:
+def panel(
+    moving: PlottedMotion, way: Journey, found: tuple[PlotCurve, ...], scale: Scale, marks: tuple[PlotMark, ...] = ()
+) -> Panel:
     """A panel over what the motion is drawn over."""
     node, places, own = across(moving, way)
     return Panel(node, places, found, own, scale, marks=(*changes(moving), *marks))
 
 
-def changes(moving: Motion) -> tuple[Mark, ...]:
+def changes(moving: PlottedMotion) -> tuple[PlotMark, ...]:
     """Where one phase ends and the next begins, on the axis of the time."""
     size = moving.scales.of(TIME).size
-    return tuple(Mark(leg.began / size, leg.name) for leg in moving.whole.legs[1:])
+    return tuple(PlotMark(leg.began / size, leg.name) for leg in moving.whole.legs[1:])
 
 
 # --- energies and speeds
 
 
-def energies(moving: Motion) -> Iterator[Panel]:
+def energies(moving: PlottedMotion) -> Iterator[Panel]:
     """Kinetic and potential energies and their sum."""
     scale = moving.scales.of(ENERGY)
     kinetic = list(curves(of_rule("kinetic_energy"), moving.real, scale))
@@ -214,23 +216,23 @@ def energies(moving: Motion) -> Iterator[Panel]:
     if potential and spread(kinetic) < HARDLY * spread(parts):
         parts, total = list(map(since_start, parts)), t.Delta(total)
     if parts:
-        whole = [Curve(total, sum(one.values for one in parts), "curve sum")] if len(parts) > 1 else []
+        whole = [PlotCurve(total, sum(one.values for one in parts), "curve sum")] if len(parts) > 1 else []
         yield panel(moving, moving.real, (*parts, *whole), scale)
 
 
 HARDLY = 0.12  # of the height: where the kinetic energy is less, all energies are counted from the start
 
 
-def spread(found: Sequence[Curve]) -> float:
+def spread(found: Sequence[PlotCurve]) -> float:
     """How far apart the values of some curves (and zero) are."""
     values = np.array([curve.values for curve in found])
     return np.nanmax(values, initial=0.0) - np.nanmin(values, initial=0.0)
 
 
-def since_start(curve: Curve) -> Curve:
+def since_start(curve: PlotCurve) -> PlotCurve:
     """The change of a quantity since the start."""
     first = curve.values[np.isfinite(curve.values)][0]
-    return Curve(t.Delta(curve.name), curve.values - first, curve.style)
+    return PlotCurve(t.Delta(curve.name), curve.values - first, curve.style)
 
 
 def of_rule(rule: str) -> Chosen:
@@ -238,15 +240,15 @@ def of_rule(rule: str) -> Chosen:
     return lambda leg: [step for step in leg.derivation.steps if step.rule == rule]
 
 
-def speeds(moving: Motion) -> Iterator[Panel]:
+def speeds(moving: PlottedMotion) -> Iterator[Panel]:
     """The speed of each coordinate; those of one dimension in one panel."""
     for dimension, names in by_dimension(moving).items():
         scale = moving.scales.of(dimension / TIME)
-        found = tuple(Curve(t.Sym(f"{n}_dot"), column(moving.real, f"{n}_dot", scale)) for n in names)
+        found = tuple(PlotCurve(t.Sym(f"{n}_dot"), column(moving.real, f"{n}_dot", scale)) for n in names)
         yield panel(moving, moving.real, found[:MOST], scale)
 
 
-def by_dimension(moving: Motion) -> Mapping[Dimension, list[str]]:
+def by_dimension(moving: PlottedMotion) -> Mapping[Dimension, list[str]]:
     """The coordinates that move (all, if none does) by what they measure."""
     found: dict[Dimension, list[str]] = {}
     moved = [n for n in moving.coordinates if np.nan_to_num(moving.whole.values(symbol(f"{n}_dot"))).any()]
@@ -258,7 +260,7 @@ def by_dimension(moving: Motion) -> Mapping[Dimension, list[str]]:
 # --- forces
 
 
-def forces(moving: Motion) -> Iterator[Panel]:
+def forces(moving: PlottedMotion) -> Iterator[Panel]:
     """The unknown forces along the motion, marked where a contact is lost; then the unknown couples."""
     couples = couples_of(moving)
     for wanted, scale in ((False, moving.scales.of(FORCE)), (True, moving.scales.of(DIMENSIONS["torque"], "torque"))):
@@ -278,37 +280,37 @@ def reactions(leg: Leg, couples: set[str], wanted: bool) -> Iterator[Step]:
             yield step
 
 
-def couples_of(moving: Motion) -> set[str]:
+def couples_of(moving: PlottedMotion) -> set[str]:
     """The unknowns that are couples and no forces."""
     systems = [leg.study.system for leg in moving.whole.legs]
     pushing = {n for s in systems for f in s.forces for n in f.unknowns if f.vector.derivative(n)}
     return {name for system in systems for name in system.unknowns} - pushing
 
 
-def marks_of(moving: Motion) -> tuple[Mark, ...]:
+def marks_of(moving: PlottedMotion) -> tuple[PlotMark, ...]:
     """Where the contact is lost, on the axis of the panel."""
     if moving.loss is None:
         return ()
     moment, name = moving.loss
     _, places, _ = across(moving, Journey(moving.way.legs[-1:]))
-    return (Mark(places[moment], t.equation(t.Sym(name), t.ZERO), has_dot=True),)
+    return (PlotMark(places[moment], t.equation(t.Sym(name), t.ZERO), has_dot=True),)
 
 
 # --- motion in time
 
 
-def positions(moving: Motion, linear: str = "") -> Iterator[Panel]:
+def positions(moving: PlottedMotion, linear: str = "") -> Iterator[Panel]:
     """The motion in time; beside it, called `linear`, the small oscillation from the same start where there is one."""
     way = moving.real if moving.loss else moving.whole
     small = small_oscillations(moving, way)
     for dimension, names in by_dimension(moving).items():
         scale = moving.scales.of(dimension)
         node, times, own = over_time(moving, way)
-        found = [Curve(t.Sym(name), column(way, name, scale)) for name in names[:MOST]]
+        found = [PlotCurve(t.Sym(name), column(way, name, scale)) for name in names[:MOST]]
         for curve, name in zip(tuple(found), names, strict=False):
             if name in small and differs(small[name] / scale.size, curve.values):
                 label = linear if len(names) == 1 else t.Mul((t.Sym(name), t.Word(f"({linear})")))
-                found.append(Curve(label, small[name] / scale.size, "curve thin"))
+                found.append(PlotCurve(label, small[name] / scale.size, "curve thin"))
         yield Panel(node, times, tuple(found), own, scale, marks=changes(moving))
 
 

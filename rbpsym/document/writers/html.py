@@ -40,7 +40,7 @@ def display_math(block: Display, page: Page) -> str:
     return accented(f'{OPEN}<mtable displaystyle="true" class="lines">{rows}</mtable></math>')
 
 
-def table_row(line: breaking.Line) -> str:
+def table_row(line: breaking.DisplayLine) -> str:
     """One line: its left side, then its terms, each of which may move to the next line."""
     left = f'<mtd class="left">{render(line.left)}</mtd>'
     kind = "right indent" if line.indent else "right"

@@ -92,7 +92,7 @@ def formula(block: d.Display, page: Page) -> str:
     return rf"\shrunk{{{content}}}" if breaking.widest(lines) > page.column else content
 
 
-def formula_text(lines: tuple[breaking.Line, ...]) -> str:
+def formula_text(lines: tuple[breaking.DisplayLine, ...]) -> str:
     """One line as it is, several aligned."""
     if len(lines) == 1:
         return f"  {lines[0].shown(render)}"

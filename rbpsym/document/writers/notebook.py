@@ -19,7 +19,7 @@ KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class NotebookCell:
     """A cell: words (Markdown) or code; `files` are pictures that it holds, by name."""
 
     source: str
@@ -44,7 +44,7 @@ def name(number: str) -> str:
     return f"figure-{number}.png"
 
 
-def as_json(cell: Cell, place: int) -> dict:
+def as_json(cell: NotebookCell, place: int) -> dict:
     """The cell as the format has it."""
     found: dict = {"id": f"cell-{place}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
     if cell.is_code:
@@ -55,10 +55,10 @@ def as_json(cell: Cell, place: int) -> dict:
     return {"cell_type": "markdown", **found}
 
 
-def cells_of(document: Document, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[Cell]:
+def cells_of(document: Document, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[NotebookCell]:
     """The whole notebook; each problem is built before its first section."""
     intro = [page.word("notebook.intro")] if document.live else []
-    yield Cell("\n\n".join([*head(document, page), *intro]))
+    yield NotebookCell("\n\n".join([*head(document, page), *intro]))
     waiting = list(document.live)
     for section in document.sections:
         live = owner(section, document.live)
@@ -78,13 +78,13 @@ def owner(section: Section, live: tuple[Live, ...]) -> Live | None:
     return next((problem for problem in live if section.label.startswith(problem.prefix)), None)
 
 
-def building(live: Live, page: MarkdownPage) -> Iterator[Cell]:
+def building(live: Live, page: MarkdownPage) -> Iterator[NotebookCell]:
     """The cells that build a problem and derive it."""
     speaks = page.language != "en"
     head = "from rbpsym import derive, load_text" + (f", speak\n\nspeak({page.language!r})" if speaks else "")
-    yield Cell(f"{head}\n\nproblem = load_text({quoted(live.text)}, name={live.name!r})", True)
-    yield Cell(page.word("notebook.derive"))
-    yield Cell("derivation = derive(problem)\nderivation", True)
+    yield NotebookCell(f"{head}\n\nproblem = load_text({quoted(live.text)}, name={live.name!r})", True)
+    yield NotebookCell(page.word("notebook.derive"))
+    yield NotebookCell("derivation = derive(problem)\nderivation", True)
 
 
 def quoted(text: str) -> str:
@@ -93,12 +93,12 @@ def quoted(text: str) -> str:
     return f'r"""\n{text.strip()}\n"""' if plain else repr(text)
 
 
-def checking(page: MarkdownPage) -> Iterator[Cell]:
+def checking(page: MarkdownPage) -> Iterator[NotebookCell]:
     """The cells that ask for the outcome."""
     counts = {name: f"{{summary[{name!r}]}}" for name in ("proved", "steps")}
     told = page.word("notebook.proved", **counts)
-    yield Cell(page.word("notebook.check"))
-    yield Cell(
+    yield NotebookCell(page.word("notebook.check"))
+    yield NotebookCell(
         "summary = derivation.summary()\n"
         'assert summary["refuted"] == 0 and summary["methods_agree"]\n'
         f"f{told!r}",
@@ -106,7 +106,7 @@ def checking(page: MarkdownPage) -> Iterator[Cell]:
     )
 
 
-def section_cells(section: Section, live: Live | None, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[Cell]:
+def section_cells(section: Section, live: Live | None, page: MarkdownPage, drawn: dict[str, bytes]) -> Iterator[NotebookCell]:
     """A section cut behind each result, which is shown again by the derivation of the reader's own machine."""
     number = f"{section.number} " if section.number else ""
     held, files = [f"{'#' * (min(section.level, 3) + 1)} {number}{page.inlines(section.title)}"], ()
@@ -115,11 +115,11 @@ def section_cells(section: Section, live: Live | None, page: MarkdownPage, drawn
         files = (*files, *((name(n), drawn[n]) for n in figures(block) if n in drawn))
         ids = results(block, live)
         if ids:
-            yield Cell("\n\n".join(held), files=files)
-            yield Cell(shown(ids), True)
+            yield NotebookCell("\n\n".join(held), files=files)
+            yield NotebookCell(shown(ids), True)
             held, files = [], ()
     if held:
-        yield Cell("\n\n".join(held), files=files)
+        yield NotebookCell("\n\n".join(held), files=files)
 
 
 def figures(block: Block) -> Iterator[str]:

@@ -60,7 +60,7 @@ def frame(title: str, place: int, group: tuple[d.Block, ...], page: Page) -> str
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class FramePiece:
     """Blocks that stay on one frame, and their height in em."""
 
     blocks: tuple[d.Block, ...]
@@ -77,7 +77,7 @@ def frames(found: tuple[d.Block, ...], page: Page) -> Iterator[tuple[d.Block, ..
     yield from (tuple(block for k in group for block in whole[k].blocks) for group in even)
 
 
-def pieces(found: tuple[d.Block, ...], page: Page) -> Iterator[Piece]:
+def pieces(found: tuple[d.Block, ...], page: Page) -> Iterator[FramePiece]:
     """What must not be torn apart: words and the formula they lead to; a table is cut between rows."""
     lead: tuple[d.Block, ...] = ()
     for block, after in zip(found, (*found[1:], None), strict=True):
@@ -85,8 +85,8 @@ def pieces(found: tuple[d.Block, ...], page: Page) -> Iterator[Piece]:
             lead = (*lead, block)
             continue
         first, *others = cut(block, page, FULL - sum(height(b, page) for b in lead))
-        yield Piece((*lead, first), sum(height(b, page) for b in (*lead, first)))
-        yield from (Piece((part,), height(part, page)) for part in others)
+        yield FramePiece((*lead, first), sum(height(b, page) for b in (*lead, first)))
+        yield from (FramePiece((part,), height(part, page)) for part in others)
         lead = ()
 
 

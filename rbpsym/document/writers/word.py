@@ -13,7 +13,7 @@ from rbpsym.document.numbering import numbered
 from rbpsym.document.writers.page import Page, body, prints
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.document.writers.word_math import TEXT_WIDTH, display_table, is_aside, math
-from rbpsym.document.writers.word_xml import STAYS, Cell, Look, link, paragraph, safe, table_of, text_run
+from rbpsym.document.writers.word_xml import STAYS, Cell, TableLook, link, paragraph, safe, table_of, text_run
 from rbpsym.notation.layout import layout
 from rbpsym.notation.omml import render, to_omml
 
@@ -93,7 +93,7 @@ def table(block: d.Table, page: Page) -> str:
         [Cell(cell(c, x, page, stays=stay)) for c, x in zip(row, block.columns, strict=True)]
         for row, stay in zip(block.rows, stays, strict=True)
     ]
-    shown = table_of(columns, [header, *rows], Look("center", RULES, 90), header=True)
+    shown = table_of(columns, [header, *rows], TableLook("center", RULES, 90), header=True)
     return captioned(block, "table", page) + shown if block.caption else shown
 
 
@@ -162,7 +162,7 @@ def callout(block: d.Callout, page: Page) -> str:
     inner = paragraph(title, "CalloutTitle") + blocks(block.blocks, page)
     inner += "" if inner.endswith("</w:p>") else paragraph("", "Gap")
     rule = f'<w:left w:val="single" w:sz="18" w:space="0" w:color="{TONES[block.kind]}"/>'
-    look = Look(borders=f"<w:tblBorders>{rule}</w:tblBorders>", beside=180, indent=60)
+    look = TableLook(borders=f"<w:tblBorders>{rule}</w:tblBorders>", beside=180, indent=60)
     return table_of([TEXT_WIDTH - 60], [[Cell(inner)]], look)
 
 

@@ -44,7 +44,7 @@ def aside(block: Display, page: Page) -> str:
     return text_run(f"({block.number})") if block.number else ""
 
 
-def halves(lines: tuple[breaking.Line, ...]) -> tuple[int, int]:
+def halves(lines: tuple[breaking.DisplayLine, ...]) -> tuple[int, int]:
     """The widths of both sides of the place where lines meet; one line is one piece."""
     if len(lines) == 1:
         return 0, twips(lines[0].width)
@@ -63,7 +63,7 @@ def twips(width: float) -> int:
     return round(width * EM) + PADDING
 
 
-def row(line: breaking.Line, place: int, lines: tuple[breaking.Line, ...], block: Display, name: str) -> list[Cell]:
+def row(line: breaking.DisplayLine, place: int, lines: tuple[breaking.DisplayLine, ...], block: Display, name: str) -> list[Cell]:
     """A line of the table; the number stands in the middle of all of them."""
     single = len(lines) == 1
     merged = "" if single else '<w:vMerge w:val="restart"/>' if place == 0 else "<w:vMerge/>"
@@ -73,7 +73,7 @@ def row(line: breaking.Line, place: int, lines: tuple[breaking.Line, ...], block
     return [Cell(paragraph("", "Formula", more=stays)), *cells, Cell(paragraph("", "Number"), merged)]
 
 
-def sides(line: breaking.Line, edges: dict[str, str], name: str, whole: bool) -> list[Cell]:
+def sides(line: breaking.DisplayLine, edges: dict[str, str], name: str, whole: bool) -> list[Cell]:
     """The cells of a line: all of it in one, or its left and right side."""
     if whole:
         content = render(line.left) + render(line.right)

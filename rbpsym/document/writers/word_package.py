@@ -21,7 +21,7 @@ WIDEST = 15.8  # cm
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class ParagraphLook:
     """A paragraph style: size and space in points, alignment, and whether it stays with what follows."""
 
     size: float = 11
@@ -34,25 +34,25 @@ class Look:
     stays: bool = False
 
 
-STYLES: Mapping[str, Look] = {
-    "Normal": Look(after=0),
-    "Body Text": Look(after=6, stays=False),
-    "Title": Look(20, 0, 4, "CENTER", bold=True),
-    "Subtitle": Look(12.5, 0, 2, "CENTER"),
-    "Source": Look(10, 0, 10, "CENTER", color="6B7280"),
-    "Heading 1": Look(15, 18, 6, bold=True, stays=True),
-    "Heading 2": Look(12.5, 14, 5, bold=True, stays=True),
-    "Heading 3": Look(11, 10, 4, bold=True, stays=True),
-    "Formula": Look(after=2, before=2),
-    "Number": Look(side="RIGHT"),
-    "Reason": Look(10, 0, 6, "CENTER", italic=True, color="5F6673"),
-    "Caption": Look(10, 6, 6, "CENTER"),
-    "Figure": Look(10, 8, 2, "CENTER", stays=True),
-    "Cell": Look(10, 2, 2),
-    "Gap": Look(4),
-    "CalloutTitle": Look(11, 2, 2, bold=True, color="1D5FA8", stays=True),
-    "List Bullet": Look(after=3),
-    "List Number": Look(after=3),
+STYLES: Mapping[str, ParagraphLook] = {
+    "Normal": ParagraphLook(after=0),
+    "Body Text": ParagraphLook(after=6, stays=False),
+    "Title": ParagraphLook(20, 0, 4, "CENTER", bold=True),
+    "Subtitle": ParagraphLook(12.5, 0, 2, "CENTER"),
+    "Source": ParagraphLook(10, 0, 10, "CENTER", color="6B7280"),
+    "Heading 1": ParagraphLook(15, 18, 6, bold=True, stays=True),
+    "Heading 2": ParagraphLook(12.5, 14, 5, bold=True, stays=True),
+    "Heading 3": ParagraphLook(11, 10, 4, bold=True, stays=True),
+    "Formula": ParagraphLook(after=2, before=2),
+    "Number": ParagraphLook(side="RIGHT"),
+    "Reason": ParagraphLook(10, 0, 6, "CENTER", italic=True, color="5F6673"),
+    "Caption": ParagraphLook(10, 6, 6, "CENTER"),
+    "Figure": ParagraphLook(10, 8, 2, "CENTER", stays=True),
+    "Cell": ParagraphLook(10, 2, 2),
+    "Gap": ParagraphLook(4),
+    "CalloutTitle": ParagraphLook(11, 2, 2, bold=True, color="1D5FA8", stays=True),
+    "List Bullet": ParagraphLook(after=3),
+    "List Number": ParagraphLook(after=3),
 }
 
 
@@ -80,7 +80,7 @@ def set_page(file: Any) -> None:
     foot._p.append(parsed('<w:fldSimple w:instr="PAGE"><w:r><w:t>1</w:t></w:r></w:fldSimple>')[0])
 
 
-def set_style(file: Any, name: str, look: Look) -> None:
+def set_style(file: Any, name: str, look: ParagraphLook) -> None:
     """A style of the file, made if it is not there."""
     shared, sides = extra("docx.shared"), extra("docx.enum.text").WD_ALIGN_PARAGRAPH
     known = {style.name for style in file.styles}

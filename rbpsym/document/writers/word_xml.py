@@ -62,7 +62,7 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class TableLook:
     """Properties of a table: its place on the line, its borders, the space beside the cells' words in twips."""
 
     side: str = "left"
@@ -72,7 +72,7 @@ class Look:
 
 
 def table_of(
-    columns: Sequence[int], rows: Sequence[Sequence[Cell]], look: Look = Look(), *, header: bool = False
+    columns: Sequence[int], rows: Sequence[Sequence[Cell]], look: TableLook = TableLook(), *, header: bool = False
 ) -> str:
     """A table with columns of given widths in twips, and the gap that parts it from a table below it.
 
@@ -83,7 +83,7 @@ def table_of(
     return f"<w:tbl>{settings(sum(columns), look)}<w:tblGrid>{grid}</w:tblGrid>{lines}</w:tbl>{GAP}"
 
 
-def settings(width: int, look: Look) -> str:
+def settings(width: int, look: TableLook) -> str:
     """The properties of a table, in the order of the standard."""
     beside = "".join(f'<w:{side} w:w="{look.beside}" w:type="dxa"/>' for side in ("left", "right"))
     return (

@@ -42,7 +42,7 @@ class Platform:
     formula: SetFormula = TEX
     tag: PictureTag = image
     folder: str = ""
-    kinds: Mapping[type, Callable[[Item, Desk], Any]] = field(default_factory=dict)
+    kinds: Mapping[type, Callable[[Item, ExportDesk], Any]] = field(default_factory=dict)
     lacks: Mapping[str, str] = field(default_factory=dict)
     dropdown: Callable[[Any], str] = lambda field: f"[{field.name}]"
 
@@ -51,7 +51,7 @@ ANY = Platform("")
 
 
 @dataclass(frozen=True)
-class Desk:
+class ExportDesk:
     """A worksheet on its way into a format.
 
     `missing` collects (item, what the format can't carry), `pictures` the files by name, `marks` the numbers of the
@@ -126,21 +126,21 @@ class Desk:
         return f"<p>{self.inlines(feedback(slip, self.worksheet))}</p>"
 
 
-def in_packages(worksheets: tuple[Worksheet, ...], platform: Platform, package: Callable[[Desk], dict]) -> Exported:
+def in_packages(worksheets: tuple[Worksheet, ...], platform: Platform, package: Callable[[ExportDesk], dict]) -> Exported:
     """A zip package for each student; `package` gives its files by path."""
     files, missing, drawn = {}, [], {}
     for sheet in worksheets:
-        desk = Desk(sheet, platform, missing, drawn)
+        desk = ExportDesk(sheet, platform, missing, drawn)
         files[f"{slug(sheet.code)}.{platform.name.split()[0].lower()}.zip"] = zipped(package(desk))
     return Exported(files, left_out(platform.name, missing))
 
 
-def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: list) -> Iterator[list[tuple[Item, Desk]]]:
+def by_items(worksheets: tuple[Worksheet, ...], platform: Platform, missing: list) -> Iterator[list[tuple[Item, ExportDesk]]]:
     """For each place on the paper the items of all students, each on a page of its own."""
     drawn: dict = {}
     for place in range(max((len(sheet.items) for sheet in worksheets), default=0)):
         sheets = (sheet for sheet in worksheets if place < len(sheet.items))
-        yield [(sheet.items[place], Desk(sheet, platform, missing, drawn)) for sheet in sheets]
+        yield [(sheet.items[place], ExportDesk(sheet, platform, missing, drawn)) for sheet in sheets]
 
 
 def nearest_pairs(key: OrderKey) -> list[tuple[int, int]]:

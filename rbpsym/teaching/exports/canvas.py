@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import Desk, Platform, in_packages
+from rbpsym.teaching.exports.bench import ExportDesk, Platform, in_packages
 from rbpsym.teaching.exports.page import identifier, written
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Worksheet
@@ -21,7 +21,7 @@ def export_canvas(worksheets: tuple[Worksheet, ...], options: Options) -> Export
     return in_packages(worksheets, CANVAS, package)
 
 
-def package(desk: Desk) -> dict[str, bytes]:
+def package(desk: ExportDesk) -> dict[str, bytes]:
     """The files of the package by path: the quiz, its settings, its pictures, and what says so."""
     sheet = desk.worksheet
     about = {"name": identifier(sheet.code), "title": f"{desk.plain(sheet.title)} {sheet.code}", "points": sheet.points}

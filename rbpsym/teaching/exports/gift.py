@@ -11,7 +11,7 @@ from typing import Any
 from rbpsym.document.model import FigureBlock
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import Desk, Platform, by_items, orders
+from rbpsym.teaching.exports.bench import ExportDesk, Platform, by_items, orders
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.wording import left_out, name_of
 
@@ -34,7 +34,7 @@ def export_gift(worksheets: tuple[m.Worksheet, ...], options: Options) -> Export
     return Exported({"questions.gift": "\n\n".join(lines) + "\n"}, left_out("GIFT", missing))
 
 
-def question(item: m.Item, desk: Desk) -> str:
+def question(item: m.Item, desk: ExportDesk) -> str:
     """The question of one item."""
     part = desk.worksheet.part_of(item.id)
     if any(isinstance(block, FigureBlock) for block in (*part.statement, *item.prompt)):
@@ -61,7 +61,7 @@ def plain(value: float) -> str:
 # --- keys for which it has a way of its own
 
 
-def order(item: m.Item, desk: Desk) -> Matching | q.Essay:
+def order(item: m.Item, desk: ExportDesk) -> Matching | q.Essay:
     """A matching of steps with places, where only one order is right."""
     key: m.OrderKey = item.key
     if len(orders(key, 1) or ()) != 1:
@@ -71,7 +71,7 @@ def order(item: m.Item, desk: Desk) -> Matching | q.Essay:
     return Matching(tuple((desk.formula(piece.statement), str(key.sample.index(at) + 1)) for at, piece in pieces))
 
 
-def signs(item: m.Item, desk: Desk) -> Matching:
+def signs(item: m.Item, desk: ExportDesk) -> Matching:
     """A matching of works with their signs."""
     q.note_cancelling(item, desk)
     pairs = []
@@ -84,7 +84,7 @@ def signs(item: m.Item, desk: Desk) -> Matching:
 # --- each form: (what stands below the question, the answers)
 
 
-def _choice(form: q.Choice, desk: Desk) -> tuple[str, str]:
+def _choice(form: q.Choice, desk: ExportDesk) -> tuple[str, str]:
     lines = []
     for place, option in enumerate(form.options):
         is_right = place == form.right
@@ -93,7 +93,7 @@ def _choice(form: q.Choice, desk: Desk) -> tuple[str, str]:
     return "", _below_each_other(lines)
 
 
-def _number(form: q.Number, desk: Desk) -> tuple[str, str]:
+def _number(form: q.Number, desk: ExportDesk) -> tuple[str, str]:
     lines = [f"={plain(form.exact)}:{plain(abs(form.exact) * form.reach)}#{escaped(desk.word('right'))}"]
     for known in form.wrong:
         value = float(known.number.value)
@@ -103,7 +103,7 @@ def _number(form: q.Number, desk: Desk) -> tuple[str, str]:
     return unit, "#" + _below_each_other(lines)
 
 
-def _matching(form: Matching, desk: Desk) -> tuple[str, str]:
+def _matching(form: Matching, desk: ExportDesk) -> tuple[str, str]:
     return "", _below_each_other([f"={escaped(left)} -> {right}" for left, right in form.pairs])
 
 
@@ -111,7 +111,7 @@ def _below_each_other(lines: list[str]) -> str:
     return "\n" + "\n".join(lines) + "\n"
 
 
-SHELLS: Mapping[type, Callable[[Any, Desk], tuple[str, str]]] = {
+SHELLS: Mapping[type, Callable[[Any, ExportDesk], tuple[str, str]]] = {
     q.Choice: _choice,
     q.Number: _number,
     Matching: _matching,

@@ -18,10 +18,10 @@ from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import Desk, Platform, by_items
+from rbpsym.teaching.exports.bench import ExportDesk, Platform, by_items
 from rbpsym.teaching.exports.names import maxima
 from rbpsym.teaching.exports.page import filled, written
-from rbpsym.teaching.exports.question import Formulas
+from rbpsym.teaching.exports.question import TypedFormulas
 from rbpsym.teaching.formats import Exported, Options
 from rbpsym.teaching.model import Item
 from rbpsym.teaching.wording import left_out, name_of
@@ -32,7 +32,7 @@ from rbpsym.teaching.wording import left_out, name_of
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class ResponseNode:
     """A node of the response tree: what the answer is compared with, what it then earns, and what is told."""
 
     against: str
@@ -47,7 +47,7 @@ class Tree:
     number: int
     right: str
     share: float
-    nodes: tuple[Node, ...]
+    nodes: tuple[ResponseNode, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class Stack:
     tests: tuple[Mapping[int, int], ...]
 
 
-def stack(form: Formulas, item: Item, desk: Desk) -> Stack:
+def stack(form: TypedFormulas, item: Item, desk: ExportDesk) -> Stack:
     """The trees of all fields, and the tests: the right answers, then each wrong one in its field."""
     trees = tuple(_tree(entry, form.names, desk) for entry in form.entries)
     right = dict.fromkeys((tree.number for tree in trees), 0)
@@ -68,10 +68,10 @@ def stack(form: Formulas, item: Item, desk: Desk) -> Stack:
     return Stack(_assumptions(form.names, desk.worksheet.problems[item.asked.problem]) + values, trees, (right, *wrong))
 
 
-def _tree(entry, names: Mapping[str, str], desk: Desk) -> Tree:
+def _tree(entry, names: Mapping[str, str], desk: ExportDesk) -> Tree:
     """Right? else each misconception; a node that fails leads to the next."""
-    known = (Node(maxima(wrong.formula, names), 0, desk.feedback(wrong.slip)) for wrong in entry.wrong)
-    first = Node(f"ta{entry.number}", 1, f"<p>{desk.word('right')}</p>")
+    known = (ResponseNode(maxima(wrong.formula, names), 0, desk.feedback(wrong.slip)) for wrong in entry.wrong)
+    first = ResponseNode(f"ta{entry.number}", 1, f"<p>{desk.word('right')}</p>")
     return Tree(entry.number, maxima(entry.value, names), float(entry.share), (first, *known))
 
 
@@ -85,7 +85,7 @@ def _assumptions(names: Mapping[str, str], problem: Problem) -> str:
 
 
 OWN = "\ue000"  # marks our own fields until the text is written; no text of an author holds it
-SHELLS = {q.Number: "numerical", q.Choice: "multichoice", q.Fields: "cloze", q.Formulas: "stack", q.Essay: "essay"}
+SHELLS = {q.Number: "numerical", q.Choice: "multichoice", q.Fields: "cloze", q.TypedFormulas: "stack", q.Essay: "essay"}
 
 
 def export_moodle(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exported:
@@ -99,7 +99,7 @@ def export_moodle(worksheets: tuple[m.Worksheet, ...], options: Options) -> Expo
     return Exported({"moodle.xml": written("moodle.xml", parts=map(Markup, parts))}, left_out("Moodle", missing))
 
 
-def question(item: m.Item, desk: Desk) -> str:
+def question(item: m.Item, desk: ExportDesk) -> str:
     """The question of one item, with its name, text, points and pictures."""
     form = q.asked_as(item, desk)
     text, told = desk.question(item) + above(form, desk), desk.solution(item)
@@ -117,13 +117,13 @@ def question(item: m.Item, desk: Desk) -> str:
         pictures={name: base64.b64encode(data).decode() for name, data in desk.pictures.items()},
         units=list(units(form.key)) if isinstance(form, q.Number) else [],
         rubric=q.rubric(item, desk),
-        stack=stack(form, item, desk) if isinstance(form, q.Formulas) else None,
+        stack=stack(form, item, desk) if isinstance(form, q.TypedFormulas) else None,
     )
 
 
-def above(form: object, desk: Desk) -> str:
+def above(form: object, desk: ExportDesk) -> str:
     """What stands between the question and the fields."""
-    if not isinstance(form, q.Formulas):
+    if not isinstance(form, q.TypedFormulas):
         return getattr(form, "before", "") or getattr(form, "markup", "")
     fields = {e.number: f"[[input:ans{e.number}]] [[validation:ans{e.number}]]" for e in form.entries}
     if form.left is not None:
@@ -140,7 +140,7 @@ def units(key: m.NumberKey) -> Iterator[tuple[str, float]]:
         yield from ((way, own.factor / read_unit(name).factor) for way in ways)
 
 
-def slip(item: m.Item, desk: Desk) -> q.Choice:
+def slip(item: m.Item, desk: ExportDesk) -> q.Choice:
     """The line with the slip, by its number; the corrected one is told with the right answer."""
     key: m.SlipKey = item.key
     desk.lacks(item, "correction")
@@ -149,7 +149,7 @@ def slip(item: m.Item, desk: Desk) -> q.Choice:
     return q.Choice(tuple(options), key.wrong, q.lines(key.lines, desk), praise, shuffled=False)
 
 
-def dropdown(field: q.Field) -> str:
+def dropdown(field: q.DropDown) -> str:
     """A field of a cloze."""
     words = (("=" if place == field.right else "") + escaped(word) for place, word in enumerate(field.words))
     return "{" + OWN + "1:MULTICHOICE:" + "~".join(words) + "}"

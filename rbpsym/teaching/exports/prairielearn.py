@@ -16,7 +16,7 @@ from rbpsym.notation.latex import to_latex
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import Desk, Platform
+from rbpsym.teaching.exports.bench import ExportDesk, Platform
 from rbpsym.teaching.exports.names import sympy_text
 from rbpsym.teaching.exports.page import between, slug
 from rbpsym.teaching.formats import Exported, Options
@@ -26,7 +26,7 @@ OURS = UUID("6f0a1a5e-6a0e-5f6c-9a39-2d0c5b7f9d11")  # the space in which the id
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class OrderBlocks:
     """Blocks with the graph of what they depend on (text, places): every order that keeps it is right."""
 
     blocks: tuple[tuple[str, str], ...]
@@ -39,12 +39,12 @@ def export_prairielearn(worksheets: tuple[m.Worksheet, ...], options: Options) -
     for sheet in worksheets:
         for item in sheet.items:
             folder = f"questions/{slug(sheet.code)}/{slug(item.id)}"
-            desk = Desk(sheet, PRAIRIELEARN, missing, drawn)
+            desk = ExportDesk(sheet, PRAIRIELEARN, missing, drawn)
             files |= {f"{folder}/{path}": content for path, content in question(item, desk).items()}
     return Exported(files, left_out("PrairieLearn", missing))
 
 
-def question(item: m.Item, desk: Desk) -> dict[str, str | bytes]:
+def question(item: m.Item, desk: ExportDesk) -> dict[str, str | bytes]:
     """The files of one question by path."""
     text, form = desk.question(item), q.asked_as(item, desk)
     kind, answers = SHELLS[type(form)](form, item, desk)
@@ -60,7 +60,7 @@ def question(item: m.Item, desk: Desk) -> dict[str, str | bytes]:
         label=lambda *inlines: attribute(inlines, desk),
         told=lambda option: attribute(feedback(option.slip, desk.worksheet), desk),
         left=(Math(item.key.left), Text(" =")) if hasattr(item.key, "left") else (),
-        legend=Markup(q.legend(form.names, desk)) if isinstance(form, q.Formulas) else "",
+        legend=Markup(q.legend(form.names, desk)) if isinstance(form, q.TypedFormulas) else "",
         has_reason=isinstance(item.key, m.ExplanationKey)
         or bool(isinstance(item.key, m.ComparisonKey) and item.rubric),
         is_pure=isinstance(form, q.Number) and not read_unit(form.key.measure.unit).dimension,
@@ -73,7 +73,7 @@ def question(item: m.Item, desk: Desk) -> dict[str, str | bytes]:
     return files | {f"clientFilesQuestion/{name}": data for name, data in desk.pictures.items()}
 
 
-def info(item: m.Item, desk: Desk) -> dict[str, object]:
+def info(item: m.Item, desk: ExportDesk) -> dict[str, object]:
     """What a question says of itself."""
     sheet = desk.worksheet
     found: dict[str, object] = {
@@ -93,7 +93,7 @@ def server(answers: Mapping[str, object]) -> str:
     return f"def generate(data):\n{rows or '    pass' + chr(10)}"
 
 
-def attribute(inlines: Inlines, desk: Desk) -> str:
+def attribute(inlines: Inlines, desk: ExportDesk) -> str:
     """Inlines within an attribute: text and formulas between dollars."""
     shown = (
         f"${to_latex(part.node, desk.worksheet.notation)}$" if isinstance(part, Math) else desk.plain((part,))
@@ -102,7 +102,7 @@ def attribute(inlines: Inlines, desk: Desk) -> str:
     return "".join(shown)
 
 
-def dropdown(field: q.Field) -> str:
+def dropdown(field: q.DropDown) -> str:
     """A drop-down within text."""
     options = "".join(
         f'<pl-answer correct="{"true" if place == field.right else "false"}">{escape(word)}</pl-answer>'
@@ -116,32 +116,32 @@ def picture(path: str, alt: str) -> str:
     return f'<pl-figure file-name="{escape(path)}" alt="{escape(alt)}"></pl-figure>'
 
 
-def order(item: m.Item, desk: Desk) -> Order:
+def order(item: m.Item, desk: ExportDesk) -> OrderBlocks:
     """The graph of an order."""
     key: m.OrderKey = item.key
     needs = (",".join(f"step{i}" for i, j in sorted(key.before) if j == place) for place in range(len(key.pieces)))
-    return Order(tuple(zip((q.line_of(piece, desk) for piece in key.pieces), needs, strict=True)))
+    return OrderBlocks(tuple(zip((q.line_of(piece, desk) for piece in key.pieces), needs, strict=True)))
 
 
-def _number(form: q.Number, item: m.Item, desk: Desk) -> tuple[str, dict[str, object]]:
+def _number(form: q.Number, item: m.Item, desk: ExportDesk) -> tuple[str, dict[str, object]]:
     unit = form.key.measure.unit.replace("^", "**")
     return "number", {
         "number": f"{form.exact:.10g} {unit}" if read_unit(form.key.measure.unit).dimension else form.exact
     }
 
 
-def _formulas(form: q.Formulas, item: m.Item, desk: Desk) -> tuple[str, dict[str, object]]:
+def _formulas(form: q.TypedFormulas, item: m.Item, desk: ExportDesk) -> tuple[str, dict[str, object]]:
     names = ("formula",) if form.left is not None else (f"blank{entry.number}" for entry in form.entries)
     return "formulas", {n: sympy_text(e.value, form.names) for n, e in zip(names, form.entries, strict=True)}
 
 
-SHELLS: Mapping[type, Callable[[Any, m.Item, Desk], tuple[str, dict[str, object]]]] = {
+SHELLS: Mapping[type, Callable[[Any, m.Item, ExportDesk], tuple[str, dict[str, object]]]] = {
     q.Number: _number,
-    q.Formulas: _formulas,
+    q.TypedFormulas: _formulas,
     q.Choice: lambda form, item, desk: ("choice", {}),
     q.Fields: lambda form, item, desk: ("fields", {}),
     q.Essay: lambda form, item, desk: ("essay", {}),
-    Order: lambda form, item, desk: ("order", {}),
+    OrderBlocks: lambda form, item, desk: ("order", {}),
 }
 NO_COMMENT = "a number or formula takes no feedback on misconceptions, since server.py holds data only"
 LACKS: Mapping[str, str] = {

@@ -10,13 +10,13 @@ from markupsafe import Markup
 
 from rbpsym.teaching import model as m
 from rbpsym.teaching.exports import question as q
-from rbpsym.teaching.exports.bench import Desk, Platform, in_packages, orders
+from rbpsym.teaching.exports.bench import ExportDesk, Platform, in_packages, orders
 from rbpsym.teaching.exports.page import identifier, mathml, written
 from rbpsym.teaching.formats import Exported, Options
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class OrderSteps:
     """Steps to be put in order: what each says, and the orders that are right, the printed one first."""
 
     steps: tuple[str, ...]
@@ -37,7 +37,7 @@ def export_qti(worksheets: tuple[m.Worksheet, ...], options: Options) -> Exporte
     return in_packages(worksheets, QTI, package)
 
 
-def package(desk: Desk) -> dict[str, bytes]:
+def package(desk: ExportDesk) -> dict[str, bytes]:
     """The files of one package: the items, their pictures, the test and the manifest."""
     sheet = desk.worksheet
     title, names = desk.plain(sheet.title), {item.id: identifier(f"item {item.id}") for item in sheet.items}
@@ -52,7 +52,7 @@ def package(desk: Desk) -> dict[str, bytes]:
     return files
 
 
-def question(item: m.Item, desk: Desk, name: str, title: str) -> bytes:
+def question(item: m.Item, desk: ExportDesk, name: str, title: str) -> bytes:
     """One item: declarations, body, processing, feedback."""
     form = q.asked_as(item, desk)
     return written(
@@ -68,19 +68,19 @@ def question(item: m.Item, desk: Desk, name: str, title: str) -> bytes:
     )
 
 
-SHELLS: Mapping[type, str] = {q.Number: "number", q.Choice: "choice", Order: "order", Signs: "signs", q.Essay: "text"}
+SHELLS: Mapping[type, str] = {q.Number: "number", q.Choice: "choice", OrderSteps: "order", Signs: "signs", q.Essay: "text"}
 
 
-def order(item: m.Item, desk: Desk) -> Order:
+def order(item: m.Item, desk: ExportDesk) -> OrderSteps:
     """All orders that keep the graph are right, as far as they can be listed."""
     key: m.OrderKey = item.key
     right = orders(key)
     if right is None:
         desk.lacks(item, "orders")
-    return Order(tuple(q.line_of(piece, desk) for piece in key.pieces), key.sample, tuple(right or [key.sample]))
+    return OrderSteps(tuple(q.line_of(piece, desk) for piece in key.pieces), key.sample, tuple(right or [key.sample]))
 
 
-def signs(item: m.Item, desk: Desk) -> Signs:
+def signs(item: m.Item, desk: ExportDesk) -> Signs:
     """A paragraph for each force."""
     q.note_cancelling(item, desk)
     rows = []

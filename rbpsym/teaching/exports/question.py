@@ -18,7 +18,7 @@ from rbpsym.notation import tree as t
 from rbpsym.statement.printed_units import unit_text
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching import model as m
-from rbpsym.teaching.exports.bench import Desk, free_pairs, nearest_pairs
+from rbpsym.teaching.exports.bench import ExportDesk, free_pairs, nearest_pairs
 from rbpsym.teaching.exports.names import RESERVED, exported_names
 
 FEWEST = 3  # options of a choice that stands for a formula
@@ -62,7 +62,7 @@ class Number:
 
 
 @dataclass(frozen=True, slots=True)
-class Field:
+class DropDown:
     """A drop-down: its words and the place of the right one."""
 
     name: str
@@ -75,11 +75,11 @@ class Fields:
     """Text with drop-downs in it, as the platform shows each (`Platform.dropdown`)."""
 
     markup: str
-    fields: tuple[Field, ...]
+    fields: tuple[DropDown, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class TypedFormula:
     """A formula to be typed: its number, the right one, known wrong ones, and its share of the points."""
 
     number: int
@@ -94,10 +94,10 @@ class Entry:
 
 
 @dataclass(frozen=True, slots=True)
-class Formulas:
+class TypedFormulas:
     """Formulas to be typed, with the names that are typed for ours; `left` is what stands before a single one."""
 
-    entries: tuple[Entry, ...]
+    entries: tuple[TypedFormula, ...]
     names: Mapping[str, str]
     left: t.Node | None = None
 
@@ -113,7 +113,7 @@ class Essay:
 # --- how each kind is asked where the platform has no way of its own
 
 
-def number(item: m.Item, desk: Desk) -> Number:
+def number(item: m.Item, desk: ExportDesk) -> Number:
     """A number in the unit that is printed."""
     key: m.NumberKey = item.key
     desk.lacks(item, "figures")
@@ -126,14 +126,14 @@ def number(item: m.Item, desk: Desk) -> Number:
     return Number(key, key.exact / read_unit(unit).factor, float(key.measure.value), unit_text(unit), wrong)
 
 
-def choice(item: m.Item, desk: Desk) -> Choice:
+def choice(item: m.Item, desk: ExportDesk) -> Choice:
     """One of the options as they are."""
     if isinstance(item.key, m.ComparisonKey) and item.rubric:
         desk.lacks(item, "reason")
     return Choice(item.key.options, item.key.right)
 
 
-def choice_of_lines(item: m.Item, desk: Desk) -> Choice:
+def choice_of_lines(item: m.Item, desk: ExportDesk) -> Choice:
     """Which line is wrong."""
     desk.lacks(item, "correction")
     numbered = enumerate(item.key.lines, start=1)
@@ -141,7 +141,7 @@ def choice_of_lines(item: m.Item, desk: Desk) -> Choice:
     return Choice(tuple(options), item.key.wrong)
 
 
-def formula_as_choice(item: m.Item, desk: Desk) -> Choice | Essay:
+def formula_as_choice(item: m.Item, desk: ExportDesk) -> Choice | Essay:
     """A formula among its known wrong ones, in an order that tells nothing: by their length, then by their text."""
     key: m.FormulaKey = item.key
     wrong = ((known.formula, known.slip) for known in key.anticipated if known.formula is not None)
@@ -154,37 +154,37 @@ def formula_as_choice(item: m.Item, desk: Desk) -> Choice | Essay:
     return Choice(options, next(place for place, option in enumerate(options) if option.slip is None))
 
 
-def blanks_as_text(item: m.Item, desk: Desk) -> Essay:
+def blanks_as_text(item: m.Item, desk: ExportDesk) -> Essay:
     """All blanks in one field."""
     desk.lacks(item, "blanks")
     right = (f"<p>{blank.number}: {desk.formula(blank.value)}</p>" for blank in item.key.blanks)
     return Essay(sample="".join(right))
 
 
-def essay(item: m.Item, desk: Desk) -> Essay:
+def essay(item: m.Item, desk: ExportDesk) -> Essay:
     """An open question, without its answer."""
     desk.lacks(item, "rubric")
     return Essay()
 
 
-def essay_with_sample(item: m.Item, desk: Desk) -> Essay:
+def essay_with_sample(item: m.Item, desk: ExportDesk) -> Essay:
     """An open question for a platform that shows a full answer to who marks it."""
     return Essay(sample=desk.html(item.key.sample))
 
 
-def rubric(item: m.Item, desk: Desk) -> str:
+def rubric(item: m.Item, desk: ExportDesk) -> str:
     """What earns points, as a list; "" if nothing is said."""
     rows = "".join(f"<li>{desk.inlines(row.text)} ({float(row.points):g})</li>" for row in item.rubric)
     return f"<ul>{rows}</ul>" if rows else ""
 
 
-def signs(item: m.Item, desk: Desk) -> Fields:
+def signs(item: m.Item, desk: ExportDesk) -> Fields:
     """A table with two drop-downs for each force."""
     note_cancelling(item, desk)
     fields, rows = [], ""
     for place, row in enumerate(item.key.rows, start=1):
         own = [
-            Field(f"{work}{place}", SIGNS, m.SIGNS.index(sign))
+            DropDown(f"{work}{place}", SIGNS, m.SIGNS.index(sign))
             for work, sign in (("T", row.translational), ("R", row.rotational))
         ]
         cells = "".join(f"<td>{desk.dropdown(field)}</td>" for field in own)
@@ -197,18 +197,18 @@ def signs(item: m.Item, desk: Desk) -> Fields:
 SIGNS = tuple(sign.replace("-", "−") for sign in m.SIGNS)
 
 
-def note_cancelling(item: m.Item, desk: Desk) -> None:
+def note_cancelling(item: m.Item, desk: ExportDesk) -> None:
     """No platform asks which works cancel."""
     if any(row.cancels for row in item.key.rows):
         desk.lacks(item, "cancelling")
 
 
-def force_of(row: m.SignRow, desk: Desk) -> str:
+def force_of(row: m.SignRow, desk: ExportDesk) -> str:
     """The head of a row of signs."""
     return f"{desk.formula(row.force)} ({desk.inlines(row.label)})"
 
 
-def order_in_pairs(item: m.Item, desk: Desk) -> Fields:
+def order_in_pairs(item: m.Item, desk: ExportDesk) -> Fields:
     """An order asked pair by pair, since more than one order may be right."""
     key: m.OrderKey = item.key
     desk.lacks(item, "pairs")
@@ -216,17 +216,17 @@ def order_in_pairs(item: m.Item, desk: Desk) -> Fields:
     pairs = [*((pair, 0) for pair in nearest_pairs(key)), *((pair, 2) for pair in free_pairs(key))]
     fields, asked, step = [], "", desk.word("step")
     for place, ((first, second), right) in enumerate(pairs, start=1):
-        fields.append(Field(f"P{place}", words, right))
+        fields.append(DropDown(f"P{place}", words, right))
         asked += f"<li>{step} {first + 1} {desk.dropdown(fields[-1])} {step.lower()} {second + 1}</li>"
     return Fields(f"{lines(key.pieces, desk)}<p>{desk.word('pair')}</p><ul>{asked}</ul>", tuple(fields))
 
 
-def lines(pieces: Iterable[m.Piece], desk: Desk) -> str:
+def lines(pieces: Iterable[m.Piece], desk: ExportDesk) -> str:
     """Pieces of a derivation as a numbered list."""
     return f"<ol>{''.join(f'<li>{line_of(piece, desk)}</li>' for piece in pieces)}</ol>"
 
 
-def line_of(piece: m.Piece, desk: Desk) -> str:
+def line_of(piece: m.Piece, desk: ExportDesk) -> str:
     """A piece with its reason."""
     return f"{desk.formula(piece.statement)} {desk.inlines(piece.reason)}"
 
@@ -234,36 +234,36 @@ def line_of(piece: m.Piece, desk: Desk) -> str:
 # --- for platforms that compare formulas
 
 
-def typed_formula(item: m.Item, desk: Desk) -> Formulas:
+def typed_formula(item: m.Item, desk: ExportDesk) -> TypedFormulas:
     """One formula."""
     key: m.FormulaKey = item.key
     if key.follows:
         desk.lacks(item, "carried")
-    return _formulas(item, desk, (Entry(1, key.value, key.anticipated),), key.left)
+    return _formulas(item, desk, (TypedFormula(1, key.value, key.anticipated),), key.left)
 
 
-def typed_blanks(item: m.Item, desk: Desk) -> Formulas:
+def typed_blanks(item: m.Item, desk: ExportDesk) -> TypedFormulas:
     """A formula for each blank."""
     blanks = item.key.blanks
     whole = sum((blank.points for blank in blanks), Fraction(0)) or Fraction(1)
-    return _formulas(item, desk, tuple(Entry(b.number, b.value, b.anticipated, b.points / whole) for b in blanks))
+    return _formulas(item, desk, tuple(TypedFormula(b.number, b.value, b.anticipated, b.points / whole) for b in blanks))
 
 
-def _formulas(item: m.Item, desk: Desk, entries: tuple[Entry, ...], left: t.Node | None = None) -> Formulas:
+def _formulas(item: m.Item, desk: ExportDesk, entries: tuple[TypedFormula, ...], left: t.Node | None = None) -> TypedFormulas:
     if any(entry.anticipated for entry in entries):
         desk.lacks(item, "slips of formulas")
     formulas = [e.value for e in entries] + [known.formula for e in entries for known in e.wrong]
     used = set(item.key.names).union(*map(t.names, formulas)) - {"pi"}
-    return Formulas(entries, exported_names(used, desk.worksheet.problems[item.asked.problem], RESERVED), left)
+    return TypedFormulas(entries, exported_names(used, desk.worksheet.problems[item.asked.problem], RESERVED), left)
 
 
-def legend(names: Mapping[str, str], desk: Desk) -> str:
+def legend(names: Mapping[str, str], desk: ExportDesk) -> str:
     """What is typed for each letter."""
     pairs = (f"{desk.formula(t.Sym(name))}: <code>{escape(typed)}</code>" for name, typed in sorted(names.items()))
     return f"<p>{desk.word('type')} {', '.join(pairs)}</p>"
 
 
-KINDS: Mapping[type, Callable[[m.Item, Desk], Any]] = {
+KINDS: Mapping[type, Callable[[m.Item, ExportDesk], Any]] = {
     m.FormulaKey: formula_as_choice,
     m.NumberKey: number,
     m.ChoiceKey: choice,
@@ -276,6 +276,6 @@ KINDS: Mapping[type, Callable[[m.Item, Desk], Any]] = {
 }
 
 
-def asked_as(item: m.Item, desk: Desk) -> Any:
+def asked_as(item: m.Item, desk: ExportDesk) -> Any:
     """How the platform asks an item."""
     return (KINDS | desk.platform.kinds)[type(item.key)](item, desk)

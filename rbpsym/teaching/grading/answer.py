@@ -17,7 +17,7 @@ from rbpsym.statement.model import Problem
 from rbpsym.statement.units import read_unit
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.formula import Sought, judge_formula
-from rbpsym.teaching.grading.ground import Ground, bare_ground, ground_of
+from rbpsym.teaching.grading.ground import GradingGround, bare_ground, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, invalid
 from rbpsym.teaching.grading.number import Wanted, judge_number
 from rbpsym.teaching.grading.reading import read_formula
@@ -32,7 +32,7 @@ from rbpsym.teaching.model import Tolerance
 OUTSIDE = (LimitError, Undecided, ReadError, ZeroDivisionError)
 
 
-def judge_equation(answer: t.Node, key: t.Chain, ground: Ground) -> Judgement:
+def judge_equation(answer: t.Node, key: t.Chain, ground: GradingGround) -> Judgement:
     """The judgement on an equation that should say the same as the key, both of two sides."""
     if not isinstance(answer, t.Chain) or len(answer.items) != 2:
         return j.wrong("equation wanted")
@@ -49,7 +49,7 @@ def _gap(equation: t.Chain) -> t.Node:
     return t.Add((equation.items[0], t.Neg(equation.items[1])))
 
 
-def _linear(equation: t.Chain, name: str, ground: Ground) -> Scalar | None:
+def _linear(equation: t.Chain, name: str, ground: GradingGround) -> Scalar | None:
     """What the equation makes of a symbol in which it is linear, with a factor that is never zero."""
     try:
         value = scalar(_gap(equation), ground.scope)
@@ -65,7 +65,7 @@ def _linear(equation: t.Chain, name: str, ground: Ground) -> Scalar | None:
         return None
 
 
-def _on_key(answer: t.Chain, name: str, solved: Scalar, ground: Ground) -> Judgement:
+def _on_key(answer: t.Chain, name: str, solved: Scalar, ground: GradingGround) -> Judgement:
     """Does the answer hold where the key does, and nowhere else?"""
     there = replace(ground, scope=ground.scope.with_scalars({name: solved}))
     if are_equal(*answer.items, ground).is_proved:
@@ -92,7 +92,7 @@ Symbols = Mapping[str, str] | Iterable[str]
 
 
 def grade_answer(
-    answer: str, key: str | t.Node, symbols: Symbols | Problem | Ground, *, target: str = "", language: str = "en"
+    answer: str, key: str | t.Node, symbols: Symbols | Problem | GradingGround, *, target: str = "", language: str = "en"
 ) -> Judgement:
     """The judgement on a typed formula, or on an equation where the key is one.
 
@@ -113,15 +113,15 @@ def grade_answer(
     return judge_formula(answer, Sought(value, ground, left))
 
 
-def _equation(answer: str, key: t.Chain, ground: Ground) -> Judgement:
+def _equation(answer: str, key: t.Chain, ground: GradingGround) -> Judgement:
     try:
         return judge_equation(read_formula(answer, ground.book), key, ground)
     except RbpsymError as error:
         return invalid(error)
 
 
-def _ground(symbols: Symbols | Problem | Ground, language: str) -> Ground:
-    if isinstance(symbols, Ground):
+def _ground(symbols: Symbols | Problem | GradingGround, language: str) -> GradingGround:
+    if isinstance(symbols, GradingGround):
         return symbols
     if isinstance(symbols, Problem):
         from rbpsym.mechanics.study import Study

@@ -15,7 +15,7 @@ from rbpsym.teaching import model as m
 from rbpsym.teaching.grading import judgement as j
 from rbpsym.teaching.grading.choices import judge_choice, judge_order, judge_signs, place_of
 from rbpsym.teaching.grading.formula import Sought, judge_formula
-from rbpsym.teaching.grading.ground import Ground, book, ground_of
+from rbpsym.teaching.grading.ground import GradingGround, book, ground_of
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.number import judge_number, wanted
 from rbpsym.teaching.grading.own_answers import own_formula, own_number, with_numbers_put_in
@@ -42,10 +42,10 @@ class Desk:
     """The grounds of problems, made once and kept for all students."""
 
     language: str = "en"
-    grounds: dict[int, tuple[Problem, Ground]] = field(default_factory=dict)
-    wider: dict[tuple[int, frozenset[str]], Ground] = field(default_factory=dict)
+    grounds: dict[int, tuple[Problem, GradingGround]] = field(default_factory=dict)
+    wider: dict[tuple[int, frozenset[str]], GradingGround] = field(default_factory=dict)
 
-    def ground(self, problem: Problem, names: frozenset[str] = frozenset()) -> Ground:
+    def ground(self, problem: Problem, names: frozenset[str] = frozenset()) -> GradingGround:
         """The ground of a problem, with further names that an item uses."""
         if id(problem) not in self.grounds:
             self.grounds[id(problem)] = (problem, ground_of(Study(problem), self.language))
@@ -74,7 +74,7 @@ class Case:
         """The problem that an item is about."""
         return self.worksheet.problems[item.asked.problem]
 
-    def ground(self, item: m.Item, *nodes: t.Node | None) -> Ground:
+    def ground(self, item: m.Item, *nodes: t.Node | None) -> GradingGround:
         """The ground of an item; names in its key may be typed too."""
         names = frozenset().union(*(t.names(node) for node in nodes if node is not None))
         return self.desk.ground(self.problem(item), names)
@@ -204,7 +204,7 @@ def _correction(text: str, item: m.Item, case: Case) -> Judgement:
     return Judgement(Status.PARTLY, j.HALF, (Remark("wrong correction"), *found.remarks))
 
 
-def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: Ground) -> bool:
+def _says_the_same(text: str, sides: tuple[t.Node, ...], ground: GradingGround) -> bool:
     """Is it an equation whose sides are, one by one, sides of the corrected line?"""
     try:
         read = read_formula(text, ground.book)

@@ -14,7 +14,7 @@ from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.teaching.grading import judgement as j
-from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Judgement, Remark, Status
 from rbpsym.teaching.grading.quantity import agrees, rounded, without_number
 from rbpsym.teaching.grading.reading import read_all, read_formula
@@ -33,7 +33,7 @@ class Sought:
     wrong values, and the values that follow from the student's own earlier answers."""
 
     value: t.Node
-    ground: Ground
+    ground: GradingGround
     left: t.Node | None = None
     names: frozenset[str] = frozenset()
     anticipated: tuple[Anticipated, ...] = ()
@@ -207,7 +207,7 @@ def _tried(change: Callable[[T], Scalar], value: T) -> Scalar | None:
         return None
 
 
-def _same(first: Scalar | None, second: Scalar | None, ground: Ground) -> bool:
+def _same(first: Scalar | None, second: Scalar | None, ground: GradingGround) -> bool:
     if first is None or second is None:
         return False
     return scalars_equal(first, second, ground.assumptions).is_proved
@@ -251,7 +251,7 @@ def _near_miss(answer: t.Node, sought: Sought) -> Judgement | None:
     return j.wrong("sign") if ratio == -1 else j.wrong("factor", factor=t.Num(ratio))
 
 
-def _value(node: t.Node, ground: Ground) -> Scalar | None:
+def _value(node: t.Node, ground: GradingGround) -> Scalar | None:
     return _tried(lambda known: scalar(known, ground.scope), node) if is_small(node) else None
 
 
@@ -285,7 +285,7 @@ def _equation(read: t.Chain, sought: Sought) -> Judgement:
     return j.undecided("the equation is not solved for what is asked")
 
 
-def _with_meaning(ground: Ground, name: str, node: t.Node) -> Ground | None:
+def _with_meaning(ground: GradingGround, name: str, node: t.Node) -> GradingGround | None:
     value = _value(node, ground)
     return None if value is None else replace(ground, scope=ground.scope.with_scalars({name: value}))
 

@@ -110,7 +110,7 @@ def _same(value: Scalar) -> Scalar:
 
 
 @dataclass(frozen=True)
-class Ground:
+class GradingGround:
     """Meanings of names (`scope`), assumptions, dimensions, and how names may be typed (`book`).
 
     on_motion: replaces accelerations and unknown forces by what they are; along: squares of the speeds too.
@@ -130,10 +130,10 @@ class Ground:
         return Sampling(self.assumptions, self.scope)
 
 
-def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> Ground:
+def bare_ground(symbols: Iterable[str] | Mapping[str, str], language: str = "en") -> GradingGround:
     """The ground of some names alone, with their signs (“positive”, “nonnegative”, “nonzero”, “real”)."""
     signs = dict(symbols) if isinstance(symbols, Mapping) else {}
-    return Ground(book(symbols, _rates_named(frozenset(symbols)), language), Assumptions(signs))
+    return GradingGround(book(symbols, _rates_named(frozenset(symbols)), language), Assumptions(signs))
 
 
 _ANGLES = ("theta", "phi", "varphi", "vartheta", "psi", "beta", "alpha", "gamma")
@@ -145,14 +145,14 @@ def _rates_named(names: frozenset[str]) -> dict[str, str]:
     return {rates[0]: "omega"} if len(rates) == 1 and "omega" not in names else {}
 
 
-def ground_of(study: Study, language: str = "en") -> Ground:
+def ground_of(study: Study, language: str = "en") -> GradingGround:
     """The ground of a problem: its names, on its constraints."""
     problem, system = study.problem, study.system
     named = named_quantities(study)
     dimensions = {**dimensions_with_unknowns(problem), **{name: _NAMED[name.partition("_")[0]] for name in named}}
     names = {*dimensions, *named, *system.unknowns}
     scalars = {**named, **system.tied()}
-    return Ground(
+    return GradingGround(
         book(names, problem.notation, language, problem.names_in(language)),
         study.assumptions,
         system.scope.with_scalars({**system.scope.scalars, **scalars}),

@@ -18,9 +18,9 @@ from rbpsym.teaching.executor import Journal, crew, run
 from rbpsym.teaching.grading.desk import Desk, Mark, decided, grade_worksheet
 from rbpsym.teaching.grading.feedback import feedback_page, file_name, remarks_text
 from rbpsym.teaching.model import Student, Worksheet
-from rbpsym.teaching.plan import Plan
+from rbpsym.teaching.plan import WorksheetPlan
 from rbpsym.teaching.record import SUFFIX, check, record_of
-from rbpsym.teaching.spreadsheets import AnswerTable, Row, load_roster, marks_csv, read_answers
+from rbpsym.teaching.spreadsheets import AnswerRow, AnswerTable, load_roster, marks_csv, read_answers
 from rbpsym.teaching.units import number_text
 
 # --- the class list beside the answers: names for the marks, keys that nobody has, papers that were exchanged or are missing
@@ -36,15 +36,15 @@ class ClassList:
     names: the name of each student by key, empty without a list; absent: students without a row.
     """
 
-    rows: tuple[Row, ...]
-    refused: tuple[tuple[Row, str], ...] = ()
+    rows: tuple[AnswerRow, ...]
+    refused: tuple[tuple[AnswerRow, str], ...] = ()
     told: tuple[str, ...] = ()
     names: Mapping[str, str] = field(default_factory=lambda: _NOBODY)
     absent: tuple[Student, ...] = ()
 
 
 def class_list(
-    rows: tuple[Row, ...], plan: Plan, secret: str, language: str, roster: tuple[Student, ...] | None
+    rows: tuple[AnswerRow, ...], plan: WorksheetPlan, secret: str, language: str, roster: tuple[Student, ...] | None
 ) -> ClassList:
     """Each row with its student. A row that names only a form code belongs to the student with that paper."""
     if roster is None:
@@ -66,12 +66,12 @@ def class_list(
     return ClassList(kept, (*refused, *unknown), (*exchanged, *missing), names, absent)
 
 
-def _unknown(row: Row, names: Mapping[str, str]) -> str:
+def _unknown(row: AnswerRow, names: Mapping[str, str]) -> str:
     near = get_close_matches(row.student, names, n=1)
     return f"“{row.student[:40]}” is not in the class list" + (f"; is it “{near[0]}”?" if near else "")
 
 
-def _exchanged(row: Row, owner: str) -> str:
+def _exchanged(row: AnswerRow, owner: str) -> str:
     return f"line {row.line}: {row.student} answered the paper of {owner}; it is marked by that paper."
 
 
@@ -79,7 +79,7 @@ def _called(student: Student) -> str:
     return student.id if student.name in ("", student.id) else f"{student.id} ({student.name})"
 
 
-def _once(rows: tuple[Row, ...]) -> tuple[tuple[Row, ...], tuple[tuple[Row, str], ...]]:
+def _once(rows: tuple[AnswerRow, ...]) -> tuple[tuple[AnswerRow, ...], tuple[tuple[AnswerRow, str], ...]]:
     """(the first row of each paper, further ones with the reason): one by the key, another by the code of the paper."""
     seen: dict[str, int] = {}
     kept, again = [], []
@@ -99,7 +99,7 @@ def _once(rows: tuple[Row, ...]) -> tuple[tuple[Row, ...], tuple[tuple[Row, str]
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class GradingOrder:
     """What is to be graded: the worksheet (a name or a path), the secret of the papers, the language.
 
     `fingerprint` is that of the worksheet here: a worker that has another file of that name must not grade.
@@ -151,7 +151,7 @@ def grade(
     """
     plan, source = known_plan(str(worksheet)), findable(str(worksheet))
     table = answers if isinstance(answers, AnswerTable) else read_answers(Path(answers))
-    order = Order(source, secret, language, plan.fingerprint, pages)
+    order = GradingOrder(source, secret, language, plan.fingerprint, pages)
     files = [Path(file) for file in (answers, roster, source) if isinstance(file, (str, Path))]
     fits = _papers_fit([Path(papers)] if papers else [file.parent for file in files], plan, order, table)
     listed = class_list(table.rows, plan, secret, language, _roster(roster))
@@ -162,7 +162,7 @@ def grade(
     return _graded(found, table, replace(listed, told=(*fits, *listed.told)))
 
 
-def _papers_fit(folders: list[Path], plan: Plan, order: Order, table: AnswerTable) -> tuple[str, ...]:
+def _papers_fit(folders: list[Path], plan: WorksheetPlan, order: GradingOrder, table: AnswerTable) -> tuple[str, ...]:
     """What there is to say of the record beside the papers. Raises RbpsymError if it is of other papers."""
     path = record_of(plan.sheet.name, folders)
     if path is not None:
@@ -178,11 +178,11 @@ def _roster(roster: str | Path | tuple[Student, ...] | None) -> tuple[Student, .
     return roster if roster is None or isinstance(roster, tuple) else load_roster(Path(roster))
 
 
-def _refused(row: Row, why: str) -> dict[str, object]:
+def _refused(row: AnswerRow, why: str) -> dict[str, object]:
     return {"student": row.student, "code": row.code, "error": f"line {row.line}: {why}"}
 
 
-def _about(order: Order, rows: tuple[Row, ...]) -> str:
+def _about(order: GradingOrder, rows: tuple[AnswerRow, ...]) -> str:
     """Stands for all that the results depend on."""
     from rbpsym import __version__
 
@@ -195,13 +195,13 @@ def _desk(language: str) -> Desk:
     return Desk(language)
 
 
-def mark_rows(jobs: tuple[tuple[Order, Row], ...]) -> list[str]:
+def mark_rows(jobs: tuple[tuple[GradingOrder, AnswerRow], ...]) -> list[str]:
     """The marks of some rows, each as JSON. A function of this module, so that other processes can call it."""
     with TURN:
         return [json.dumps(_marked(order, row), ensure_ascii=False) for order, row in jobs]
 
 
-def _marked(order: Order, row: Row) -> dict[str, object]:
+def _marked(order: GradingOrder, row: AnswerRow) -> dict[str, object]:
     plan = known_plan(order.source)
     plan.require(order.fingerprint, order.source)
     try:
@@ -216,14 +216,14 @@ def _marked(order: Order, row: Row) -> dict[str, object]:
     return _told(order, row, sheet, marks)
 
 
-def _sheet(plan: Plan, order: Order, row: Row) -> Worksheet:
+def _sheet(plan: WorksheetPlan, order: GradingOrder, row: AnswerRow) -> Worksheet:
     """The paper of a row: by its form code if it has one."""
     if row.code:
         return plan.from_code(row.code, order.secret, Student(row.student) if row.student else None)
     return plan.worksheet(Student(row.student), order.secret, order.language)
 
 
-def _told(order: Order, row: Row, sheet: Worksheet, marks: tuple[Mark, ...]) -> dict[str, object]:
+def _told(order: GradingOrder, row: AnswerRow, sheet: Worksheet, marks: tuple[Mark, ...]) -> dict[str, object]:
     name = row.student or sheet.code
     return {
         "student": row.student,

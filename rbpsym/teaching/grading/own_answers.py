@@ -17,7 +17,7 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.statement.units import read_unit
-from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.ground import GradingGround
 from rbpsym.teaching.grading.judgement import Status
 from rbpsym.teaching.grading.quantity import read_quantity
 from rbpsym.teaching.grading.reading import read_all, read_formula
@@ -126,7 +126,7 @@ def replaced(node: t.Node, by: Mapping[str, t.Node]) -> t.Node:
     return t.mapped(node, lambda part: replaced(part, by))
 
 
-def _read(text: str, ground: Ground) -> list[t.Node]:
+def _read(text: str, ground: GradingGround) -> list[t.Node]:
     """The last sides of an answer, in each of the ways in which it can be read."""
     try:
         read = [read_formula(text, ground.book)]
@@ -138,7 +138,7 @@ def _read(text: str, ground: Ground) -> list[t.Node]:
     return [tree.items[-1] if isinstance(tree, t.Chain) else tree for tree in read]
 
 
-def _counts(tree: t.Node, item: Item, ground: Ground) -> bool:
+def _counts(tree: t.Node, item: Item, ground: GradingGround) -> bool:
     """Is it no zero and no mere number, and of the dimension that is asked for?"""
     try:
         value = scalar(tree, ground.scope)

@@ -13,7 +13,7 @@ from rbpsym.errors import DimensionError, Place, RbpsymError, ReadError
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.units import UnitOf, read_unit
-from rbpsym.teaching.grading.ground import Book, Ground
+from rbpsym.teaching.grading.ground import Book, GradingGround
 from rbpsym.teaching.grading.intervals import enclosed
 from rbpsym.teaching.grading.judgement import Judgement, wrong
 from rbpsym.teaching.grading.reading import is_latex, unframed, with_decimal_points
@@ -214,7 +214,7 @@ def without_number(text: str, book: Book) -> tuple[str, Typed | None]:
     return (found[1], number) if number.most and number.value and is_result else (text, None)
 
 
-def agrees(number: Typed, key: t.Node, ground: Ground) -> bool:
+def agrees(number: Typed, key: t.Node, ground: GradingGround) -> bool:
     """May the number be the value of the key, as far as its unit and the key tell?"""
     try:
         wanted = dimension_of(key, ground.dimensions)
@@ -228,7 +228,7 @@ def agrees(number: Typed, key: t.Node, ground: Ground) -> bool:
     return abs(float(sum(ends(enclosed(key))) / 2) - number.si) <= number.place
 
 
-def rounded(answer: t.Node, key: t.Node, ground: Ground) -> Judgement | None:
+def rounded(answer: t.Node, key: t.Node, ground: GradingGround) -> Judgement | None:
     """What is said of an answer that is equal to the key but for the rounding of its decimals; None for others."""
     shares = {part: _share(part) for part in t.walk(answer) if isinstance(part, t.Num)}
     share, first = sum(shares.values()) * _SENSITIVITY, next((part for part, share in shares.items() if share), None)

@@ -18,7 +18,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.grading.fractional_powers import equal_with_roots
-from rbpsym.teaching.grading.ground import Ground
+from rbpsym.teaching.grading.ground import GradingGround
 
 # --- how many terms a tree would have when multiplied out: the bound that keeps grading quick
 # It is counted, not timed, so that the verdict is the same on every machine.
@@ -99,7 +99,7 @@ _RULES: dict[type, Callable[[Any], Terms]] = {
 TOO_LARGE = undecided("the answer is too large to be multiplied out")
 
 
-def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
+def are_equal(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     """PROVED, REFUTED with a witness, or UNDECIDED, wherever both have a value; never by chance or by the clock.
 
     One point is tried first, since most answers that differ do so there; then algebra; then more points.
@@ -121,7 +121,7 @@ def are_equal(answer: Node, key: Node, ground: Ground) -> Verdict:
     return by_point if by_point.is_refuted else found
 
 
-def _equal_along(answer: Node, key: Node, ground: Ground) -> Verdict:
+def _equal_along(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     """Whether formulas with integrals from the start are equal there, and grow alike on the motion."""
     scope, assumptions = ground.scope, ground.assumptions
     moved = {name: ground.on_motion(scalar(t.Sym(name), scope)) for name in t.names(answer) | t.names(key)}
@@ -136,7 +136,7 @@ def _equal_along(answer: Node, key: Node, ground: Ground) -> Verdict:
     return _tried(decided)
 
 
-def _by_algebra(answer: Node, key: Node, ground: Ground) -> Verdict:
+def _by_algebra(answer: Node, key: Node, ground: GradingGround) -> Verdict:
     sides = answer, key, ground.assumptions, ground.scope
     return _tried(lambda: equal_with_roots(*sides) or equal(*sides))
 
@@ -151,14 +151,14 @@ def _tried(decide: Callable[[], Verdict]) -> Verdict:
         return undecided("a denominator is identically zero")
 
 
-def _open_powers(node: Node, ground: Ground) -> set[Node]:
+def _open_powers(node: Node, ground: GradingGround) -> set[Node]:
     """The powers x^a, read as exp(a ln x), whose base may be negative: (x^2)^a is then not x^(2a)."""
     calls = (part.arg for part in t.walk(node) if isinstance(part, t.Fn) and part.name == "exp")
     raised = [part for part in calls if isinstance(part, t.Mul) and isinstance(part.factors[-1], t.Fn)]
     return {p for p in raised if p.factors[-1].name == "ln" and not _is_positive(p.factors[-1].arg, ground)}
 
 
-def _is_positive(base: Node, ground: Ground) -> bool:
+def _is_positive(base: Node, ground: GradingGround) -> bool:
     try:
         return sign(scalar(base, ground.scope), ground.assumptions).kind == "positive"
     except (ReadError, LimitError, Undecided, ZeroDivisionError):
@@ -169,7 +169,7 @@ SIGNED = (">=", ">")
 POINTS = 12
 
 
-def has_other_domain(answer: Node, key: Node, ground: Ground) -> bool:
+def has_other_domain(answer: Node, key: Node, ground: GradingGround) -> bool:
     """Is there a point where, for the sign of a radicand or of the argument of a logarithm, only one of them has a value?"""
     sides = [[c for c in conditions(side, ground.scope) if c.op in SIGNED] for side in (answer, key)]
     if {(c.op, c.value) for c in sides[0]} == {(c.op, c.value) for c in sides[1]}:
@@ -190,7 +190,7 @@ def _is_broken(condition: Condition, point: Point) -> bool:
         return False
 
 
-def divides_by_zero(answer: Node, ground: Ground) -> bool:
+def divides_by_zero(answer: Node, ground: GradingGround) -> bool:
     """Does the formula divide by what is identically zero? (Not asked of what is too large.)"""
     if not is_small(answer):
         return False

@@ -22,7 +22,7 @@ class Lead:
 
 
 @dataclass(frozen=True, slots=True)
-class Options:
+class AnswerOptions:
     """Answers to choose from, marked a, b, c; `right` (from 0) is ticked in a key."""
 
     items: tuple[Inlines, ...]
@@ -45,7 +45,7 @@ class Rules:
 
 
 @dataclass(frozen=True, slots=True)
-class Space:
+class EmptySpace:
     """Empty paper, in cm."""
 
     height: float
@@ -95,9 +95,9 @@ HEIGHTS: Mapping[type, Measure] = {
     Lead: lambda block: 0.7 + _text(block.inlines),
     Display: lambda block: 0.4 + ROW * rows(block.node),
     FigureBlock: lambda block: 5.5,
-    Options: lambda block: 0.4 + ROW * len(block.items),
+    AnswerOptions: lambda block: 0.4 + ROW * len(block.items),
     Form: lambda block: 0.6 + ROW * (1 + len(block.rows)),
     Marked: lambda block: 0.4 + sum(ROW * rows(node) for _, node in block.lines),
     Rules: lambda block: 0.4 + len(block.items),
-    Space: lambda block: block.height,
+    EmptySpace: lambda block: block.height,
 }

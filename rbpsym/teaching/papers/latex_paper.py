@@ -17,7 +17,7 @@ from rbpsym.document.writers.plain_text import plain_text as bare
 from rbpsym.notation.latex import PREAMBLE, render
 from rbpsym.notation.tree import Node
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space, fits_a_page, height
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page, height
 from rbpsym.teaching.papers.layout import head
 
 COLUMN = 36.0
@@ -65,7 +65,7 @@ def lead(block: Lead, page: Page) -> str:
     return f"\\task{{{latex_text(block.number)}}}{{{latex_text(block.points)}}}{page.inlines(block.inlines)}"
 
 
-def options(block: Options, page: Page) -> str:
+def options(block: AnswerOptions, page: Page) -> str:
     """Lettered options; the right one is set by \\CorrectChoice, which a key prints in bold."""
     rows = [
         rf"  \{'CorrectChoice' if place == block.right else 'choice'} {cell(item, page)}"
@@ -127,9 +127,9 @@ PAPER: Mapping[type, Print] = {
     FigureBlock: here(LATEX[FigureBlock]),
     Table: unnumbered,
     Lead: lead,
-    Options: options,
+    AnswerOptions: options,
     Form: form,
     Marked: marked,
     Rules: rules,
-    Space: lambda block, page: rf"\vspace{{{block.height}cm}}" if block.height else "",
+    EmptySpace: lambda block, page: rf"\vspace{{{block.height}cm}}" if block.height else "",
 }

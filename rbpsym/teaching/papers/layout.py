@@ -10,7 +10,7 @@ from rbpsym.document import model as d
 from rbpsym.document.language import usual_notation
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
-from rbpsym.teaching.papers.blocks import LETTERS, Form, Lead, Marked, Options, Rules, Space
+from rbpsym.teaching.papers.blocks import LETTERS, AnswerOptions, EmptySpace, Form, Lead, Marked, Rules
 from rbpsym.teaching.units import measure_text, number_text
 from rbpsym.teaching.wording import plain_text, say, say_slip
 
@@ -66,13 +66,13 @@ def task_blocks(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
 
 
 def _choices(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Options(tuple(option.content for option in item.key.options))
+    yield AnswerOptions(tuple(option.content for option in item.key.options))
     if item.kind == "compare":
-        yield Space(float(item.space))
+        yield EmptySpace(float(item.space))
 
 
 def _number_line(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Space(float(item.space))
+    yield EmptySpace(float(item.space))
     yield Rules(((d.Math(t.relation(item.key.left, "=", t.Word(""))),),))
 
 
@@ -101,7 +101,7 @@ def _blank_rules(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
 
 
 def _space(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
-    yield Space(float(item.space))
+    yield EmptySpace(float(item.space))
 
 
 Area = Callable[[m.Item, m.Worksheet], Iterator[d.Block]]

@@ -15,7 +15,7 @@ from rbpsym.document.writers.typst import section as titled_section
 from rbpsym.notation.tree import Node
 from rbpsym.notation.typst import render, to_typst
 from rbpsym.teaching.model import Worksheet
-from rbpsym.teaching.papers.blocks import Form, Lead, Marked, Options, Rules, Space, fits_a_page
+from rbpsym.teaching.papers.blocks import AnswerOptions, EmptySpace, Form, Lead, Marked, Rules, fits_a_page
 from rbpsym.teaching.papers.layout import head
 
 COLUMN = 38.0
@@ -49,7 +49,7 @@ def lead(block: Lead, page: Page) -> str:
     return f"#task([{typst_text(block.number)}], [{page.inlines(block.inlines)}], [{typst_text(block.points)}])"
 
 
-def options(block: Options, page: Page) -> str:
+def options(block: AnswerOptions, page: Page) -> str:
     """Lettered options with a box to tick."""
     items = ", ".join(f"[{cell_content(item, page)}]" for item in block.items)
     right = "none" if block.right is None else str(block.right)
@@ -98,9 +98,9 @@ PAPER: Mapping[type, Print] = {
     **TYPST,
     Section: section,
     Lead: lead,
-    Options: options,
+    AnswerOptions: options,
     Form: form,
     Marked: marked,
     Rules: rules,
-    Space: lambda block, page: f"#v({block.height}cm)" if block.height else "",
+    EmptySpace: lambda block, page: f"#v({block.height}cm)" if block.height else "",
 }

@@ -25,7 +25,7 @@ SMALL = 1e-6  # of the largest work: too small for a sign that one can see
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ForceRow:
     """A force on a body, and the group of forces with which its works cancel."""
 
     force: str
@@ -53,10 +53,10 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     yield Prepared("signs", None, tuple(values), make)
 
 
-def _rows(bench: Bench) -> tuple[Row, ...]:
+def _rows(bench: Bench) -> tuple[ForceRow, ...]:
     workless = bench.study.dynamics.workless
     return tuple(
-        Row(w.force, w.on, force_symbol(bench.derivation, w.force, w.on), w.force if _cancels(w, workless) else "")
+        ForceRow(w.force, w.on, force_symbol(bench.derivation, w.force, w.on), w.force if _cancels(w, workless) else "")
         for w in bench.study.works
     )
 
@@ -92,7 +92,7 @@ def _signs(bench: Bench, values) -> list[str] | None:
     return found
 
 
-def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[Row, ...], signs: list[str]) -> Item:
+def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[ForceRow, ...], signs: list[str]) -> Item:
     key = SignsKey(
         tuple(
             SignRow(row.symbol, row.on, _label(bench, row, setting.said), signs[2 * k], signs[2 * k + 1], row.cancels)
@@ -113,7 +113,7 @@ def _solution(bench: Bench, said: Words) -> tuple[Block, ...]:
     return (diagrams(bench, said, with_forces=True), *_reasons(bench, said))
 
 
-def _label(bench: Bench, row: Row, said: Words):
+def _label(bench: Bench, row: ForceRow, said: Words):
     """The force, and on which body if there are several."""
     from rbpsym.derivation.step import BodyRef
 
