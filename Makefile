@@ -1,5 +1,6 @@
 # make notes   lecture notes of the paper's course: PDF, HTML and LaTeX in build/
 # make test    the whole test suite
+# make test-fast  within a minute: of every folder of tests some files, and of a test with parameters the first
 # make bare    what uses TeX, browsers, Node and provers, without any of these: it is skipped with a reason, the rest works
 # make thorough  the tests that take hours: mutants of the source, random systems, mutated files, oracles at many sets
 # make check   derive every problem that ships and decide every claim, all of it anew
@@ -22,12 +23,22 @@ TESTS  ?= -n auto
 BARE   := $(addprefix tests/,kernel document/test_access.py document/test_explorer.py document/test_formats.py \
           document/test_writers.py teaching/test_exports.py teaching/test_worksheet.py)
 
+FAST   := $(patsubst %,tests/%.py,\
+          algebra/test_normal algebra/test_vector architecture/test_excepts architecture/test_house ask/test_answers \
+          claims/test_decide claims/test_loader claims/test_phrases cli/test_doctor derivation/test_steps \
+          derivation/test_theory document/test_breaking document/test_figures document/test_phrases equality/test_decide \
+          equality/test_dimensions equality/test_signs facade/test_facade face/test_stating golden/test_semantic \
+          kernel/test_certify letters/test_letters library/test_printed_forms mechanics/test_balance \
+          mechanics/test_numbers mutants/test_mutants notation/test_formats notation/test_infix notation/test_laws \
+          oracles/test_eigenvalues solve/test_contract statement/test_broken statement/test_build statement/test_loader \
+          teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks verify/test_simulation_steps)
+
 BIN      := $(VENV)/bin
 PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NOTES    := $(OUT)/$(COURSE)
 SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>/dev/null)
 
-.PHONY: help notes test bare thorough check mutants distractors lint bench library docs clean
+.PHONY: help notes test test-fast bare thorough check mutants distractors lint bench library docs clean
 .DELETE_ON_ERROR:
 
 help:
@@ -41,6 +52,9 @@ $(NOTES).pdf: $(VENV)/run.stamp $(SOURCES)
 
 test: $(VENV)/dev.stamp
 	$(BIN)/python -m pytest $(TESTS)
+
+test-fast: $(VENV)/dev.stamp
+	$(BIN)/python -m pytest -n 2 --one-of-each -k "not coqc" $(FAST)
 
 bare: $(VENV)/dev.stamp
 	PATH="$(abspath $(BIN))" RBPSYM_REQUIRE_TOOLS= $(BIN)/python -m pytest $(TESTS) --one-of-each -rs $(BARE)

@@ -103,3 +103,13 @@ def test_no_code_for_one_problem(module: Module) -> None:
 @pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.name)
 def test_no_template_for_one_problem(path: Path) -> None:
     assert not mentions(path.read_text(encoding="utf-8", errors="replace"))
+
+
+def test_the_fast_tests_look_into_every_folder() -> None:
+    """`make test-fast` names files that exist, and of every folder of tests at least one, but for those that take hours."""
+    listed = re.search(r"^FAST .*?\)$", (ROOT / "Makefile").read_text(encoding="utf-8"), re.S | re.M)
+    assert listed is not None
+    files = [ROOT / "tests" / f"{name}.py" for name in re.findall(r"\w+/test_\w+", listed[0])]
+    assert all(file.is_file() for file in files), [file for file in files if not file.is_file()]
+    folders = {file.parent.name for file in (ROOT / "tests").glob("*/test_*.py")} - {"thorough"}
+    assert {file.parent.name for file in files} == folders
