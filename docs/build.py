@@ -19,12 +19,12 @@ from rbpsym.quantity.phrases import PHRASES
 from rbpsym.statement import SHAPES, load_problem, load_text
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Field, Kind, ShapeKind
+from rbpsym.statement.kinds import ElementKind, Field, ShapeKind
 from rbpsym.statement.phases import EVENTS, IMPULSES, PHASE_KEYS
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE / "examples"
-REGISTRIES: Mapping[str, tuple[str, Mapping[str, Kind]]] = {
+REGISTRIES: Mapping[str, tuple[str, Mapping[str, ElementKind]]] = {
     "shapes": ("shape", SHAPES), "interactions": ("type", INTERACTIONS), "constraints": ("type", CONSTRAINTS),
 }  # fmt: skip
 
@@ -65,7 +65,7 @@ def phases_part() -> Iterator[str]:
         yield from kind_part("impulses", "type", kind)
 
 
-def kind_part(section: str, key: str, kind: Kind) -> Iterator[str]:
+def kind_part(section: str, key: str, kind: ElementKind) -> Iterator[str]:
     """One kind."""
     yield "### " + ", ".join(f"`{name}`" for name in (kind.name, *kind.aliases)) + "\n"
     yield kind.meaning[0].upper() + kind.meaning[1:] + ".\n"
@@ -112,7 +112,7 @@ def moment(name: str) -> str:
     return to_text(present(study.system.bodies["body"].moment, study.style))
 
 
-def example_part(section: str, key: str, kind: Kind) -> Iterator[str]:
+def example_part(section: str, key: str, kind: ElementKind) -> Iterator[str]:
     """The table of a kind in its example, and where the whole of it is."""
     yield from excerpt(EXAMPLES / section / f"{kind.name}.toml", key, kind.name)
 

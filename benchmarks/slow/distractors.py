@@ -19,7 +19,7 @@ from rbpsym.equality.decide import equal
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.teaching.bench import Bench, generic_state, is_number
+from rbpsym.teaching.bench import ProblemBench, generic_state, is_number
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import without_noise
 from rbpsym.teaching.model import ChoiceKey, Item, NumberKey, Student
@@ -32,7 +32,7 @@ from rbpsym.teaching.units import digits_text, measured, si
 SEEDS = 200
 
 
-def wishes(bench: Bench, sight: Scenery) -> Iterator[Wish]:
+def wishes(bench: ProblemBench, sight: Scenery) -> Iterator[Wish]:
     """Every quantity with at least two distractors, as a formula and, where it is one, as a number."""
     for target in bench.targets.values():
         count = len(bench.pool.of(target))
@@ -72,7 +72,7 @@ def _numbers(sheet, item: Item) -> dict[str, float]:
     return {name: si(measure) for name, measure in {**part.given, **part.place}.items()}
 
 
-def _faults_of(item: Item, numbers: dict[str, float], bench: Bench, seen: dict, counts: Counter) -> Iterator[str]:
+def _faults_of(item: Item, numbers: dict[str, float], bench: ProblemBench, seen: dict, counts: Counter) -> Iterator[str]:
     if isinstance(item.key, NumberKey):
         printed = [digits_text(item.key.measure), *(digits_text(a.number) for a in item.key.anticipated)]
         counts["numbers"] += len(printed) - 1

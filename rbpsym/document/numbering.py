@@ -12,7 +12,7 @@ from rbpsym.notation.tree import Node
 WITHIN = ("equation", "figure", "table")
 
 
-class Counters:
+class LabelCounters:
     """How many equations, figures, tables and sections have been numbered so far."""
 
     def __init__(self, by_section: bool = False) -> None:
@@ -46,7 +46,7 @@ class Counters:
             self.targets[label] = target
 
 
-def number_display(block: d.Display, counters: Counters) -> d.Display:
+def number_display(block: d.Display, counters: LabelCounters) -> d.Display:
     """The display with its equation number; a labelled one is always numbered."""
     if not (block.numbered or block.label):
         return block
@@ -56,21 +56,21 @@ def number_display(block: d.Display, counters: Counters) -> d.Display:
     return replace(block, number=number, numbered=True)
 
 
-def number_figure(block: d.FigureBlock, counters: Counters) -> d.FigureBlock:
+def number_figure(block: d.FigureBlock, counters: LabelCounters) -> d.FigureBlock:
     """The figure with its number."""
     number = counters.next("figure")
     counters.label(block.label, number)
     return replace(block, number=number)
 
 
-def number_table(block: d.Table, counters: Counters) -> d.Table:
+def number_table(block: d.Table, counters: LabelCounters) -> d.Table:
     """The table with its number; one without a caption has none."""
     number = counters.next("table") if block.caption else ""
     counters.label(block.label, number)
     return replace(block, number=number)
 
 
-def number_callout(block: d.Callout, counters: Counters) -> d.Callout:
+def number_callout(block: d.Callout, counters: LabelCounters) -> d.Callout:
     """The callout with its inner blocks numbered."""
     return replace(block, blocks=number_blocks(block.blocks, counters))
 
@@ -83,12 +83,12 @@ NUMBERED: Mapping[type, Callable] = {
 }
 
 
-def number_blocks(blocks: tuple, counters: Counters) -> tuple:
+def number_blocks(blocks: tuple, counters: LabelCounters) -> tuple:
     """The blocks with numbers, in reading order."""
     return tuple(NUMBERED.get(type(block), lambda b, _: b)(block, counters) for block in blocks)
 
 
-def section_number(level: int, counters: Counters) -> str:
+def section_number(level: int, counters: LabelCounters) -> str:
     """ "3" for a section, "3.2" for a subsection, "" below."""
     if level not in (1, 2):
         return ""
@@ -99,14 +99,14 @@ def section_number(level: int, counters: Counters) -> str:
     return f"{counters.counts['level 1']}.{own}"
 
 
-def number_section(section: d.Section, counters: Counters) -> d.Section:
+def number_section(section: d.Section, counters: LabelCounters) -> d.Section:
     """The section with its number and its blocks numbered."""
     number = section_number(section.level, counters)
     counters.label(section.label, number)
     return replace(section, number=number, blocks=number_blocks(section.blocks, counters))
 
 
-def resolve(part: object, counters: Counters) -> object:
+def resolve(part: object, counters: LabelCounters) -> object:
     """The same part of a document with each Ref's mark filled in."""
     if isinstance(part, d.Ref):
         return resolve_ref(part, counters)
@@ -136,7 +136,7 @@ def is_joint(part: object) -> bool:
     return isinstance(part, d.Text) and len(part.text) <= len(" and ")
 
 
-def resolve_ref(ref: d.Ref, counters: Counters) -> d.Ref:
+def resolve_ref(ref: d.Ref, counters: LabelCounters) -> d.Ref:
     """The reference with its mark. Raises DocumentError if nothing has that label."""
     if ref.label not in counters.marks:
         raise d.DocumentError(f"nothing in the document is labelled “{ref.label}”")
@@ -146,7 +146,7 @@ def resolve_ref(ref: d.Ref, counters: Counters) -> d.Ref:
 
 def numbered(document: d.Document) -> d.Document:
     """The document with all numbers given and all references resolved."""
-    counters = Counters(document.is_book)
+    counters = LabelCounters(document.is_book)
     sections = tuple(number_section(section, counters) for section in document.sections)
     return resolve(replace(document, sections=sections), counters)
 

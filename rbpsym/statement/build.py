@@ -26,7 +26,7 @@ from rbpsym.errors import StatementError
 from rbpsym.statement.assemble import assemble
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Kind, known_names
+from rbpsym.statement.kinds import ElementKind, known_names
 from rbpsym.statement.model import Problem
 from rbpsym.statement.shapes import SHAPES
 from rbpsym.statement.source import Source, Table, check_characters, kind_of
@@ -60,7 +60,7 @@ def part(shape: Mapping[str, object], **keys: object) -> Stated:
     return {**shape, **keys}
 
 
-def _maker(kind: Kind, key: str, word: str) -> Callable[..., Stated]:
+def _maker(kind: ElementKind, key: str, word: str) -> Callable[..., Stated]:
     """The function that states an element or a body of a kind."""
     fields = [field.name for field in kind.fields]
 
@@ -84,7 +84,7 @@ def _maker(kind: Kind, key: str, word: str) -> Callable[..., Stated]:
     return make
 
 
-def _signature(kind: Kind) -> Signature:
+def _signature(kind: ElementKind) -> Signature:
     own = [
         Parameter(
             field.name,
@@ -96,7 +96,7 @@ def _signature(kind: Kind) -> Signature:
     return Signature([*own, Parameter("keys", Parameter.VAR_KEYWORD)])
 
 
-def _makers(kinds: Mapping[str, Kind], key: str) -> dict[str, Callable[..., Stated]]:
+def _makers(kinds: Mapping[str, ElementKind], key: str) -> dict[str, Callable[..., Stated]]:
     return {word.replace("-", "_"): _maker(kinds[name], key, word) for word, name in known_names(kinds).items()}
 
 

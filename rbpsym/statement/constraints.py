@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.quantities import DIMENSIONS, FORCE, LENGTH, NUMBER
-from rbpsym.statement.kinds import Field, Kind, registry
+from rbpsym.statement.kinds import ElementKind, Field, registry
 
 _COMPONENTS = (("{name}_x", FORCE), ("{name}_y", FORCE))
 
@@ -63,8 +63,8 @@ _RIM = Field("rim", "expression", "radius at which it touches; absent: its own",
 _NORMAL, _ROUGH = ("{name}", FORCE), ("{friction}", FORCE)
 _TIME_PLACE = "a function of the time t"
 
-CONSTRAINTS: dict[str, Kind] = registry(
-    Kind(
+CONSTRAINTS: dict[str, ElementKind] = registry(
+    ElementKind(
         "pivot",
         "a point of a body is held at a fixed place, free to turn there",
         (
@@ -80,14 +80,14 @@ CONSTRAINTS: dict[str, Kind] = registry(
         ),
         unknowns=_COMPONENTS,
     ),
-    Kind(
+    ElementKind(
         "pin",
         "a point of one body is joined to a point of another, free to turn; the force is on the second",
         (Field("points", "points", "the two points that coincide, of two bodies"),),
         aliases=("bearing",),
         unknowns=_COMPONENTS,
     ),
-    Kind(
+    ElementKind(
         "weld",
         "a body is fixed to another, or to a place; force and couple are on the second (or on the body)",
         (
@@ -103,20 +103,20 @@ CONSTRAINTS: dict[str, Kind] = registry(
         ),
         unknowns=(*_COMPONENTS, ("{couple}", DIMENSIONS["torque"])),
     ),
-    Kind(
+    ElementKind(
         "contact",
         "a point touches a line or a circle and may slide along it; the force is normal to the curve",
         (_POINT, _LINE, _SIDE, *_CURVE, *_SLIDING),
         unknowns=(_NORMAL,),
     ),
-    Kind(
+    ElementKind(
         "guide",
         "a point is led by a smooth slot along a line or a circle; the force may push to both sides",
         (Field("point", "point", "the point that is led"), _LINE, *_CURVE),
         aliases=("slot",),
         unknowns=(_NORMAL,),
     ),
-    Kind(
+    ElementKind(
         "slider",
         "a body slides along a line without turning; the force is normal to the line, a couple keeps the angle",
         (
@@ -129,19 +129,19 @@ CONSTRAINTS: dict[str, Kind] = registry(
         ),
         unknowns=(_NORMAL, ("{couple}", _TORQUE)),
     ),
-    Kind(
+    ElementKind(
         "touch",
         "a round body touches a line or a circle and may slide along it",
         (_ROUND, _LINE, _SIDE, *_CURVE, _RIM, *_SLIDING),
         unknowns=(_NORMAL,),
     ),
-    Kind(
+    ElementKind(
         "rolling",
         "a round body rolls on a line or a circle without slipping: a normal force and static friction",
         (_ROUND, _LINE, _SIDE, *_CURVE, _RIM, _FRICTION, _LIMIT),
         unknowns=(_NORMAL, _ROUGH),
     ),
-    Kind(
+    ElementKind(
         "gear",
         "a toothed wheel meshes with a rack (a line) or with another wheel (a circle): they do not slip, and the force "
         "of the teeth is along the common tangent of the pitch circles; bearings keep them apart",
@@ -149,13 +149,13 @@ CONSTRAINTS: dict[str, Kind] = registry(
         aliases=("mesh",),
         unknowns=(_NORMAL,),
     ),
-    Kind(
+    ElementKind(
         "sticking",
         "a point touches a rough line or circle and does not slip: a normal force and static friction",
         (_POINT, _LINE, _SIDE, *_CURVE, _FRICTION, _LIMIT),
         unknowns=(_NORMAL, _ROUGH),
     ),
-    Kind(
+    ElementKind(
         "string",
         "a massless inextensible string, taut between its ends and round pulleys and drums; it pulls",
         (
@@ -178,7 +178,7 @@ CONSTRAINTS: dict[str, Kind] = registry(
         ),
         aliases=("rope",),
     ),
-    Kind(
+    ElementKind(
         "link",
         "a light rigid rod between two points: it keeps their distance, and pulls or pushes",
         (
@@ -188,7 +188,7 @@ CONSTRAINTS: dict[str, Kind] = registry(
         aliases=("light-rod",),
         read_as="string",
     ),
-    Kind(
+    ElementKind(
         "prescribed",
         "a point is driven along a direction: its place is a given function of time; an unknown force drives it",
         (
@@ -198,7 +198,7 @@ CONSTRAINTS: dict[str, Kind] = registry(
         ),
         unknowns=(_NORMAL,),
     ),
-    Kind(
+    ElementKind(
         "prescribed-angle",
         "a body is turned: its angle is a given function of time; an unknown couple drives it",
         (

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.statement.kinds import Field, Kind, known_names
+from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
 from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_line, read_point
 from rbpsym.statement.scope import Scope, read_expression, read_pair
-from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
 
 @dataclass(frozen=True)
@@ -21,12 +21,12 @@ class Surroundings:
     bodies: Mapping[str, Body]
 
 
-def read_elements(section: str, table: Table, kinds: Mapping[str, Kind], around: Surroundings) -> tuple[Element, ...]:
+def read_elements(section: str, table: Table, kinds: Mapping[str, ElementKind], around: Surroundings) -> tuple[Element, ...]:
     """All elements of the section [interactions] or [constraints]."""
     return tuple(read_element(part, name, kinds, around) for name, part in table.tables(section, section))
 
 
-def read_element(table: Table, name: str, kinds: Mapping[str, Kind], around: Surroundings) -> Element:
+def read_element(table: Table, name: str, kinds: Mapping[str, ElementKind], around: Surroundings) -> Element:
     """One element: its kind, then the fields of the kind."""
     check_name(name, table)
     kind = kind_of_element(table, kinds, "type")
@@ -36,7 +36,7 @@ def read_element(table: Table, name: str, kinds: Mapping[str, Kind], around: Sur
     return Element(name, kind.name, values, table.source.key(table.path))
 
 
-def kind_of_element(table: Table, kinds: Mapping[str, Kind], key: str) -> Kind:
+def kind_of_element(table: Table, kinds: Mapping[str, ElementKind], key: str) -> ElementKind:
     """The kind that the table names under `key`."""
     known = known_names(kinds)
     where = ".".join(str(part) for part in table.path)
@@ -57,7 +57,7 @@ def _field(field: Field, table: Table, name: str, where: str, around: Surroundin
     return _READERS[field.kind](item, field, f"“{field.name}” of {where}", around)
 
 
-def _two(item: Item, what: str, things: str, example: str) -> list[Item]:
+def _two(item: SourceItem, what: str, things: str, example: str) -> list[SourceItem]:
     value = item.value
     if not isinstance(value, (list, tuple)) or len(value) != 2:
         found = f"{len(value)}" if isinstance(value, (list, tuple)) else kind_of(value)
@@ -65,17 +65,17 @@ def _two(item: Item, what: str, things: str, example: str) -> list[Item]:
     return item.items()
 
 
-def _points(item: Item, field: Field, what: str, around: Surroundings) -> object:
+def _points(item: SourceItem, field: Field, what: str, around: Surroundings) -> object:
     parts = _two(item, what, "points", f'write {field.name} = ["rod.end", "disk.center"]')
     return tuple(read_point(part, around.scope, around.bodies, what) for part in parts)
 
 
-def _two_bodies(item: Item, field: Field, what: str, around: Surroundings) -> object:
+def _two_bodies(item: SourceItem, field: Field, what: str, around: Surroundings) -> object:
     parts = _two(item, what, "bodies", f'write {field.name} = ["ground", "rod"]')
     return tuple(read_body(part, around.bodies, what, (GROUND,)) for part in parts)
 
 
-def _bodies(item: Item, field: Field, what: str, around: Surroundings) -> object:
+def _bodies(item: SourceItem, field: Field, what: str, around: Surroundings) -> object:
     if item.value == "all":
         return tuple(around.bodies)
     if not isinstance(item.value, (list, tuple)) or not item.value:
@@ -83,7 +83,7 @@ def _bodies(item: Item, field: Field, what: str, around: Surroundings) -> object
     return tuple(read_body(part, around.bodies, what) for part in item.items())
 
 
-def _choice(item: Item, field: Field, what: str, around: Surroundings) -> object:
+def _choice(item: SourceItem, field: Field, what: str, around: Surroundings) -> object:
     if item.value not in field.choices:
         found = f"“{item.value}”" if isinstance(item.value, str) else kind_of(item.value)
         raise item.error(
@@ -93,7 +93,7 @@ def _choice(item: Item, field: Field, what: str, around: Surroundings) -> object
     return item.value
 
 
-_Reader = Callable[[Item, Field, str, Surroundings], object]
+_Reader = Callable[[SourceItem, Field, str, Surroundings], object]
 
 _READERS: dict[str, _Reader] = {
     "expression": lambda item, field, what, around: read_expression(

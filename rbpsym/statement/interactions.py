@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from rbpsym.quantities import ACCELERATION, DIMENSIONS, FORCE, LENGTH, NUMBER
-from rbpsym.statement.kinds import Field, Kind, registry
+from rbpsym.statement.kinds import ElementKind, Field, registry
 
 _TORQUE, _STIFFNESS = DIMENSIONS["torque"], DIMENSIONS["stiffness"]
 _BETWEEN_POINTS = Field("between", "points", "the two points that it joins")
 _BETWEEN_BODIES = Field("between", "two bodies", "the two bodies that it joins; one may be “ground”")
 
-INTERACTIONS: dict[str, Kind] = registry(
-    Kind(
+INTERACTIONS: dict[str, ElementKind] = registry(
+    ElementKind(
         "gravity",
         "uniform gravity: the weight of each body, at its centre of mass",
         (
@@ -19,7 +19,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             Field("bodies", "bodies", "the bodies that it acts on", default="all"),
         ),
     ),
-    Kind(
+    ElementKind(
         "spring",
         "a linear spring between two points: force stiffness × (distance − natural length)",
         (
@@ -30,7 +30,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             ),
         ),
     ),
-    Kind(
+    ElementKind(
         "torsion-spring",
         "a spiral spring: couple stiffness × (angle of the second body − angle of the first − rest angle)",
         (
@@ -39,7 +39,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             Field("rest_angle", "expression", "angle between the bodies at which it is slack", NUMBER, default="0"),
         ),
     ),
-    Kind(
+    ElementKind(
         "damper",
         "a dashpot between two points: force coefficient × rate at which their distance changes",
         (
@@ -47,7 +47,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             Field("coefficient", "expression", "force per speed", DIMENSIONS["damping"], sign="positive"),
         ),
     ),
-    Kind(
+    ElementKind(
         "rotary-damper",
         "a rotary dashpot: couple coefficient × difference of the angular speeds",
         (
@@ -57,7 +57,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             ),
         ),
     ),
-    Kind(
+    ElementKind(
         "force",
         "an applied force, its components in space or in the frame of the body",
         (
@@ -66,7 +66,7 @@ INTERACTIONS: dict[str, Kind] = registry(
             Field("frame", "choice", "where the components are fixed", default="space", choices=("space", "body")),
         ),
     ),
-    Kind(
+    ElementKind(
         "couple",
         "an applied couple, counter-clockwise positive",
         (

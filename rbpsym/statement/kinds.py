@@ -36,7 +36,7 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ElementKind:
     """A kind of shape, interaction or constraint: name, meaning, keys, other names for it.
 
     `unknowns` are the forces and couples that a constraint brings in: templates over the
@@ -64,7 +64,7 @@ class ElementText:
 
 
 @dataclass(frozen=True, slots=True)
-class ShapeKind(Kind):
+class ShapeKind(ElementKind):
     """A shape as data: how its mass is spread, its size and its points, all as infix text.
 
     `size` is the total length, area or volume. `points` are places in the body frame.
@@ -84,12 +84,12 @@ class ShapeKind(Kind):
         return tuple(name for name, _, _ in self.points)
 
 
-def registry(*kinds: Kind) -> dict[str, Kind]:
+def registry(*kinds: ElementKind) -> dict[str, ElementKind]:
     """The kinds by name, in order."""
     return {kind.name: kind for kind in kinds}
 
 
-def known_names(kinds: Mapping[str, Kind]) -> dict[str, str]:
+def known_names(kinds: Mapping[str, ElementKind]) -> dict[str, str]:
     """Every name by which a kind may be called, with the kind's own name."""
     own = {name: name for name in kinds}
     return own | {alias: kind.name for kind in kinds.values() for alias in kind.aliases}

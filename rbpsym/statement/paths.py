@@ -15,7 +15,7 @@ from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Element, PointRef, Turn
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import Scope, read_expression
-from rbpsym.statement.source import Item, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, did_you_mean, kind_of
 
 SENSES = {"cw": -1, "ccw": 1}
 _SIZES = ("radius", "outer")
@@ -23,7 +23,7 @@ _KEYS = ("around", "sense", "radius", "smooth")
 _EXAMPLE = 'write path = ["block.center", "cw pulley", "bob.center"]'
 
 
-def read_path(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> tuple[Turn, ...]:
+def read_path(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> tuple[Turn, ...]:
     """The places on the path, in order."""
     value = item.value
     if not isinstance(value, (list, tuple)) or len(value) < 2:
@@ -32,7 +32,7 @@ def read_path(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -
     return tuple(_turn(part, scope, bodies, what) for part in item.items())
 
 
-def _turn(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> Turn:
+def _turn(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> Turn:
     value = item.value
     if isinstance(value, Mapping):
         return _stated(item, scope, bodies, what)
@@ -47,7 +47,7 @@ def _turn(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> Tu
     return Turn(read_point(item, scope, bodies, what), ZERO)
 
 
-def _stated(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> Turn:
+def _stated(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> Turn:
     """{ around = "spool", radius = "r", sense = "ccw", smooth = true }."""
     data = item.value
     unknown = [key for key in data if key not in _KEYS]
@@ -69,12 +69,12 @@ def _is_body(name: object, bodies: Mapping[str, Body]) -> bool:
     return isinstance(name, str) and name in bodies
 
 
-def _inner(item: Item, key: str) -> Item:
-    return Item(item.source, (*item.path, key), item.value[key])
+def _inner(item: SourceItem, key: str) -> SourceItem:
+    return SourceItem(item.source, (*item.path, key), item.value[key])
 
 
 def _round(
-    item: Item, name: object, sense: int, radius: Node | None, scope: Scope, bodies: Mapping[str, Body], what: str
+    item: SourceItem, name: object, sense: int, radius: Node | None, scope: Scope, bodies: Mapping[str, Body], what: str
 ) -> Turn:
     """A round body by name, or a circle about a point with its radius (which does not grip)."""
     if _is_body(name, bodies):
@@ -86,7 +86,7 @@ def _round(
         return Turn(PointRef(f"{name}.center", name, "center"), own if radius is None else radius, sense)
     if radius is None:
         raise item.error(f"{what}: there is no round body “{name}”", did_you_mean(str(name), bodies, "bodies"))
-    return Turn(read_point(Item(item.source, item.path, name), scope, bodies, what), radius, sense, grips=False)
+    return Turn(read_point(SourceItem(item.source, item.path, name), scope, bodies, what), radius, sense, grips=False)
 
 
 def round_size(body: Body) -> Node | None:

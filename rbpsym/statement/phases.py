@@ -19,7 +19,7 @@ from rbpsym.quantities import DIMENSIONS, NUMBER
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
-from rbpsym.statement.kinds import Field, Kind, registry
+from rbpsym.statement.kinds import ElementKind, Field, registry
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.premises import Declared, sign_of, surely_above
 from rbpsym.statement.scope import read_expression
@@ -35,8 +35,8 @@ EVENTS: dict[str, str] = {
     "reaches": "the coordinate “of” reaches the value “at”",
 }
 
-IMPULSES: dict[str, Kind] = registry(
-    Kind(
+IMPULSES: dict[str, ElementKind] = registry(
+    ElementKind(
         "blow",
         "a given impulse at a point",
         (
@@ -44,7 +44,7 @@ IMPULSES: dict[str, Kind] = registry(
             Field("impulse", "pair", "its components in space", _IMPULSE),
         ),
     ),
-    Kind(
+    ElementKind(
         "collision",
         "two points of two bodies collide without friction; the unknown impulse pushes the second along the direction",
         (

@@ -15,7 +15,7 @@ from rbpsym.statement.model import Coordinate
 from rbpsym.statement.premises import Declared, declared, surely_above
 from rbpsym.statement.references import AXES, RESERVED, check_name, fault_of_name
 from rbpsym.statement.scope import Scope, read_expression, read_text
-from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
 SIGNS = ("positive", "nonnegative", "nonzero", "real", "acute")  # acute: an angle between 0 and π/2
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
@@ -101,7 +101,7 @@ def _parameter_of_table(name: str, table: Table) -> Quantity:
     return replace(found, glyph=table.string("glyph") or None)
 
 
-def _quantity(item: Item, name: str, dimension: Dimension, meaning: str, sign: str) -> Quantity:
+def _quantity(item: SourceItem, name: str, dimension: Dimension, meaning: str, sign: str) -> Quantity:
     if sign != "acute":
         return Quantity(name, dimension, meaning, sign)
     if dimension != NUMBER:
@@ -127,7 +127,7 @@ def _bounded(quantity: Quantity, section: Table, scope: Scope) -> Quantity:
     return replace(quantity, **{side: bound})
 
 
-def _dimension(item: Item, text: str) -> Dimension:
+def _dimension(item: SourceItem, text: str) -> Dimension:
     word = text.strip()
     try:
         return dimension_named(word)
@@ -138,7 +138,7 @@ def _dimension(item: Item, text: str) -> Dimension:
         raise DimensionError(error.what, instead=instead, place=place) from None
 
 
-def _sign(item: Item, text: str, shift: int = 0) -> str:
+def _sign(item: SourceItem, text: str, shift: int = 0) -> str:
     word = text.strip()
     if word not in SIGNS:
         column = shift + 1 + len(text) - len(text.lstrip())
@@ -210,7 +210,7 @@ class CoordinateReader:
         return read_range(table.item("range"), self._scope(), where, dimension)
 
 
-def read_range(item: Item, scope: Scope, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
+def read_range(item: SourceItem, scope: Scope, where: str, dimension: Dimension) -> tuple[Node | None, Node | None]:
     """The two bounds of an open interval; None for a side that is left open."""
     if not isinstance(item.value, (list, tuple)) or len(item.value) != 2:
         raise item.error(f"range of {where} must be a list of two expressions", 'write range = ["0", "pi/2"]')
@@ -218,5 +218,5 @@ def read_range(item: Item, scope: Scope, where: str, dimension: Dimension) -> tu
     return lower, upper
 
 
-def _bound(item: Item, scope: Scope, what: str, dimension: Dimension) -> Node | None:
+def _bound(item: SourceItem, scope: Scope, what: str, dimension: Dimension) -> Node | None:
     return None if item.value == "" else read_expression(item, scope, what, dimension)

@@ -13,7 +13,7 @@ from rbpsym.notation.tree import ONE, ZERO, Node, add, div, mul, neg
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Line, PointRef
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of
-from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FUNCTIONS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "arcsin", "arccos", "arctan",
@@ -49,7 +49,7 @@ def check_name(name: str, table: Table, reserved: dict[str, str] = RESERVED, key
         raise table.error(what, instead, key)
 
 
-def check_name_item(item: Item, what: str) -> str:
+def check_name_item(item: SourceItem, what: str) -> str:
     """The name that a value holds."""
     if not isinstance(item.value, str):
         raise item.error(f"{what} must be a name in quotes, not {kind_of(item.value)}")
@@ -73,7 +73,7 @@ class _NotLinear(Exception):
     """The expression is not of first degree in x and y."""
 
 
-def read_line(item: Item, scope: Scope, what: str) -> Line:
+def read_line(item: SourceItem, scope: Scope, what: str) -> Line:
     """The line a x + b y = c of an equation “left = right”; its normal is that of left - right."""
     text = text_of(item, what)
     if text.count("=") != 1 or any(sign in text for sign in ("==", "<", ">", "!")):
@@ -87,7 +87,7 @@ def read_line(item: Item, scope: Scope, what: str) -> Line:
         raise item.error(f"{what}: “{text}” is not a straight line", _EXAMPLE) from None
 
 
-def _read(item: Item, text: str, scope: Scope, what: str, shift: int) -> Node:
+def _read(item: SourceItem, text: str, scope: Scope, what: str, shift: int) -> Node:
     if not text.strip():
         raise item.error(f"{what}: a side of the equation is empty", _EXAMPLE)
     stripped = text.lstrip()
@@ -171,7 +171,7 @@ CM = "cm"
 GROUND = "ground"
 
 
-def read_point(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> PointRef:
+def read_point(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> PointRef:
     """A point of a body, a fixed point by name, or a place as a pair."""
     if isinstance(item.value, (list, tuple)):
         place = read_pair(item, scope, what, LENGTH)
@@ -183,7 +183,7 @@ def read_point(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) 
     return _point_of_body(item, scope, bodies, what)
 
 
-def _point_of_body(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> PointRef:
+def _point_of_body(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> PointRef:
     label = item.value
     body, dot, point = label.partition(".")
     if not dot:
@@ -203,7 +203,7 @@ def _point_of_body(item: Item, scope: Scope, bodies: Mapping[str, Body], what: s
     return PointRef(label, body, point)
 
 
-def _no_point(item: Item, scope: Scope, bodies: Mapping[str, Body], what: str) -> Exception:
+def _no_point(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], what: str) -> Exception:
     name = item.value
     if name in bodies:
         choices = ", ".join(f"{name}.{point}" for point in points_of(bodies[name]))
@@ -217,7 +217,7 @@ def points_of(body: Body) -> list[str]:
     return [*body.points, CM]
 
 
-def read_body(item: Item, bodies: Mapping[str, Body], what: str, others: tuple[str, ...] = ()) -> str:
+def read_body(item: SourceItem, bodies: Mapping[str, Body], what: str, others: tuple[str, ...] = ()) -> str:
     """The name of a body (or one of `others`)."""
     known = [*bodies, *others]
     if item.value not in known:

@@ -15,7 +15,7 @@ from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
 from rbpsym.statement.premises import NOTHING_DECLARED, Declared, contradicts, without_value
-from rbpsym.statement.source import Item, did_you_mean, kind_of, relocate, written
+from rbpsym.statement.source import SourceItem, did_you_mean, kind_of, relocate, written
 
 ORIGIN: Pair = (Num(0), Num(0))
 CLOCK = "t"
@@ -64,7 +64,7 @@ _FORBIDDEN = {
 _MAY_USE = {"time": "parameters and the time t"}
 
 
-def text_of(item: Item, what: str) -> str:
+def text_of(item: SourceItem, what: str) -> str:
     """The text of an expression: a string or a plain number."""
     value = item.value
     if isinstance(value, str) and value.strip():
@@ -76,7 +76,7 @@ def text_of(item: Item, what: str) -> str:
 
 
 def read_expression(
-    item: Item,
+    item: SourceItem,
     scope: Scope,
     what: str,
     dimension: Dimension | None = None,
@@ -89,7 +89,7 @@ def read_expression(
 
 
 def read_text(
-    item: Item,
+    item: SourceItem,
     text: str,
     scope: Scope,
     what: str,
@@ -172,7 +172,7 @@ def _at(node: Node, what: str, instead: str = "") -> StatementError:
 
 
 def read_pair(
-    item: Item, scope: Scope, what: str, dimension: Dimension | None = LENGTH, may_use: str = "parameters"
+    item: SourceItem, scope: Scope, what: str, dimension: Dimension | None = LENGTH, may_use: str = "parameters"
 ) -> Pair:
     """Two expressions, or the name of a fixed point."""
     if isinstance(item.value, str) and dimension == LENGTH:
@@ -191,7 +191,7 @@ def _pair_fault(value: object) -> str:
     return count or kind_of(value)
 
 
-def fixed_point(item: Item, scope: Scope, what: str) -> Pair:
+def fixed_point(item: SourceItem, scope: Scope, what: str) -> Pair:
     """The place of the fixed point that is named."""
     if item.value not in scope.points:
         others = f", or one of {', '.join(scope.points)}" if scope.points else ""

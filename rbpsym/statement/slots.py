@@ -10,11 +10,11 @@ from rbpsym.quantities import LENGTH, MASS, NUMBER, TIME, Dimension
 from rbpsym.statement.bodies import VARIABLE_DIMENSIONS
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Kind, ShapeKind, known_names
+from rbpsym.statement.kinds import ElementKind, ShapeKind, known_names
 from rbpsym.statement.phases import IMPULSES
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
 
-ALL: Mapping[str, Kind] = {**SHAPES, **INTERACTIONS, **CONSTRAINTS, **IMPULSES}
+ALL: Mapping[str, ElementKind] = {**SHAPES, **INTERACTIONS, **CONSTRAINTS, **IMPULSES}
 KINDS = {word: ALL[name] for word, name in known_names(ALL).items()}
 USUAL = {"mass": MASS, "angle": NUMBER}  # of keys that are no fields of a kind; the others are places
 AXES = {"x": LENGTH, "y": LENGTH}

@@ -49,7 +49,7 @@ class Source:
 
 
 @dataclass(frozen=True)
-class Item:
+class SourceItem:
     """A value of a statement with its path."""
 
     source: Source
@@ -65,9 +65,9 @@ class Item:
         place = self.source.inside(self.path, str(self.value), column, width)
         return StatementError(what, instead=instead, place=place)
 
-    def items(self) -> list[Item]:
+    def items(self) -> list[SourceItem]:
         """The parts of a list."""
-        return [Item(self.source, (*self.path, i), part) for i, part in enumerate(self.value)]
+        return [SourceItem(self.source, (*self.path, i), part) for i, part in enumerate(self.value)]
 
 
 @dataclass(frozen=True)
@@ -95,11 +95,11 @@ class Table:
         place = self.source.value((*self.path, key)) if key in self.data else self.source.key(self.path)
         return StatementError(what, instead=instead, place=place)
 
-    def item(self, key: str, default: object = None) -> Item:
+    def item(self, key: str, default: object = None) -> SourceItem:
         """The value under `key`, or a default that stands for it."""
         if key in self.data:
-            return Item(self.source, (*self.path, key), self.data[key])
-        return Item(self.source, self.path, default)
+            return SourceItem(self.source, (*self.path, key), self.data[key])
+        return SourceItem(self.source, self.path, default)
 
     def check_keys(self, known: Iterable[str], where: str) -> None:
         """Refuse the first key that is not known."""
@@ -201,7 +201,7 @@ HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")  # Unicode's control, format
 
 def check_characters(table: Table) -> None:
     """Refuse a text or name that holds a character which is not seen, or turns the writing round."""
-    for item in _texts(Item(table.source, table.path, table.data)):
+    for item in _texts(SourceItem(table.source, table.path, table.data)):
         for column, char in enumerate(item.value, 1):
             if category(char) in HIDDEN and char not in HARMLESS:
                 raise item.error_inside(
@@ -209,13 +209,13 @@ def check_characters(table: Table) -> None:
                 )
 
 
-def _texts(item: Item) -> Iterator[Item]:
+def _texts(item: SourceItem) -> Iterator[SourceItem]:
     if isinstance(item.value, str):
         yield item
     elif isinstance(item.value, Mapping):
         for key, part in item.value.items():
-            yield from _texts(Item(item.source, (*item.path, key), str(key)))
-            yield from _texts(Item(item.source, (*item.path, key), part))
+            yield from _texts(SourceItem(item.source, (*item.path, key), str(key)))
+            yield from _texts(SourceItem(item.source, (*item.path, key), part))
     elif isinstance(item.value, (list, tuple)):
         for part in item.items():
             yield from _texts(part)

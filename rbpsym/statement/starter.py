@@ -8,7 +8,7 @@ from rbpsym.errors import StatementError
 from rbpsym.quantities import DIMENSIONS
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.interactions import INTERACTIONS
-from rbpsym.statement.kinds import Field, Kind, ShapeKind
+from rbpsym.statement.kinds import ElementKind, Field, ShapeKind
 from rbpsym.statement.references import fault_of_name
 from rbpsym.statement.shapes import SHAPES
 
@@ -97,7 +97,7 @@ def _shape_lines(kinds: Mapping[str, ShapeKind]) -> Iterable[str]:
         yield f"{text}; {', '.join(kind.point_names)}"
 
 
-def _kind_lines(head: str, kinds: Mapping[str, Kind]) -> str:
+def _kind_lines(head: str, kinds: Mapping[str, ElementKind]) -> str:
     rows = [_wrapped(f"  {kind.name}", map(_key, kind.fields)) for kind in kinds.values()]
     return "\n".join([f"# {head} (keys):", *rows])
 

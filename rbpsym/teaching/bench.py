@@ -24,7 +24,7 @@ from rbpsym.statement.printed_units import unit_of
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import Pool, shown, without_noise
-from rbpsym.teaching.model import Asked, Item, Measure
+from rbpsym.teaching.model import AskedQuantity, Item, Measure
 from rbpsym.teaching.ranges import NumberRange, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
 from rbpsym.teaching.spoilers import Content, claims
@@ -37,7 +37,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Bench:
+class ProblemBench:
     """One problem of a worksheet. `targets` by id; `scenery` is where a student's numbers come from."""
 
     derivation: Derivation
@@ -67,9 +67,9 @@ class Bench:
         """How its names are printed."""
         return problem_notation(self.study.problem)
 
-    def asked(self, target: Target) -> Asked:
+    def asked(self, target: Target) -> AskedQuantity:
         """What an item about a target asks for."""
-        return Asked(self.name, target.id, target.left, target.dimension, target.step)
+        return AskedQuantity(self.name, target.id, target.left, target.dimension, target.step)
 
     def way_to(self, step: str, most: int) -> tuple[Step, ...]:
         """The steps that lead to a step, itself the last: by the graph, the nearest first, at most so many."""
@@ -84,7 +84,7 @@ class Bench:
 
 
 @dataclass(frozen=True)
-class Setting:
+class ItemSetting:
     """One student's item in the making: words, numbers, draws, and the values of the prepared task."""
 
     said: Words
@@ -101,7 +101,7 @@ class Setting:
         return self.said.language
 
 
-Make = Callable[[Setting], Item | None]
+Make = Callable[[ItemSetting], Item | None]
 
 
 @dataclass(frozen=True)
@@ -135,7 +135,7 @@ def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], l
     return evaluate
 
 
-def generic_state(bench: Bench) -> dict[str, float]:
+def generic_state(bench: ProblemBench) -> dict[str, float]:
     """Numbers for coordinates, speeds, accelerations and forces that the paper leaves open, so that formulas can be told apart.
 
     They are of the size that the problem's own lengths and masses give them, so that no part of a sum is lost in another.
@@ -143,7 +143,7 @@ def generic_state(bench: Bench) -> dict[str, float]:
     return bench.once("generic state", lambda: _generic_state(bench))
 
 
-def _generic_state(bench: Bench) -> dict[str, float]:
+def _generic_state(bench: ProblemBench) -> dict[str, float]:
     study, middle = bench.study, middles({**default_ranges(bench.study.problem), **bench.wishes})
     length, mass = (_typical(study.problem, middle, dimension) for dimension in (LENGTH, MASS))
     rate = math.sqrt(GRAVITY / length)
@@ -162,36 +162,36 @@ def _typical(problem: Problem, middle: Mapping[str, float], dimension: Dimension
     return math.exp(sum(map(math.log, sizes)) / len(sizes)) if sizes else 1.0
 
 
-def asks_for(bench: Bench, target: Target) -> Content:
+def asks_for(bench: ProblemBench, target: Target) -> Content:
     """What a task asks that wants the value of a target: its formula, and the step that shows it."""
     step = (bench.derivation.step(target.step).statement,) if target.step else ()
     return Content(asks=claims((t.equation(target.left, formula_of(bench, target)), *step)))
 
 
-def formula_of(bench: Bench, target: Target) -> t.Node:
+def formula_of(bench: ProblemBench, target: Target) -> t.Node:
     """The right value of a target as it is printed in answers."""
     return bench.once(("formula", target.id), lambda: _formula(bench, target))
 
 
-def _formula(bench: Bench, target: Target) -> t.Node:
+def _formula(bench: ProblemBench, target: Target) -> t.Node:
     value = target.value(bench.study)
     if value is None:
         raise RbpsymError(f"“{target.id}” has no value in “{bench.name}”")
     return shown(value, bench.study)
 
 
-def is_number(bench: Bench, target: Target, scenery: Scenery) -> bool:
+def is_number(bench: ProblemBench, target: Target, scenery: Scenery) -> bool:
     """Whether a target is a number at the place that is asked about."""
     value = target.along(bench.study)
     return value is not None and not is_zero(value) and names_in(value) <= known_names(bench, scenery)
 
 
-def known_names(bench: Bench, scenery: Scenery) -> set[str]:
+def known_names(bench: ProblemBench, scenery: Scenery) -> set[str]:
     """Names that have a number on the paper."""
     return set(scenery.ranges) | ({scenery.coordinate} if scenery.coordinate else set())
 
 
-def asked_unit(bench: Bench, target: Target) -> str:
+def asked_unit(bench: ProblemBench, target: Target) -> str:
     """The unit of a target as a number."""
     dimension = target.reading.dimension if target.reading else target.dimension
     name = target.unit_name if not target.reading else target.reading.unit_name
@@ -202,7 +202,7 @@ def asked_unit(bench: Bench, target: Target) -> str:
     return unit_of(dimension, name)
 
 
-def sentence(bench: Bench, step: Step, said: Words) -> Inlines:
+def sentence(bench: ProblemBench, step: Step, said: Words) -> Inlines:
     """Why a step is made, in the words of the notes; () where they say nothing."""
     return bench.once(("sentence", step.id, said.language), lambda: _sentence(step, said))
 

@@ -11,7 +11,7 @@ from rbpsym.derivation.step import STANDARD, Step
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.places import Path
-from rbpsym.teaching.bench import Bench
+from rbpsym.teaching.bench import ProblemBench
 from rbpsym.teaching.model import Piece
 
 # what a step does -> how much it matters to understand it (0: never asked)
@@ -38,7 +38,7 @@ WEIGHTS: Mapping[str, int] = {
 LARGEST_BLANK = 40  # parts of a formula that one has to write
 
 
-def lines_to(bench: Bench, step: str, most: int) -> tuple[Step, ...]:
+def lines_to(bench: ProblemBench, step: str, most: int) -> tuple[Step, ...]:
     """The steps that lead to a step, those that a lecture would show, at most so many."""
     found = bench.way_to(step, 3 * most)
     kept = [s for s in found if s.level <= STANDARD and s.rule not in ("constraint", "statement")]
@@ -50,7 +50,7 @@ def piece(step: Step) -> Piece:
     return Piece(step.id, step.statement)
 
 
-def precedence(bench: Bench, ids: list[str]) -> set[tuple[int, int]]:
+def precedence(bench: ProblemBench, ids: list[str]) -> set[tuple[int, int]]:
     """Pairs of places (i, j): by the graph the step i is needed, directly or not, for the step j."""
     by_id = {s.id: s for s in bench.derivation.steps}
     needed = {id: set(_ancestors(by_id, id)) for id in ids}
@@ -139,12 +139,12 @@ def is_negated(statement: t.Node, path: Path) -> bool:
     return negative
 
 
-def has_value(bench: Bench, node: t.Node) -> bool:
+def has_value(bench: ProblemBench, node: t.Node) -> bool:
     """Whether a part means something outside its step: only quantities of the problem are in it."""
     return value_of(bench, node) is not None
 
 
-def value_of(bench: Bench, node: t.Node) -> Value | None:
+def value_of(bench: ProblemBench, node: t.Node) -> Value | None:
     """The value of a part in the names of the problem; None if it holds names that the derivation defined."""
     from rbpsym.algebra.evaluate import value
 

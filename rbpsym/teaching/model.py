@@ -60,7 +60,7 @@ class Tolerance:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class AskedQuantity:
     """The quantity that an item asks for, and where its derivation shows it.
 
     quantity: id within the problem ("acceleration.theta", "work.T.N_w.ladder"); name: its symbol as
@@ -309,7 +309,7 @@ class Item:
     kind: str
     prompt: tuple[Block, ...]
     key: Key
-    asked: Asked
+    asked: AskedQuantity
     points: Fraction = Fraction(1)
     rubric: tuple[Criterion, ...] = ()
     solution: tuple[Block, ...] = ()

@@ -23,7 +23,7 @@ from rbpsym.statement.library import course_files, find_problem, not_found, prob
 from rbpsym.statement.loader import load_problem, load_table
 from rbpsym.statement.model import Problem
 from rbpsym.teaching import codes
-from rbpsym.teaching.bench import Bench, Prepared, Setting, evaluator, generic_state
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, evaluator, generic_state
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.model import Item, Part, Student, Worksheet
@@ -44,7 +44,7 @@ SPARE = 2  # tasks that are prepared beyond the number wanted, to draw from
 class PlannedPart:
     """One problem of a plan: its bench, its numbers, and the prepared tasks of each wish."""
 
-    bench: Bench
+    bench: ProblemBench
     scenery: Scenery
     wishes: tuple[tuple[Wish, tuple[Prepared, ...]], ...]
     evaluate: Callable = field(compare=False, repr=False)
@@ -160,7 +160,7 @@ def _items(
         prepared = part.wishes[wish][1][task]
         own = values[_place(part, wish, task)]
         id = str(len(before) + len(found) + 1)
-        item = prepared.make(Setting(said, situation, part.scenery, draws, id, own, (*before, *found)))
+        item = prepared.make(ItemSetting(said, situation, part.scenery, draws, id, own, (*before, *found)))
         if item is None:
             return None
         found.append(item)
@@ -226,21 +226,21 @@ def _found(name: str) -> Path:
         raise not_found(name, [*worksheet_files(), *problem_files()], "worksheet, no problem") from None
 
 
-def bench_of(problem: Problem, numbers: Mapping[str, NumberRange] | None = None) -> Bench:
+def bench_of(problem: Problem, numbers: Mapping[str, NumberRange] | None = None) -> ProblemBench:
     """A problem derived, with its targets and its wrong studies."""
     from rbpsym.derive import derive
 
     derivation = derive(problem, simulation=False)
-    return Bench(derivation, {x.id: x for x in targets(derivation)}, pool(derivation), dict(numbers or {}))
+    return ProblemBench(derivation, {x.id: x for x in targets(derivation)}, pool(derivation), dict(numbers or {}))
 
 
-def _scenery(bench: Bench, wishes: tuple[Wish, ...]) -> Scenery:
+def _scenery(bench: ProblemBench, wishes: tuple[Wish, ...]) -> Scenery:
     """An oscillation is timed if a frequency may be asked for."""
     is_timed = not wishes or any(not w.about or any(a.startswith(("frequency", "*")) for a in w.about) for w in wishes)
     return scenery(bench.study, bench.wishes, is_timed)
 
 
-def _planned(bench: Bench, sight: Scenery, part: SheetPart) -> PlannedPart:
+def _planned(bench: ProblemBench, sight: Scenery, part: SheetPart) -> PlannedPart:
     prepared, used = [], set()
     for wish in part.wishes:
         found = _prepared(bench, sight, wish, used)
@@ -254,7 +254,7 @@ def _planned(bench: Bench, sight: Scenery, part: SheetPart) -> PlannedPart:
     return PlannedPart(bench, sight, tuple(prepared), evaluator(task for _, tasks in prepared for task in tasks))
 
 
-def _prepared(bench: Bench, sight: Scenery, wish: Wish, used: set[str]) -> list[Prepared]:
+def _prepared(bench: ProblemBench, sight: Scenery, wish: Wish, used: set[str]) -> list[Prepared]:
     """As many as wished and some to spare; what was asked so already comes last."""
     fresh, again = [], []
     for task in _made(bench, sight, wish):
@@ -265,7 +265,7 @@ def _prepared(bench: Bench, sight: Scenery, wish: Wish, used: set[str]) -> list[
     return found if _may_vary(wish) else found[: wish.number]
 
 
-def _made(bench: Bench, sight: Scenery, wish: Wish) -> Iterator[Prepared]:
+def _made(bench: ProblemBench, sight: Scenery, wish: Wish) -> Iterator[Prepared]:
     return TASKS[wish.kind](bench, sight, wish)
 
 

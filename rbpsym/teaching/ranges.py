@@ -18,7 +18,7 @@ from rbpsym.notation import tree as t
 from rbpsym.quantities import ACCELERATION, NUMBER, Dimension
 from rbpsym.statement.model import Problem
 from rbpsym.statement.printed_units import scale_of, unit_of, unit_text
-from rbpsym.statement.source import Item, Table, kind_of
+from rbpsym.statement.source import SourceItem, Table, kind_of
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.model import Measure
@@ -224,7 +224,7 @@ def _example(named: Named) -> str:
     return f"write {named.name} = {one} or {named.name} = {{ from = {low}, to = {high}, step = {step} }}"
 
 
-def _measure(item: Item, named: Named, what: str) -> Measure:
+def _measure(item: SourceItem, named: Named, what: str) -> Measure:
     """A number that the problem allows for this quantity."""
     if not isinstance(item.value, str):
         raise item.error(f"{what} must be a text in quotes, not {kind_of(item.value)}", _example(named))
@@ -278,7 +278,7 @@ def _check_range(row: Table, found: NumberRange, units: set[str]) -> None:
         )
 
 
-def _told(item: Item, call: Callable[[], Measure]) -> Measure:
+def _told(item: SourceItem, call: Callable[[], Measure]) -> Measure:
     """The result of a reader, its error told at the place of what it read."""
     try:
         return call()

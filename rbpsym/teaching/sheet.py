@@ -14,7 +14,7 @@ from rbpsym.errors import RbpsymError
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, table_of
 from rbpsym.statement.model import Problem
-from rbpsym.statement.source import Item, Table, did_you_mean, kind_of
+from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.ranges import NumberRange, numbers_in
 from rbpsym.teaching.tasks.registry import TASKS
@@ -36,7 +36,7 @@ class SheetPart:
     problem: Problem
     numbers: Mapping[str, NumberRange]
     wishes: tuple[Wish, ...]
-    at: Item | None = field(default=None, compare=False, repr=False)
+    at: SourceItem | None = field(default=None, compare=False, repr=False)
 
     def error(self, error: RbpsymError) -> RbpsymError:
         """An error about its numbers, told where the problem stands in the file."""

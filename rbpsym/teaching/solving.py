@@ -20,7 +20,7 @@ from rbpsym.mechanics.dynamics import reactions_by_acceleration
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching import bench as b
-from rbpsym.teaching.bench import Bench, formula_of
+from rbpsym.teaching.bench import ProblemBench, formula_of
 from rbpsym.teaching.distractors import shown, size
 from rbpsym.teaching.lines import WEIGHTS, gist
 from rbpsym.teaching.misconceptions.model import with_inertia
@@ -76,7 +76,7 @@ MOST_RELATIONS = 2
 LONGEST = 120  # parts of a formula that is shown with numbers in the places of the names
 
 
-def where_text(setting: b.Setting) -> Inlines:
+def where_text(setting: b.ItemSetting) -> Inlines:
     """“ where θ = 40.0°”, if it is asked at a place."""
     place = setting.situation.place
     if place is None:
@@ -84,11 +84,11 @@ def where_text(setting: b.Setting) -> Inlines:
     return spoken(setting.said, "ask.place", place=b.given_as(*place, _notation(setting)))
 
 
-def _notation(setting: b.Setting):
+def _notation(setting: b.ItemSetting):
     return setting.said.notation
 
 
-def hint(bench: b.Bench, setting: b.Setting, target: Target, level: int) -> Inlines:
+def hint(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, level: int) -> Inlines:
     """With much help (level 0): the relations from which it follows."""
     if level or not target.step:
         return ()
@@ -98,17 +98,17 @@ def hint(bench: b.Bench, setting: b.Setting, target: Target, level: int) -> Inli
     return spoken(setting.said, "hint.relations", relations=relations) if relations else ()
 
 
-def label_of(bench: b.Bench, step: str) -> str:
+def label_of(bench: b.ProblemBench, step: str) -> str:
     """The label under which the solution shows a step of a problem."""
     return f"{bench.name}.{step}"
 
 
-def worked(bench: b.Bench, setting: b.Setting, target: Target, value: float | None) -> tuple[Block, ...]:
+def worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> tuple[Block, ...]:
     """Where the answer comes from, the formula and, if it is a number, the numbers put in."""
     return tuple(_worked(bench, setting, target, value))
 
 
-def _worked(bench: b.Bench, setting: b.Setting, target: Target, value: float | None) -> Iterator[Block]:
+def _worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float | None) -> Iterator[Block]:
     if target.step:
         yield Paragraph(spoken(setting.said, "solution.from", step=Ref(label_of(bench, target.step))))
     formula = b.formula_of(bench, target)
@@ -118,7 +118,7 @@ def _worked(bench: b.Bench, setting: b.Setting, target: Target, value: float | N
     yield Display(numeric_line(bench, setting, target, value), numbered=False)
 
 
-def numeric_line(bench: b.Bench, setting: b.Setting, target: Target, value: float) -> t.Node:
+def numeric_line(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float) -> t.Node:
     """left = formula = formula with numbers = number with unit; a very long formula without the third of these."""
     formula = number_formula(bench, target)
     left = target.reading.left if target.reading else target.left
@@ -131,29 +131,29 @@ def numeric_line(bench: b.Bench, setting: b.Setting, target: Target, value: floa
     return t.equation(left, formula, put_in(numbers), result)
 
 
-def _filler(bench: b.Bench, target: Target, setting: b.Setting) -> Fill | None:
+def _filler(bench: b.ProblemBench, target: Target, setting: b.ItemSetting) -> Fill | None:
     formula = number_formula(bench, target)
     known = b.numbers_at(setting.situation, number_names(bench, target))
     return filler(formula, known) if size(formula) <= LONGEST else None
 
 
-def number_names(bench: b.Bench, target: Target) -> frozenset[str]:
+def number_names(bench: b.ProblemBench, target: Target) -> frozenset[str]:
     """The names in the formula from which a target's number comes."""
     return bench.once(("names", target.id), lambda: frozenset(t.names(number_formula(bench, target))))
 
 
-def number_formula(bench: b.Bench, target: Target) -> t.Node:
+def number_formula(bench: b.ProblemBench, target: Target) -> t.Node:
     """The formula from which a target's number comes, as a function of the position alone."""
     return bench.once(("number", target.id), lambda: _number_formula(bench, target))
 
 
-def _number_formula(bench: b.Bench, target: Target) -> t.Node:
+def _number_formula(bench: b.ProblemBench, target: Target) -> t.Node:
     along = target.along(bench.study)
     plain = b.formula_of(bench, target) if along is None else shown(along, bench.study)
     return target.reading.node(plain) if target.reading else plain
 
 
-def measure_of(bench: b.Bench, target: Target, value: float) -> Measure:
+def measure_of(bench: b.ProblemBench, target: Target, value: float) -> Measure:
     """The number of a target as it is printed (`value` in SI units, before it is read off)."""
     value = target.reading.number(value) if target.reading else value
     return measured(value, b.asked_unit(bench, target), b.ASKED_DIGITS)
@@ -171,7 +171,7 @@ MOST_SOURCES = 3
 Source = tuple[str, str]  # (id of the item, id of the quantity that it asks for)
 
 
-def follow_ons(bench: Bench, target: Target, before: Sequence[Item], kind: str) -> Iterator[FollowOn]:
+def follow_ons(bench: ProblemBench, target: Target, before: Sequence[Item], kind: str) -> Iterator[FollowOn]:
     """The ways from earlier items of the same problem to a target; `kind` is “formula” or “number”."""
     sources = _sources(bench, target, before, kind)
     for chosen in (some for count in range(1, len(sources) + 1) for some in combinations(sources, count)):
@@ -183,7 +183,7 @@ def follow_ons(bench: Bench, target: Target, before: Sequence[Item], kind: str) 
             yield FollowOn(first, name_of(quantity), node, beside=beside)
 
 
-def _sources(bench: Bench, target: Target, before: Sequence[Item], kind: str) -> list[Source]:
+def _sources(bench: ProblemBench, target: Target, before: Sequence[Item], kind: str) -> list[Source]:
     """The last item for each quantity that may matter."""
     kinds = ("formula",) if kind == "formula" else ("formula", "number")
     found: dict[str, str] = {}
@@ -201,7 +201,7 @@ def name_of(quantity: str) -> str:
     return f"{name}{TAILS[kind]}" if kind in TAILS else f"own.{quantity}"
 
 
-def _node(bench: Bench, target: Target, quantities: tuple[str, ...], kind: str) -> t.Node | None:
+def _node(bench: ProblemBench, target: Target, quantities: tuple[str, ...], kind: str) -> t.Node | None:
     """The target as a formula in the symbols of earlier answers; None if one of them does not matter."""
     supplied = {name_of(quantity) for quantity in quantities}
     asked = t.names(formula_of(bench, target)) if kind == "formula" else number_names(bench, target)

@@ -10,7 +10,7 @@ from itertools import islice
 from rbpsym.algebra.present import present
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
-from rbpsym.teaching.bench import Bench, Prepared
+from rbpsym.teaching.bench import Prepared, ProblemBench
 from rbpsym.teaching.distractors import size
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
@@ -40,7 +40,7 @@ LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
 PICKS = ("signs", "fill-in", "order", "find-the-slip", "number", "choose", "formula", "compare", "explain")
 
 
-def standard_sheet(bench: Bench, scenery: Scenery) -> Sheet:
+def standard_sheet(bench: ProblemBench, scenery: Scenery) -> Sheet:
     """A worksheet for the problem of a bench. Raises RbpsymError if nothing can be asked."""
     problem = bench.study.problem
     wishes = tuple(_wishes(bench, scenery))
@@ -56,7 +56,7 @@ def bare_sheet(problem: Problem) -> Sheet:
     return Sheet(problem.name, dict(problem.title), (SheetPart(problem, {}, ()),), text=problem.text)
 
 
-def _wishes(bench: Bench, scenery: Scenery) -> list[Wish]:
+def _wishes(bench: ProblemBench, scenery: Scenery) -> list[Wish]:
     """For each row of the lesson the first wish that gives away no answer of another task; those that train most choose first."""
     taken: dict[int, tuple[Wish, Content]] = {}
     for row in sorted(range(len(LESSON)), key=lambda row: PICKS.index(LESSON[row][0])):
@@ -67,7 +67,7 @@ def _wishes(bench: Bench, scenery: Scenery) -> list[Wish]:
     return [taken[row][0] for row in sorted(taken)]
 
 
-def _possible(bench: Bench, scenery: Scenery, kind: str, patterns, level: int) -> Iterator[tuple[Wish, Content]]:
+def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level: int) -> Iterator[tuple[Wish, Content]]:
     """Wishes for single quantities, in the order of the patterns; choices with four answers first."""
     for pattern in patterns:
         for options in (4, 3) if kind == "choose" else (4,):
@@ -79,13 +79,13 @@ def _possible(bench: Bench, scenery: Scenery, kind: str, patterns, level: int) -
                 yield replace(wish, about=about), task.content
 
 
-def _is_long(bench: Bench, task: Prepared) -> bool:
+def _is_long(bench: ProblemBench, task: Prepared) -> bool:
     """Is the answer a formula that no one would write by hand?"""
     value = task.target and task.target.value(bench.study)
     return value is not None and size(present(value, bench.study.style)) > LONGEST
 
 
-def _made(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def _made(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """At most so many; none where the problem offers none."""
     with suppress(RbpsymError):
         yield from islice(TASKS[wish.kind](bench, scenery, wish), TRIES)

@@ -8,10 +8,10 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.statement import CONSTRAINTS, INTERACTIONS, SHAPES, build, load_text, unknowns_of
-from rbpsym.statement.kinds import Field, Kind, known_names
+from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Element, Problem
 
-REGISTRIES: Mapping[str, Mapping[str, Kind]] = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
+REGISTRIES: Mapping[str, Mapping[str, ElementKind]] = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 KINDS = [(section, kind) for section, kinds in REGISTRIES.items() for kind in kinds.values()]
 OWN_KINDS = [(section, kind) for section, kind in KINDS if not kind.read_as]
 FIELDS = [(section, kind, field) for section, kind in KINDS for field in kind.fields]
@@ -74,7 +74,7 @@ def sound(field: Field) -> object:
     return [name, name] if field.kind == "pair" else name
 
 
-def problem(section: str, table: dict[str, object], kind: Kind) -> Problem:
+def problem(section: str, table: dict[str, object], kind: ElementKind) -> Problem:
     own = {f"q_{field.name}": {"dimension": str(field.dimension)} for field in kind.fields if field.dimension}
     return build.problem(
         "test",
@@ -88,7 +88,7 @@ def problem(section: str, table: dict[str, object], kind: Kind) -> Problem:
     )
 
 
-def stated(kind: Kind, **keys: object) -> dict[str, object]:
+def stated(kind: ElementKind, **keys: object) -> dict[str, object]:
     own = OWN.get(kind.name, {})
     fields = {field.name: sound(field) for field in kind.fields if not own or field.name not in LEFT_OUT}
     return {"type": kind.name, **fields, **own, **keys}
@@ -100,7 +100,7 @@ def only(problem: Problem, section: str) -> Element:
 
 
 @pytest.mark.parametrize(("section", "kind"), OWN_KINDS, ids=lambda x: getattr(x, "name", ""))
-def test_every_kind_can_be_stated(section: str, kind: Kind) -> None:
+def test_every_kind_can_be_stated(section: str, kind: ElementKind) -> None:
     keys = {"reaction_on": "disk"} if kind.name == "couple" else {}
     element = only(problem(section, stated(kind, **keys), kind), section)
     assert element.kind == kind.name
@@ -109,7 +109,7 @@ def test_every_kind_can_be_stated(section: str, kind: Kind) -> None:
 
 
 @pytest.mark.parametrize(("section", "kind"), OWN_KINDS, ids=lambda x: getattr(x, "name", ""))
-def test_defaults(section: str, kind: Kind) -> None:
+def test_defaults(section: str, kind: ElementKind) -> None:
     needed = {field.name: sound(field) for field in kind.fields if field.default is None}
     element = only(problem(section, {"type": kind.name, **needed, **AT.get(kind.name, {})}, kind), section)
     assert set(element.values) == {field.name for field in kind.fields}
@@ -121,7 +121,7 @@ AT = {"pivot": {"at": ["0", "0"]}} | {
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))
-def test_every_field_refuses_what_cannot_be(section: str, kind: Kind, field: Field) -> None:
+def test_every_field_refuses_what_cannot_be(section: str, kind: ElementKind, field: Field) -> None:
     for wrong in WRONG[field.kind]:
         with pytest.raises(RbpsymError) as found:
             problem(section, stated(kind, **{field.name: wrong}), kind)
@@ -130,7 +130,7 @@ def test_every_field_refuses_what_cannot_be(section: str, kind: Kind, field: Fie
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))
-def test_every_required_field_is_required(section: str, kind: Kind, field: Field) -> None:
+def test_every_required_field_is_required(section: str, kind: ElementKind, field: Field) -> None:
     if field.default is None:
         table = stated(kind)
         del table[field.name]
@@ -139,14 +139,14 @@ def test_every_required_field_is_required(section: str, kind: Kind, field: Field
 
 
 @pytest.mark.parametrize(("section", "kind", "field"), FIELDS, ids=lambda x: getattr(x, "name", ""))
-def test_every_dimension_is_checked(section: str, kind: Kind, field: Field) -> None:
+def test_every_dimension_is_checked(section: str, kind: ElementKind, field: Field) -> None:
     if field.kind == "expression":
         with pytest.raises(RbpsymError, match="must be"):
             problem(section, stated(kind, **{field.name: "m*ell**5"}), kind)
 
 
 @pytest.mark.parametrize("kinds", [SHAPES, *REGISTRIES.values()])
-def test_names_of_kinds_are_unique(kinds: Mapping[str, Kind]) -> None:
+def test_names_of_kinds_are_unique(kinds: Mapping[str, ElementKind]) -> None:
     aliases = [alias for kind in kinds.values() for alias in kind.aliases]
     assert len({*kinds, *aliases}) == len(kinds) + len(aliases) == len(known_names(kinds))
 
@@ -157,7 +157,7 @@ def test_python_functions_do_not_hide_each_other() -> None:
 
 
 @pytest.mark.parametrize("kind", CONSTRAINTS.values(), ids=lambda kind: kind.name)
-def test_unknowns(kind: Kind) -> None:
+def test_unknowns(kind: ElementKind) -> None:
     element = only(problem("constraints", stated(kind), kind), "constraints")
     names = unknowns_of(element)
     assert names and all(name == "kappa" or name.startswith("E") for name in names)

@@ -17,7 +17,7 @@ from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.model import (
     Anticipated,
-    Asked,
+    AskedQuantity,
     Blank,
     BlanksKey,
     ChoiceKey,
@@ -57,8 +57,8 @@ def relation(text: str) -> t.Chain:
     return read_relation(text, NAMES)
 
 
-def asked(name: str, dimension: str = "angular acceleration") -> Asked:
-    return Asked("swing", name, t.Sym(name), DIMENSIONS[dimension])
+def asked(name: str, dimension: str = "angular acceleration") -> AskedQuantity:
+    return AskedQuantity("swing", name, t.Sym(name), DIMENSIONS[dimension])
 
 
 @cache
@@ -89,7 +89,7 @@ def items(scale: int = 1) -> tuple[Item, ...]:
         Item("3", "number", prompt("The acceleration of the rim along the tangent?"), NumberKey(
             Measure(Fraction(f"{exact / 4:.2f}"), "m/s^2", 3), exact / 4, t.Mul((t.Sym("R"), tree(POWERED))), t.Sym("a"), given,
             units=("m/s^2",), follows=(follow,),
-        ), Asked("swing", "a", t.Sym("a"), DIMENSIONS["acceleration"]), Fraction(2)),
+        ), AskedQuantity("swing", "a", t.Sym("a"), DIMENSIONS["acceleration"]), Fraction(2)),
         Item("4", "choose", prompt("Which is the angular acceleration?"), ChoiceKey((
             Option((Math(tree(SPINLESS)),), SLIP, tree(SPINLESS)), Option((Math(tree(POWERED)),), None, tree(POWERED)),
             Option((Math(tree("-g*sin(theta)/ell")),), SLIP, tree("-g*sin(theta)/ell")),

@@ -15,7 +15,7 @@ from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
-from rbpsym.teaching.bench import Bench
+from rbpsym.teaching.bench import ProblemBench
 from rbpsym.teaching.distractors import MOST, pool
 from rbpsym.teaching.misconceptions.registry import DESCRIBED, MISCONCEPTIONS, SOURCES
 from rbpsym.teaching.plan import bench_of
@@ -65,7 +65,7 @@ BY_HAND = [
 
 
 @cache
-def bench(name: str) -> Bench:
+def bench(name: str) -> ProblemBench:
     return bench_of(load_problem(find_problem(name)))
 
 

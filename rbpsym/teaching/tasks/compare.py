@@ -19,7 +19,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH, MASS
-from rbpsym.teaching.bench import Bench, Prepared, Setting, formula_of
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, formula_of
 from rbpsym.teaching.distractors import Wrong, shown
 from rbpsym.teaching.misconceptions.inertia import ROUND
 from rbpsym.teaching.model import ComparisonKey, Criterion, Item, Option
@@ -40,10 +40,10 @@ class Variant:
 
     phrase: str
     slots: Mapping[str, Any]
-    value: Callable[[Bench, Target], Scalar | None]
+    value: Callable[[ProblemBench, Target], Scalar | None]
 
 
-def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a quantity for which a variant can be compared for all values of the parameters."""
     fits = lambda x: x.kind in ASKED  # noqa: E731
     for target in wanted(bench, wish, fits, "a frequency, a speed or an acceleration can be compared"):
@@ -52,7 +52,7 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             yield _prepared(bench, wish, target, found)
 
 
-def _decided(bench: Bench, target: Target) -> Iterator[tuple[Variant, int, Scalar]]:
+def _decided(bench: ProblemBench, target: Target) -> Iterator[tuple[Variant, int, Scalar]]:
     """Variants with the place of the right answer, proved, and their values."""
     right = target.value(bench.study)
     for variant in variants(bench):
@@ -62,7 +62,7 @@ def _decided(bench: Bench, target: Target) -> Iterator[tuple[Variant, int, Scala
             yield variant, answer, value
 
 
-def _is_involved(bench: Bench, target: Target, variant: Variant) -> bool:
+def _is_involved(bench: ProblemBench, target: Target, variant: Variant) -> bool:
     """Whether what is changed stands on the way to the target at all: only then it is worth asking that it drops out."""
     way = bench.way_to(target.step, MOST_STEPS) if target.step else ()
     if "name" in variant.slots:
@@ -71,7 +71,7 @@ def _is_involved(bench: Bench, target: Target, variant: Variant) -> bool:
     return len(bench.study.system.bodies) == 1 or any(body in step.id.split(".") for step in way)
 
 
-def _tried(variant: Variant, bench: Bench, target: Target) -> Scalar | None:
+def _tried(variant: Variant, bench: ProblemBench, target: Target) -> Scalar | None:
     try:
         return variant.value(bench, target)
     except (RbpsymError, ZeroDivisionError):
@@ -89,7 +89,7 @@ def _answer(right: Scalar, other: Scalar, study: Study) -> int | None:
     )
 
 
-def variants(bench: Bench) -> Iterator[Variant]:
+def variants(bench: ProblemBench) -> Iterator[Variant]:
     """A constant doubled; another round shape; a bearing for a weld and a weld for a bearing."""
     for quantity in bench.study.problem.parameters:
         if quantity.dimension in (MASS, LENGTH) and quantity.sign == "positive":
@@ -103,34 +103,34 @@ def variants(bench: Bench) -> Iterator[Variant]:
             yield Variant(phrase, {"body": wrong.site.slots["body"]}, partial(_of_study, study=wrong.study))
 
 
-def _made_so(bench: Bench, name: str) -> list[Wrong]:
+def _made_so(bench: ProblemBench, name: str) -> list[Wrong]:
     """The studies that a misconception makes: what is wrong of this system is right of another one."""
     return [wrong for wrong in bench.pool.wrongs if wrong.misconception.name == name]
 
 
-def _of_study(bench: Bench, target: Target, study: Study) -> Scalar | None:
+def _of_study(bench: ProblemBench, target: Target, study: Study) -> Scalar | None:
     return target.value(study)
 
 
-def _round(bench: Bench, body: str) -> str:
+def _round(bench: ProblemBench, body: str) -> str:
     kind = bench.study.problem.body(body).shape.kind
     return kind if kind in ROUND else "disk"
 
 
-def _doubled(bench: Bench, target: Target, name: str) -> Scalar | None:
+def _doubled(bench: ProblemBench, target: Target, name: str) -> Scalar | None:
     value = target.value(bench.study)
     return None if value is None else short(substitute(value, {name: symbol(name) * 2}))
 
 
-def _prepared(bench: Bench, wish: Wish, target: Target, found) -> Prepared:
-    def make(setting: Setting) -> Item:
+def _prepared(bench: ProblemBench, wish: Wish, target: Target, found) -> Prepared:
+    def make(setting: ItemSetting) -> Item:
         variant, right, value = setting.draws.one_of(found)
         return _item(bench, setting, wish, target, variant, right, value)
 
     return Prepared("compare", target, (), make)
 
 
-def _item(bench: Bench, setting: Setting, wish: Wish, target: Target, variant: Variant, right: int, value) -> Item:
+def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, target: Target, variant: Variant, right: int, value) -> Item:
     said = setting.said
     slots = {k: _shape(said, v) if k in ("first", "second") else v for k, v in variant.slots.items()}
     change = spoken(said, variant.phrase, **slots)
@@ -155,7 +155,7 @@ def _pair(said, target: Target, pair) -> Iterator[Paragraph | Display]:
         yield Display(t.equation(target.left, formula), numbered=False)
 
 
-def _rubric(setting: Setting, target: Target, points: Fraction, pair) -> Iterator[Criterion]:
+def _rubric(setting: ItemSetting, target: Target, points: Fraction, pair) -> Iterator[Criterion]:
     """A third for the choice, a third for each of the two formulas or the words that say the same."""
     yield Criterion(points / 3, spoken(setting.said, "rubric.choice"))
     for name, formula in zip(("one", "other"), pair, strict=True):

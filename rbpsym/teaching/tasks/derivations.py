@@ -11,10 +11,20 @@ from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.notation.places import put
-from rbpsym.teaching.bench import Bench, Prepared, Setting, sentence
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws
 from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, is_negated, lines_to, piece, precedence, shares
-from rbpsym.teaching.model import Anticipated, Asked, Blank, BlanksKey, Criterion, ExplanationKey, Item, OrderKey, blank
+from rbpsym.teaching.model import (
+    Anticipated,
+    AskedQuantity,
+    Blank,
+    BlanksKey,
+    Criterion,
+    ExplanationKey,
+    Item,
+    OrderKey,
+    blank,
+)
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content, claims
@@ -28,23 +38,23 @@ from rbpsym.teaching.wording import spoken
 FEWEST, MOST, TRIALS = 4, 6, 20
 
 
-def orders(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def orders(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a result that several steps lead to."""
     fits = lambda x: bool(x.step) and _is_long(bench, x)  # noqa: E731
     for target in wanted(bench, wish, fits, f"fewer than {FEWEST} steps lead to it, or they may stand in any order"):
         yield _order_of(bench, wish, target)
 
 
-def _is_long(bench: Bench, target: Target) -> bool:
+def _is_long(bench: ProblemBench, target: Target) -> bool:
     steps = lines_to(bench, target.step, MOST)
     pairs = precedence(bench, [s.id for s in steps])
     return len(steps) >= FEWEST and len(pairs) >= len(steps) - 1 and len({s.statement for s in steps}) == len(steps)
 
 
-def _order_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
+def _order_of(bench: ProblemBench, wish: Wish, target: Target) -> Prepared:
     steps = lines_to(bench, target.step, MOST)
 
-    def make(setting: Setting) -> Item | None:
+    def make(setting: ItemSetting) -> Item | None:
         key = _shuffled(bench, steps, setting.draws)
         if key is None:
             return None
@@ -56,7 +66,7 @@ def _order_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
     return Prepared("order", target, (), make, content=Content(claims(s.statement for s in steps)))
 
 
-def _shuffled(bench: Bench, steps: tuple[Step, ...], draws: Draws) -> OrderKey | None:
+def _shuffled(bench: ProblemBench, steps: tuple[Step, ...], draws: Draws) -> OrderKey | None:
     """The steps in an order that is wrong."""
     for _ in range(TRIALS):
         order = draws.shuffled(range(len(steps)))
@@ -89,7 +99,7 @@ LEVELS: Mapping[int, Help] = {
 }
 
 
-def blanks(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def blanks(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a result whose derivation has something to leave out."""
     if wish.level not in LEVELS:
         raise wish.error(f"there is no level {wish.level}", "levels go from 0 (much help) to 3 (none).")
@@ -98,16 +108,16 @@ def blanks(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
         yield _blanks_of(bench, wish, target)
 
 
-def _blanks_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
+def _blanks_of(bench: ProblemBench, wish: Wish, target: Target) -> Prepared:
     steps, chosen = _blanked(bench, target, wish.level)
     statements, answers = _with_blanks(bench, steps, chosen)
     names = tuple(sorted({n for item in answers for n in t.names(item.value)}))
     how = LEVELS[wish.level]
 
-    def key_of(setting: Setting) -> tuple[str, ...]:
+    def key_of(setting: ItemSetting) -> tuple[str, ...]:
         return ("fill-in", target.id, str(wish.level), setting.language)
 
-    def make(setting: Setting) -> Item:
+    def make(setting: ItemSetting) -> Item:
         prompt = Paragraph(spoken(setting.said, "ask.fill-in", count=len(answers), left=target.left, last=len(answers)))
         each = wish.worth(len(answers)) / len(answers)
         blanks = tuple(Blank(a.number, a.value, each, a.step, a.anticipated) for a in answers)
@@ -121,7 +131,7 @@ def _blanks_of(bench: Bench, wish: Wish, target: Target) -> Prepared:
     return Prepared("fill-in", target, (), make, content=content)
 
 
-def _blanked(bench: Bench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:
+def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:
     """The steps shown and, by id, what is left out: from the steps that matter most."""
     how = LEVELS[level]
     steps = lines_to(bench, target.step, how.lines)
@@ -142,7 +152,7 @@ def _ranked(steps: tuple[Step, ...]) -> list[Step]:
     return sorted(steps, key=lambda s: (again[s.id], -WEIGHTS.get(s.rule, 0)))
 
 
-def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
+def _gaps_of(bench: ProblemBench, step: Step, how: Help) -> list[Gap]:
     """A term of each sum where there is much help (the last: the spin part, the shift of the axis), else whole sides."""
     found = [gap for gap in gaps(step.statement) if has_value(bench, gap.node)]
     terms = [gap for gap in found if gap.is_term]
@@ -152,7 +162,7 @@ def _gaps_of(bench: Bench, step: Step, how: Help) -> list[Gap]:
     return sides[-1:] if how.terms else sides or terms
 
 
-def _with_blanks(bench: Bench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
+def _with_blanks(bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
     """Statements by id, and the answers, numbered in reading order."""
     statements, answers = {}, []
     for step in steps:
@@ -164,7 +174,7 @@ def _with_blanks(bench: Bench, steps: tuple[Step, ...], chosen: Mapping[str, lis
     return statements, answers
 
 
-def _anticipated(bench: Bench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
+def _anticipated(bench: ProblemBench, step: Step, gap: Gap) -> tuple[Anticipated, ...]:
     """Known slips, where the blank is the whole right side of a quantity that has some."""
     found = next((x for x in bench.targets.values() if x.step == step.id), None)
     if found is None or gap.is_term or isinstance(step.statement, t.System):
@@ -179,7 +189,7 @@ def _as_gap(formula: t.Node, is_turned: bool) -> t.Node:
 
 
 def _lines(
-    bench: Bench, setting: Setting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
+    bench: ProblemBench, setting: ItemSetting, steps: tuple[Step, ...], statements: Mapping[str, t.Node], reasons: bool
 ) -> Iterator[Block]:
     for step in steps:
         why = sentence(bench, step, setting.said) if reasons else ()
@@ -197,7 +207,7 @@ MOST_PREMISES = 3
 CONCLUSION = 3  # the least weight of putting the premises together, on the scale of `lines.WEIGHTS`
 
 
-def explanations(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a step that has a reason and premises; `about` names ids of steps."""
     steps = [s for s in bench.derivation.steps if _interest(s) and _premises(bench, s)]
     named = [s for s in steps if not wish.about or any(s.id == a or s.id.startswith(f"{a}.") for a in wish.about)]
@@ -217,21 +227,21 @@ def _interest(step: Step) -> int:
     return 3 if step.rule == "work" and step.is_result else QUESTIONS.get(step.rule, 0)
 
 
-def _premises(bench: Bench, step: Step) -> list[Step]:
+def _premises(bench: ProblemBench, step: Step) -> list[Step]:
     """What it stands on, the last first named; at most so many."""
     return [bench.derivation.step(id) for id in step.reasons][:MOST_PREMISES]
 
 
-def _explanation(bench: Bench, wish: Wish, step: Step, setting: Setting) -> Item:
+def _explanation(bench: ProblemBench, wish: Wish, step: Step, setting: ItemSetting) -> Item:
     premises = _premises(bench, step)
     usual, sample = 1 + len(premises), tuple(_sample(bench, setting, step, premises))
     prompt = (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False))
-    asked = Asked(bench.name, step.id, t.Sym("W"), step=step.id)
+    asked = AskedQuantity(bench.name, step.id, t.Sym("W"), step=step.id)
     rubric = _rubric(setting, step, premises, wish.worth(usual))
     return wish.item(setting, asked, prompt, ExplanationKey(sample), usual, rubric=rubric, solution=sample, space=5)
 
 
-def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
+def _sample(bench: ProblemBench, setting: ItemSetting, step: Step, premises: list[Step]) -> Iterator[Paragraph | Display]:
     for premise in premises:
         yield Display(premise.statement, numbered=False)
     why = sentence(bench, step, setting.said)
@@ -240,7 +250,7 @@ def _sample(bench: Bench, setting: Setting, step: Step, premises: list[Step]) ->
     yield Display(step.statement, numbered=False)
 
 
-def _rubric(setting: Setting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
+def _rubric(setting: ItemSetting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
     """A line for each thing that it stands on and one for putting them together, by how much each step matters."""
     earned = shares(points, [*map(_weight, premises), max(CONCLUSION, _weight(step))])
     for share, premise in zip(earned, premises, strict=False):

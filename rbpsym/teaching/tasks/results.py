@@ -22,19 +22,19 @@ from rbpsym.teaching.wording import spoken
 # --- formula: a result to be entered, in the quantities of the problem
 
 
-def formulas(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
+def formulas(bench: b.ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity."""
     for target in wanted(bench, wish, lambda target: True, ""):
         yield _formula_task(bench, wish, target)
 
 
-def _formula_task(bench: b.Bench, wish: Wish, target: Target) -> b.Prepared:
+def _formula_task(bench: b.ProblemBench, wish: Wish, target: Target) -> b.Prepared:
     found = bench.pool.of(target)
     anticipated = tuple(Anticipated(d.slip, d.formula) for d in found)
     right = b.formula_of(bench, target)
     names = in_order(bench, names_in(target.value(bench.study)))
 
-    def make(setting: b.Setting) -> Item:
+    def make(setting: b.ItemSetting) -> Item:
         follows = tuple(follow_ons(bench, target, setting.before, "formula"))
         slots = {**target.slots, "left": target.left, "names": [t.Sym(name) for name in names]}
         asks = spoken(setting.said, f"ask.formula.{target.kind}", **slots)
@@ -46,7 +46,7 @@ def _formula_task(bench: b.Bench, wish: Wish, target: Target) -> b.Prepared:
     return b.Prepared("formula", target, (), make, content=b.asks_for(bench, target))
 
 
-def in_order(bench: b.Bench, names: set[str]) -> tuple[str, ...]:
+def in_order(bench: b.ProblemBench, names: set[str]) -> tuple[str, ...]:
     """Names in the order of the statement: parameters, starts, coordinates, then speeds."""
     problem = bench.study.problem
     order = [q.name for q in problem.parameters] + [c.name for c in problem.coordinates]
@@ -56,25 +56,27 @@ def in_order(bench: b.Bench, names: set[str]) -> tuple[str, ...]:
 # --- number: a quantity at the student's numbers, with unit and significant figures
 
 
-def numbers(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
+def numbers(bench: b.ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity that is a number at the place that is asked about."""
     fits = lambda x: b.is_number(bench, x, scenery)  # noqa: E731
     for target in wanted(bench, wish, fits, "it has no number at the place that is asked about"):
         yield _number_task(bench, scenery, wish, target)
 
 
-def _number_task(bench: b.Bench, scenery: Scenery, wish: Wish, target: Target) -> b.Prepared:
+def _number_task(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Target) -> b.Prepared:
     found = _with_numbers(bench, scenery, target)
     right = target.along(bench.study)
 
-    def make(setting: b.Setting) -> Item | None:
+    def make(setting: b.ItemSetting) -> Item | None:
         return _number_item(bench, setting, target, wish, found)
 
     values, content = (right, *(d.along for d in found)), Content(numbers=b.asks_for(bench, target).asks)
     return b.Prepared("number", target, values, make, content)
 
 
-def _number_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]) -> Item | None:
+def _number_item(
+    bench: b.ProblemBench, setting: b.ItemSetting, target: Target, wish: Wish, found: tuple[Distractor, ...]
+) -> Item | None:
     try:
         measure = measure_of(bench, target, setting.values[0])
     except (ValueError, ZeroDivisionError):
@@ -103,7 +105,7 @@ def _number_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish,
     return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=3)
 
 
-def _anticipated(bench: b.Bench, setting: b.Setting, target: Target, right: Measure, found: tuple[Distractor, ...]):
+def _anticipated(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, right: Measure, found: tuple[Distractor, ...]):
     """What misconceptions make of it, as far as that differs in print."""
     kept = [right]
     for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=True)):
@@ -117,7 +119,7 @@ def _anticipated(bench: b.Bench, setting: b.Setting, target: Target, right: Meas
             yield Anticipated(distractor.slip, formula, measure)
 
 
-def _formula(bench: b.Bench, target: Target, distractor: Distractor) -> t.Node:
+def _formula(bench: b.ProblemBench, target: Target, distractor: Distractor) -> t.Node:
     formula = shown(distractor.along, bench.study)
     return target.reading.node(formula) if target.reading else formula
 
@@ -128,7 +130,7 @@ def _formula(bench: b.Bench, target: Target, distractor: Distractor) -> t.Node:
 FEWEST = 3
 
 
-def choices(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
+def choices(bench: b.ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared]:
     """One item a quantity. Raises an error if there are too few wrong answers."""
     if not 2 <= wish.options <= 6:
         raise wish.error(f"a choice among {wish.options} is not offered", "write options = 3, 4 or 5.")
@@ -137,7 +139,7 @@ def choices(bench: b.Bench, scenery: Scenery, wish: Wish) -> Iterator[b.Prepared
         yield from _choices_of(bench, scenery, wish, target)
 
 
-def _choices_of(bench: b.Bench, scenery: Scenery, wish: Wish, target: Target) -> Iterator[b.Prepared]:
+def _choices_of(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Target) -> Iterator[b.Prepared]:
     found = _with_numbers(bench, scenery, target) if wish.answers == "number" else bench.pool.of(target)
     if len(found) < wish.options - 1:
         if not wish.about:
@@ -152,20 +154,20 @@ def _choices_of(bench: b.Bench, scenery: Scenery, wish: Wish, target: Target) ->
         values = (target.along(bench.study), *(d.along for d in found))
     right = b.formula_of(bench, target)
 
-    def make(setting: b.Setting) -> Item | None:
+    def make(setting: b.ItemSetting) -> Item | None:
         kept = chosen(setting, target, wish, found)
         return None if kept is None else _choice_item(bench, setting, target, wish, right, kept)
 
     yield b.Prepared("choose", target, values, make, b.asks_for(bench, target))
 
 
-def _with_numbers(bench: b.Bench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:
+def _with_numbers(bench: b.ProblemBench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:
     """The known wrong values that are numbers at the place that is asked about."""
     known = b.known_names(bench, scenery)
     return tuple(d for d in bench.pool.of(target) if d.along is not None and names_in(d.along) <= known)
 
 
-def chosen(setting: b.Setting, target: Target, wish: Wish, found: tuple[Distractor, ...]):
+def chosen(setting: b.ItemSetting, target: Target, wish: Wish, found: tuple[Distractor, ...]):
     """(place in values, distractor or None for the key, measure) in a drawn order; None if too few differ in print."""
     measures = [in_print(value, target, wish.answers == "number") for value in setting.values]
     if measures[0] is None:
@@ -182,7 +184,7 @@ def chosen(setting: b.Setting, target: Target, wish: Wish, found: tuple[Distract
     return [(place, found[place - 1] if place else None, m) for place, m in setting.draws.shuffled(kept)]
 
 
-def preferred(setting: b.Setting, count: int) -> list[int]:
+def preferred(setting: b.ItemSetting, count: int) -> list[int]:
     """The best half in any order, then the rest in any order."""
     first = (count + 1) // 2
     best, rest = list(range(first)), list(range(first, count))
@@ -198,7 +200,7 @@ def in_print(value: float, target: Target, reads: bool) -> Measure | None:
         return None
 
 
-def _choice_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
+def _choice_item(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, wish: Wish, right: t.Node, kept) -> Item:
     numbers = wish.answers == "number"
     options = tuple(_option(bench, setting, target, right, d, m, numbers) for _, d, m in kept)
     key = ChoiceKey(options, next(at for at, (place, _, _) in enumerate(kept) if place == 0))
@@ -210,7 +212,7 @@ def _choice_item(bench: b.Bench, setting: b.Setting, target: Target, wish: Wish,
 
 
 def _option(
-    bench: b.Bench, setting: b.Setting, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool
+    bench: b.ProblemBench, setting: b.ItemSetting, target: Target, right: t.Node, d: Distractor | None, m: Measure, numbers: bool
 ) -> Option:
     slip = None if d is None else d.slip
     formula = right if d is None else d.formula

@@ -13,8 +13,8 @@ from rbpsym.document.sketches import sketch_of
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.quantities import ENERGY
-from rbpsym.teaching.bench import Bench, Prepared, Setting, given_as
-from rbpsym.teaching.model import Asked, Item, SignRow, SignsKey
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as
+from rbpsym.teaching.model import AskedQuantity, Item, SignRow, SignsKey
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.targets import force_symbol
 from rbpsym.teaching.tasks.wish import Wish
@@ -34,7 +34,7 @@ class ForceRow:
     cancels: str
 
 
-def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item for all forces, if their works are known along the motion."""
     rows, values = _rows(bench), _values(bench)
     known = set(scenery.ranges) | {scenery.coordinate or ""}
@@ -46,14 +46,14 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             )
         return
 
-    def make(setting: Setting) -> Item | None:
+    def make(setting: ItemSetting) -> Item | None:
         signs = _signs(bench, setting.values)
         return None if signs is None else _item(bench, setting, wish, rows, signs)
 
     yield Prepared("signs", None, tuple(values), make)
 
 
-def _rows(bench: Bench) -> tuple[ForceRow, ...]:
+def _rows(bench: ProblemBench) -> tuple[ForceRow, ...]:
     workless = bench.study.dynamics.workless
     return tuple(
         ForceRow(w.force, w.on, force_symbol(bench.derivation, w.force, w.on), w.force if _cancels(w, workless) else "")
@@ -65,7 +65,7 @@ def _cancels(work, workless) -> bool:
     return bool(workless.get(work.force)) and bool(work.translational.parts or work.rotational.parts)
 
 
-def _values(bench: Bench) -> list:
+def _values(bench: ProblemBench) -> list:
     """W_T and W_θ row by row; NOTHING where there is no integrand."""
     found = []
     for work in bench.study.works:
@@ -73,7 +73,7 @@ def _values(bench: Bench) -> list:
     return found
 
 
-def _signs(bench: Bench, values) -> list[str] | None:
+def _signs(bench: ProblemBench, values) -> list[str] | None:
     """The signs; None if a work is too small to see (or has no number)."""
     largest = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
     found = []
@@ -92,7 +92,7 @@ def _signs(bench: Bench, values) -> list[str] | None:
     return found
 
 
-def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[ForceRow, ...], signs: list[str]) -> Item:
+def _item(bench: ProblemBench, setting: ItemSetting, wish: Wish, rows: tuple[ForceRow, ...], signs: list[str]) -> Item:
     key = SignsKey(
         tuple(
             SignRow(row.symbol, row.on, _label(bench, row, setting.said), signs[2 * k], signs[2 * k + 1], row.cancels)
@@ -103,17 +103,17 @@ def _item(bench: Bench, setting: Setting, wish: Wish, rows: tuple[ForceRow, ...]
     start = t.equation(t.Sym(coordinate.name), coordinate.start)
     end = given_as(*setting.situation.place, setting.said.notation)
     prompt = spoken(setting.said, "ask.signs", start=start, end=end, count=len(bench.study.system.bodies))
-    asked = Asked(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
+    asked = AskedQuantity(bench.name, "works", t.Sym("cal_W"), ENERGY, "theorem.whole")
     solution = bench.once(("signs", setting.language), lambda: _solution(bench, setting.said))
     figure = diagrams(bench, setting.said, with_forces=False)
     return wish.item(setting, asked, (Paragraph(prompt), figure), key, len(rows), solution=solution)
 
 
-def _solution(bench: Bench, said: Words) -> tuple[Block, ...]:
+def _solution(bench: ProblemBench, said: Words) -> tuple[Block, ...]:
     return (diagrams(bench, said, with_forces=True), *_reasons(bench, said))
 
 
-def _label(bench: Bench, row: ForceRow, said: Words):
+def _label(bench: ProblemBench, row: ForceRow, said: Words):
     """The force, and on which body if there are several."""
     from rbpsym.derivation.step import BodyRef
 
@@ -122,12 +122,12 @@ def _label(bench: Bench, row: ForceRow, said: Words):
     return spoken(said, "signs.on", force=row.symbol, body=BodyRef(row.on))
 
 
-def diagrams(bench: Bench, said: Words, *, with_forces: bool) -> FigureBlock:
+def diagrams(bench: ProblemBench, said: Words, *, with_forces: bool) -> FigureBlock:
     """Each body alone, with its forces or without them (for the student to draw)."""
     return bench.once(("diagrams", said.language, with_forces), lambda: _diagrams(bench, said, with_forces))
 
 
-def _diagrams(bench: Bench, said: Words, with_forces: bool) -> FigureBlock:
+def _diagrams(bench: ProblemBench, said: Words, with_forces: bool) -> FigureBlock:
     sketch = sketch_of(bench.derivation)
     drawn = sketch if with_forces else replace(sketch, forces=(), couples=())
     names = [body.name for body in sketch.bodies]
@@ -140,7 +140,7 @@ def _diagrams(bench: Bench, said: Words, with_forces: bool) -> FigureBlock:
     return FigureBlock(scenes, spoken(said, key, count=len(names)), alt)
 
 
-def _reasons(bench: Bench, said: Words) -> Iterator[Block]:
+def _reasons(bench: ProblemBench, said: Words) -> Iterator[Block]:
     """Where the works are known: the table of the derivation."""
     from rbpsym.document.telling import done_table
 

@@ -9,7 +9,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
-from rbpsym.teaching.bench import Bench, Prepared, Setting
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
 from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import gist, lines_to, piece, precedence
 from rbpsym.teaching.misconceptions.model import sign_of
@@ -43,7 +43,7 @@ class Told:
         return self.right[self.first].statement
 
 
-def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
+def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
     """One item a result that a slip on the way spoils."""
     fits = lambda x: bool(x.step) and any(True for _ in _candidates(bench, x, wish))  # noqa: E731
     for target in wanted(bench, wish, fits, "no misconception that reads well spoils a step on the way to it"):
@@ -52,7 +52,7 @@ def prepare(bench: Bench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:
             yield _prepared(bench, wish, target, found)
 
 
-def _candidates(bench: Bench, target: Target, wish: Wish) -> Iterator[int]:
+def _candidates(bench: ProblemBench, target: Target, wish: Wish) -> Iterator[int]:
     """Places of the wrong studies that change the target and can be told as a derivation."""
     for place, wrong in enumerate(bench.pool.wrongs):
         own = wrong.misconception
@@ -62,7 +62,7 @@ def _candidates(bench: Bench, target: Target, wish: Wish) -> Iterator[int]:
             yield place
 
 
-def _told(bench: Bench, target: Target, wish: Wish) -> Iterator[Told]:
+def _told(bench: ProblemBench, target: Target, wish: Wish) -> Iterator[Told]:
     """Slips with their lines: equal to the right ones up to the wrong line, the result different."""
     found = 0
     for place in list(_candidates(bench, target, wish))[:TRIES]:
@@ -74,7 +74,7 @@ def _told(bench: Bench, target: Target, wish: Wish) -> Iterator[Told]:
             return
 
 
-def _with_slip(bench: Bench, target: Target, place: int) -> Told | None:
+def _with_slip(bench: ProblemBench, target: Target, place: int) -> Told | None:
     wrong = bench.pool.wrongs[place]
     hidden = MISCONCEPTIONS[wrong.misconception.name].tells or frozenset()
     right = [s for s in lines_to(bench, target.step, MOST) if s.chapter not in hidden]
@@ -90,7 +90,7 @@ def _with_slip(bench: Bench, target: Target, place: int) -> Told | None:
     return told if _is_the_only_one(bench, told) else None
 
 
-def _is_the_only_one(bench: Bench, told: Told) -> bool:
+def _is_the_only_one(bench: ProblemBench, told: Told) -> bool:
     """Whether every later line that is wrong follows from the first wrong one, by the graph of the derivation."""
     follows = precedence(bench, [step.id for step in told.right])
     pairs = zip(told.lines, told.right, strict=True)
@@ -123,8 +123,8 @@ def _rows(step: Step) -> tuple[t.Node, ...]:
     return step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
 
 
-def _prepared(bench: Bench, wish: Wish, target: Target, found: tuple[Told, ...]) -> Prepared:
-    def make(setting: Setting) -> Item:
+def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Told, ...]) -> Prepared:
+    def make(setting: ItemSetting) -> Item:
         told = setting.draws.one_of(found)
         slip = told.slip
         asks = spoken(setting.said, "ask.find-the-slip", left=target.left)
@@ -136,7 +136,7 @@ def _prepared(bench: Bench, wish: Wish, target: Target, found: tuple[Told, ...])
     return Prepared("find-the-slip", target, (), make, content=_content(found))
 
 
-def _hint(setting: Setting, wish: Wish, slip: Slip) -> Inlines:
+def _hint(setting: ItemSetting, wish: Wish, slip: Slip) -> Inlines:
     """With much help: which slip to look for."""
     if wish.level:
         return ()

@@ -9,10 +9,10 @@ from fractions import Fraction
 
 from rbpsym.document.model import Block
 from rbpsym.errors import RbpsymError
-from rbpsym.statement.source import Item as Entry
+from rbpsym.statement.source import SourceItem as Entry
 from rbpsym.statement.source import did_you_mean
 from rbpsym.teaching import model as m
-from rbpsym.teaching.bench import Bench, Prepared, Setting
+from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.targets import Target
 
@@ -41,7 +41,7 @@ class Wish:
         return Fraction(usual) if self.points is None else self.points
 
     def item(
-        self, setting: Setting, asked: m.Asked, prompt: Iterable[Block], key: m.Key, usual: int, *,
+        self, setting: ItemSetting, asked: m.AskedQuantity, prompt: Iterable[Block], key: m.Key, usual: int, *,
         solution: Iterable[Block], rubric: Iterable[m.Criterion] = (), space: int = 0,
     ) -> m.Item:  # fmt: skip
         """An item as it was wished for; `usual`: its points if nobody says."""
@@ -63,10 +63,10 @@ class Wish:
         return self.at.error(what, instead) if self.at is not None else RbpsymError(what, instead=instead)
 
 
-Prepare = Callable[[Bench, Scenery, Wish], Iterator[Prepared]]
+Prepare = Callable[[ProblemBench, Scenery, Wish], Iterator[Prepared]]
 
 
-def wanted(bench: Bench, wish: Wish, fits: Callable[[Target], bool], why: str) -> list[Target]:
+def wanted(bench: ProblemBench, wish: Wish, fits: Callable[[Target], bool], why: str) -> list[Target]:
     """The targets that a wish names and that fit. Raises an error if it names none, or none that fit (`why`)."""
     named = [x for x in bench.targets.values() if not wish.about or _is_named(x.id, wish)]
     if not named:
