@@ -7,13 +7,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
+from rbpsym.algebra.normal import is_rooted
 from rbpsym.algebra.present import present
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import certified
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, at_time, image_of, moment_of
+from rbpsym.ask.neat import neat
 from rbpsym.ask.question import Question, is_jump
+from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Step
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.demands import Demand
@@ -24,7 +29,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
-from rbpsym.quantity.path import even, first_push, sense, work_done
+from rbpsym.quantity.path import SENSES, even, first_push, sense, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -174,10 +179,22 @@ def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -
     closed = {name: done for name, (_, done) in works.items()}
     image = image_of(world.study, moment.state)
     try:
-        found = [short(even(substitute(world.motion.moved(substitute(value, closed)), image))) for value in named]
+        found = [substitute(world.motion.moved(substitute(value, closed)), image) for value in named]
+        found = [shortest(short(even(value)), world.study) for value in found]
     except ZeroDivisionError:
         raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
     return tuple(_settled(world, value, moment, question) for value in found)
+
+
+def shortest(value: Scalar, study: Study) -> Scalar:
+    """The value in the shortest of its forms: as it is, with short roots, as one root."""
+    if not is_rooted(value.num) and not is_rooted(value.den):
+        return value
+    given, square = study.assumptions, short(even(value * value))
+    forms, way = [value, neat(value, given)], SENSES.get(sign(value, given).kind)
+    if way and not is_rooted(square.num) and not is_rooted(square.den):
+        forms.append(simplified_root(square, lambda name: given.sign_of(name) == "positive") * way)
+    return min(forms, key=lambda form: length(present(form, study.style, factor=True)))
 
 
 def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Question) -> Scalar:
@@ -253,7 +270,8 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
         return found
     moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
     of = "position" if moves or values != found.values else "state"
-    return replace(found, values=tuple(map(short, values)), of=of, ways=ways, asked=tuple(asked))
+    values = tuple(shortest(short(value), world.study) for value in values)
+    return replace(found, values=values, of=of, ways=ways, asked=tuple(asked))
 
 
 def _at_sample(world: ProblemWorld, push: Scalar) -> int:

@@ -39,7 +39,7 @@ class Question:
 
 
 _N, _W = r"(\w+)", r"([\w-]+(?: [\w-]+)??)"
-_AT = r"(?:where|when|at|once|until|as soon as)"
+_AT = r"(?:where|when|at|once|until|up to where|as soon as)"
 
 # what a clause says -> how it may be written, with an example for the page of the grammar
 CLAUSES: tuple[tuple[str, str, str], ...] = (
@@ -67,6 +67,10 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 OTHERWISE = (
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
+    (r"\bhorizontal (?:component|part) of\b", "x component of"),
+    (r"\bvertical (?:component|part) of\b", "y component of"),
+    (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
+    (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
 )
 PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")

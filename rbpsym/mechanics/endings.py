@@ -124,7 +124,8 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
     if _are_uniform(study):
         start, gain = at_start(study), _gain(study, phase, phase.subject)
         speed = start.speeds[phase.subject]
-        asked = [Demand(-(speed * gain))]
+        way = -1 if floating(speed, sample(study.problem)) < 0 else 1
+        asked = [Demand(speed * way), Demand(-(gain * way))]
         if is_zero(gain) or settle(asked, study.assumptions) is None:
             raise _never(study, phase, what="does not come to rest")
         return _after(study, phase, start, short(-(speed / gain)), asked)
