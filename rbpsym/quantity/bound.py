@@ -63,7 +63,7 @@ class Motion:
     unsettled: unknown forces and accelerations; lawless: what changes with time in a way that is
     not known, if not replaced; is_free: any state may be the start. is_tied: conditions that are
     not solved tie the coordinates. kept: what the declared ranges of tied coordinates ask for.
-    energy: what is conserved of it, None if that is not known.
+    energy: what is conserved of it, None if that is not known. states: seeds with the numbers that they give, once looked at.
     """
 
     scope: Scope
@@ -79,6 +79,7 @@ class Motion:
     kept: tuple[Condition, ...] = ()
     energy: Scalar | None = None
     ledger: dict[str, Scalar] = field(default_factory=dict)
+    states: list[tuple[int, dict[str, float]]] = field(default_factory=list, compare=False, repr=False)
 
     def is_lawless(self, value: Scalar) -> bool:
         """Does it hold something of which no rate is known?"""

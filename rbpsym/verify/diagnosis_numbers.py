@@ -87,15 +87,13 @@ def samples(question: Question, count: int = 2) -> list[Sample]:
     return [Sample(question, Numbers(seed, known)) for seed, known in seeds]
 
 
-_SEEDS: list[tuple[Motion, int, list[tuple[int, dict[str, float]]]]] = []  # of the motion asked for last
-
-
 def _reached(question: Question, count: int) -> list[tuple[int, dict[str, float]]]:
     """Seeds with what they give for the coordinates and speeds; every second one is near the start."""
-    if not (_SEEDS and _SEEDS[-1][0] is question.motion and _SEEDS[-1][1] >= count):
-        found = [(seed, known) for seed in range(60) if (known := _state(question.motion, seed)) is not None]
-        _SEEDS[:] = [(question.motion, count, found[:count] or _start_state(question.motion))]
-    return _SEEDS[-1][2][:count]
+    motion = question.motion
+    if not motion.states:
+        found = [(seed, known) for seed in range(60) if (known := _state(motion, seed)) is not None]
+        motion.states.extend(found or _start_state(motion))
+    return motion.states[:count]
 
 
 def _start_state(motion: Motion) -> list[tuple[int, dict[str, float]]]:
