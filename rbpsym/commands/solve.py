@@ -184,7 +184,8 @@ def _valid(item: Mapping[str, Any], drawn: InLetters) -> str:
 
 def _not_all(what: str, found: Mapping[str, Any]) -> Iterator[str]:
     if found["complete"] is not True:
-        yield f"  {click.style(f'not decided whether these are all {what}:', dim=True)} {found['reason']}"
+        told = "not decided whether these are all" if found["complete"] == "undecided" else "these are not all"
+        yield f"  {click.style(f'{told} {what}:', dim=True)} {found['reason']}"
 
 
 def _balance(item: Mapping[str, Any] | None, drawn: InLetters) -> Iterator[str]:

@@ -59,7 +59,7 @@ def seen(sketch: sk.Sketch, language: str, notation: Notation) -> Iterator[str]:
     for mark in marks:
         yield plain(f"figure.part.{mark.kind}", language, name=named(mark.label, notation))
     for cord in sketch.cords:
-        yield plain("figure.part.string", language, name=named(cord.label, notation))
+        yield plain(f"figure.part.{cord.kind}", language, name=named(cord.label, notation))
     for mark in sketch.angles:
         yield plain("figure.part.angle", language, name=named(mark.label, notation))
     for mark in (*sketch.lengths, *sketch.radii):

@@ -166,7 +166,8 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
             if piece.second.sense and number + 1 < len(pieces):
                 middle, turn = pose.ref(piece.second.center), piece.second.sense
                 found += _round(found[-1], pose.point(pieces[number + 1].start), middle, turn)
-        yield sk.SketchCord(tuple(found), element.values.get("length"))
+        kind = "link" if element.values.get("rigid") else "string"
+        yield sk.SketchCord(tuple(found), element.values.get("length"), kind)
 
 
 def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list[sk.Point]:

@@ -58,10 +58,14 @@ class Words:
         for name, value in slots.items():
             found[name] = self.word(value)
             if isinstance(value, (BodyRef, PhraseRef)):
-                found[name[0].upper() + name[1:]] = capital(found[name])
+                found[name[0].upper() + name[1:]] = self._first(value, found[name])
             elif isinstance(value, list) and value:
-                found[name[0].upper() + name[1:]] = [capital(found[name][0]), *found[name][1:]]
+                found[name[0].upper() + name[1:]] = [self._first(value[0], found[name][0]), *found[name][1:]]
         return found
+
+    def _first(self, value: Any, word: Any) -> Any:
+        """As a sentence begins with it; a body that is called by a letter keeps this: s is not S."""
+        return word if isinstance(value, BodyRef) and len(self.body(value.name)) == 1 else capital(word)
 
     def word(self, value: Any) -> Any:
         """One slot."""

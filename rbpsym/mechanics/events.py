@@ -96,14 +96,22 @@ def losses(
         return Losses((), None, "the forces are not known as functions of the position alone")
     names = {n for value in forces.values() for n in (*system.coordinates, "t") if depends_on(value, n)}
     if len(names) != 1 or not names <= squares.keys() & system.scope.start.keys():
-        what = "a force is constant, and its sign depends on the parameters" if not names else "several coordinates move"
-        return Losses((), None, what)
+        return Losses((), None, _why_open(names))
     [name] = names
     first = atoms.symbol_name(next(iter(system.scope.start[name].atoms()), 0))
     if first in system.problem.implicit and given.range_of(first) == (None, None) and period(squares[name], name):
         given = given.with_range(first, -PI, PI)  # what repeats itself with each turn may start in the first
     held = [*forces.values(), *_grips(system, along)]
     return _joined([_to_and_fro(way, forces, held, given) for way in ways(system, dynamics, name, squares[name], given)])
+
+
+def _why_open(names: set[str]) -> str:
+    """Why places at which forces vanish are not looked for; `names` is what the forces depend on."""
+    if not names:
+        return "a force is constant, and its sign depends on the parameters"
+    if names == {"t"}:
+        return "the forces are functions of the time alone"
+    return "several coordinates move" if len(names) > 1 else "the speed is not known as a function of the position"
 
 
 def _grips(system: System, along: Mapping[str, Scalar]) -> Iterator[Scalar]:
@@ -119,10 +127,10 @@ def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: A
     start, gains = system.scope.start, dynamics.accelerations or {}
     speed = start.get(f"{name}_dot", NOTHING)
     drive = speed if not is_zero(speed) else substitute(gains.get(f"{name}_ddot", NOTHING), start)
-    if is_zero(drive):  # it leaves a place of rest: to where there is room
-        upper = given.range_of(name)[1]
-        at_top = upper is not None and is_zero(upper - start[name])
-        return [Way(name, start[name], -1 if at_top else 1, square)]
+    if is_zero(drive):  # it leaves a place of rest: to either side where there is room
+        ends = zip((1, -1), reversed(given.range_of(name)), strict=True)
+        room = [side for side, end in ends if end is None or not is_zero(end - start[name])]
+        return [Way(name, start[name], side, square) for side in room]
     asked = {side: settle([Demand(drive * side)], given) for side in (1, -1)}
     return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
@@ -135,7 +143,8 @@ def ways_of(
     if len(names) != 1 or system.implicit or not names <= squares.keys() & system.scope.start.keys():
         return []
     [name] = names
-    return [way for way in ways(system, dynamics, name, squares[name], given) if not way.asked]
+    found = ways(system, dynamics, name, squares[name], given)
+    return found if len(found) == 1 and not found[0].asked else []
 
 
 def vanishes_before(way: Way, along: Mapping[str, Scalar], normal: str, other: str, given: Assumptions) -> bool:

@@ -74,7 +74,7 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
         return Rest((), None, reason)
     names = tuple(n for n in system.independent if any(depends_on(force, n) for force in forces))
     if not names:
-        return Rest((), True, "the forces are the same everywhere")
+        return Rest((), *_everywhere(forces, given))
     found = common_zeros(forces, names, spread=lambda *root: turns_within(given, *root))
     candidates = [*found.found, *(at for at in _stated(system, names) if _balances(forces, at, given))]
     places: list[tuple[At, tuple[Demand, ...]]] = []
@@ -92,6 +92,17 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     open_ = tuple(f for f in found.open_ if _may_vanish(f, names, [at for at, _ in places], given))
     doubts += ["an equation was not solved in closed form"] if open_ else []
     return Rest(tuple(places), None if doubts else True, "; ".join(dict.fromkeys(doubts)), open_)
+
+
+def _everywhere(forces: Sequence[Scalar], given: Assumptions) -> tuple[bool | None, str]:
+    """Whether a list without places is whole, and why, where the forces are the same everywhere."""
+    if not forces:
+        return True, "nothing is free to move"
+    if all(map(is_zero, forces)):
+        return False, "every place is one of rest"
+    if any(sign(force, given).is_nonzero for force in forces):
+        return True, "the forces are the same everywhere"
+    return None, "the forces are the same everywhere: where they vanish, every place is one of rest"
 
 
 def _stated(system: System, names: Sequence[str]) -> Iterator[At]:

@@ -33,7 +33,7 @@ def _balance(draft: Draft, item: Balance) -> None:
         is_result=item.stable is not None,
         name=t.Sym(item.name),
         place=t.Sym(item.place),
-        variant="any" if item.stable is None else "one",
+        variant="one" if item.stable is not None else "other" if draft.study.equilibria else "any",
         data={"balance": item},
     )
 

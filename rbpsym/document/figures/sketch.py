@@ -93,10 +93,11 @@ class SketchCircle:
 
 @dataclass(frozen=True, slots=True)
 class SketchCord:
-    """A string through points (arcs round pulleys come as many points)."""
+    """What runs through points (arcs round pulleys come as many points): kind "string" or "link"."""
 
     points: tuple[Point, ...]
     label: Caption = None
+    kind: str = "string"
 
 
 @dataclass(frozen=True, slots=True)
