@@ -17,8 +17,8 @@ from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
+from rbpsym.mechanics.open_rest import Balance
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
-from rbpsym.mechanics.rest import Balance
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.machine import machine_name, to_machine

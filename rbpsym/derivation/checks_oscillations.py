@@ -79,8 +79,8 @@ def force_at_ends(context: Context, step: Step) -> Verdict:
 
 
 def series_in_balance(context: Context, step: Step) -> Verdict:
-    """The right side vanishes in the place, is linear, its slope times the inertia is that of the force there,
-    and the force does not change with the speed.
+    """The right side vanishes in the place, is linear, and its slopes by place and speed, times the inertia, are those of
+    the force there.
 
     The force vanishes there: the rate of change of the inertia adds nothing (`data`: "balance").
     """
@@ -90,10 +90,10 @@ def series_in_balance(context: Context, step: Step) -> Verdict:
     slope = derivative(stated, item.name)
     mass = substitute(context.study.dynamics.mass_matrix[0][0], there)
     pull = substitute(derivative(force, item.name), there)
-    zeros = [substitute(stated, there), derivative(slope, item.name)]
-    zeros += [
-        still(context, derivative(context.study.dynamics.forcing[0], s), there) for s in context.study.system.speeds
-    ]
+    [speed] = context.study.system.speeds
+    loss, drag = derivative(stated, speed), still(context, derivative(context.study.dynamics.forcing[0], speed), there)
+    zeros = [still(context, substitute(stated, there), {}), derivative(slope, item.name), derivative(slope, speed)]
+    zeros += [derivative(loss, speed), loss * mass - drag]
     found = [same(context, value, NOTHING) for value in zeros]
     return weakest([*found, same(context, slope * mass, pull)])
 

@@ -60,7 +60,7 @@ class Draft:
         step = Step(
             self._unique(id, {step.id for step in self.steps}),
             rule,
-            statement,
+            t.without_repeats(statement),
             self.chapter,
             phrase,
             slots,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.step import Derivation
 from rbpsym.document.figures import sketch as sk
 from rbpsym.document.figures.free_body import free_body
@@ -12,10 +13,11 @@ from rbpsym.document.figures.outlines import turned
 from rbpsym.document.figures.scene import Point
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch
-from rbpsym.document.model import FigureBlock, Text
+from rbpsym.document.model import FigureBlock, Inlines, Text
 from rbpsym.document.phrases import has_phrase, plain
 from rbpsym.document.sketches import sketch_of
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, sentences
+from rbpsym.equality.signs import sign
 from rbpsym.notation.glyphs import DEFAULT, Notation, renamed, spaced
 from rbpsym.notation.text import plain_letters
 
@@ -142,7 +144,15 @@ def system_figure(derivation: Derivation, said: Words) -> FigureBlock:
     """The drawing of the whole system."""
     sketch = sketch_of(derivation)
     alt = describe(sketch, said.language, said.notation)
-    return FigureBlock((schematic(sketch),), said.say("caption.schematic"), alt, figure_label(said))
+    return FigureBlock((schematic(sketch),), _caption("schematic", derivation, said), alt, figure_label(said))
+
+
+def _caption(name: str, derivation: Derivation, said: Words) -> Inlines:
+    """What is drawn; and how ends are called, where the motion may turn a rod upside down."""
+    study = derivation.study
+    angles = [s.pose.angle for n, s in study.system.bodies.items() if study.problem.body(n).shape.kind == "rod"]
+    kept = all(any(sign(wave(a), study.assumptions).is_nonzero for wave in (sine, cosine)) for a in angles)
+    return sentences([said.say(f"caption.{name}"), *(() if kept else (said.say("caption.ends"),))])
 
 
 def figure_with_forces(derivation: Derivation, said: Words) -> FigureBlock:
@@ -151,7 +161,7 @@ def figure_with_forces(derivation: Derivation, said: Words) -> FigureBlock:
     (name,) = (body.name for body in sketch.bodies)
     alt = f"{system.alt} {described(sketch, name, said)}"
     scenes = (*system.scenes, free_body(sketch, name, "", axes_too=False))
-    return FigureBlock(scenes, said.say("caption.with_forces"), alt, system.label)
+    return FigureBlock(scenes, _caption("with_forces", derivation, said), alt, system.label)
 
 
 def has_single_body(derivation: Derivation) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import partner, without_squares
+from rbpsym.algebra.normal import normal, partner, without_squares
 from rbpsym.algebra.poly import ONE, Poly, inverse
 from rbpsym.algebra.poly import ZERO as ZERO_POLY
 from rbpsym.algebra.scalar import Scalar, quotient
@@ -72,6 +72,7 @@ def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
     if lead not in (PLUS, MINUS):
         return ANY
     discriminant = study.poly(inner)
+    discriminant = study.poly(normal(inner)) if discriminant == ANY else discriminant
     return {MINUS: lead, ZERO: lead | ZERO, MINUS | ZERO: lead | ZERO}.get(discriminant, ANY)
 
 

@@ -14,7 +14,7 @@ from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
-from rbpsym.mechanics import energy, events, friction, motion, oscillation, rest, sides
+from rbpsym.mechanics import energy, events, friction, motion, open_rest, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
 from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
 from rbpsym.mechanics.system import Condition, System
@@ -207,9 +207,9 @@ class Study:
         return rest.rest(self.system, self.dynamics, self.assumptions)
 
     @cached_property
-    def open_balance(self) -> rest.Balance | None:
+    def open_balance(self) -> open_rest.Balance | None:
         """The position of rest where no formula gives one; None if there is a formula or no such place."""
-        return rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
+        return open_rest.balance(self.system, self.dynamics, self.assumptions) if self.rest.open_ else None
 
     @property
     def losses(self) -> tuple[events.Loss, ...]:

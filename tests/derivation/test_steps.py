@@ -37,6 +37,17 @@ def test_no_premise_can_be_left_out(draft):
     assert not idle
 
 
+def test_no_value_is_told_twice(draft):
+    """Neither a = b = b, nor x ≥ 0 beside x ≠ 0, which is x > 0."""
+    rows = [row for step in draft.steps for row in (getattr(step.statement, "rows", None) or [step.statement])]
+    pairs = [pair for row in rows if len(row.items) > 2 for pair in zip(row.items, row.items[1:], row.ops, strict=False)]
+    assert not [pair for pair in pairs if pair[0] == pair[1] and pair[2] == "="]
+    for step in draft.steps:
+        owed = [one.relation for one in step.certificate.verdict.obligations if not one.is_discharged]
+        ops = [(node.items[0], node.ops[0]) for node in owed]
+        assert not [left for left, op in ops if op == ">=" and (left, "!=") in ops]
+
+
 def _drawn(step):
     if os.environ.get("RBPSYM_THOROUGH"):
         return step.premises

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rbpsym.algebra.calculus import root, substitute
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
-from rbpsym.mechanics.rest import Balance
+from rbpsym.mechanics.open_rest import Balance
 from rbpsym.notation import tree as t
 
 
@@ -20,6 +20,8 @@ def write(draft: Draft, item: Balance) -> None:
         _ends(draft, item)
     if item.frequency_squared is not None:
         _small_motion(draft, item)
+    elif item.decay is not None:
+        _dying_motion(draft, item, *item.decay)
 
 
 def _balance(draft: Draft, item: Balance) -> None:
@@ -88,6 +90,21 @@ def _ends(draft: Draft, item: Balance) -> None:
 
 def _at_end(draft: Draft, value: Scalar, is_positive: bool) -> t.Node:
     return t.relation(draft.show(value), ">" if is_positive else "<", t.ZERO)
+
+
+def _dying_motion(draft: Draft, item: Balance, square: Scalar, loss: Scalar) -> None:
+    away, speed = t.Group(t.add(t.Sym(item.name), t.neg(t.Sym(item.place)))), t.Sym(f"{item.name}_dot")
+    pull, drag = t.mul(draft.show(square, factor=True), away), t.mul(draft.show(loss, factor=True), speed)
+    draft.add(
+        "open_linear",
+        "open_linear",
+        t.relation(t.Sym(f"{item.name}_ddot"), "~", t.add(t.neg(pull), t.neg(drag))),
+        "oscillations.open.damped",
+        premises=["balance", *draft.those(f"motion.{item.name}")],
+        is_result=True,
+        place=t.Sym(item.place),
+        data={"balance": item},
+    )
 
 
 def _small_motion(draft: Draft, item: Balance) -> None:
