@@ -166,6 +166,10 @@ SENTENCES: Mapping[str, Writer] = {
 
 def element_sentences(pose: DrawnPose, said: Words) -> Iterator[Inlines]:
     """All of them: what holds the bodies, then what acts on them."""
-    problem = pose.study.problem
+    problem, told = pose.study.problem, set()
     for element in (*problem.constraints, *problem.interactions):
         yield element_sentence(element, pose, said)
+        along = element.values.get("of") if element.values.get("line") is not None else None
+        if along and along not in told:  # a line has no ends, and no condition asks for those of the body
+            told.add(along)
+            yield said.say("statement.long_enough", body=BodyRef(along))

@@ -8,11 +8,17 @@ import pytest
 
 import rbpsym
 from rbpsym.document.breaking import table_width
-from rbpsym.document.model import Display, Document, Math, Paragraph, Ref, Section, Table, Text
+from rbpsym.document.model import Display, Document, FigureBlock, Math, Paragraph, Ref, Section, Table, Text
 from rbpsym.document.notes import plain
+from rbpsym.document.notes_sentences import element_sentences
 from rbpsym.document.numbering import numbered, once_each, parts
+from rbpsym.document.pose import DrawnPose
 from rbpsym.document.telling import TOO_WIDE
+from rbpsym.document.words import Words
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.statement.library import problem_files
+from tests.library.derived import stated
 from tests.library.derived import unsimulated as derived
 
 NAMES = ("rod-struck-off-center", "ball-slipping-to-rolling", "yo-yo", "spool-pulled-at-angle")
@@ -158,3 +164,23 @@ def test_a_ledger_is_never_set_in_tiny_letters() -> None:
         ledgers = [part for part in parts(document.sections) if isinstance(part, Table) and "forces" in part.label]
         assert all(table_width(ledger, document.notation) <= TOO_WIDE for ledger in ledgers)
         assert ledgers
+
+
+@pytest.mark.parametrize("name", sorted(problem_files()))
+def test_a_line_without_ends_is_taken_for_a_body_that_is_long_enough(name):
+    """No condition asks whether what touches a body along a line of it stays between its ends: that is an assumption."""
+    problem = stated(problem_files()[name])
+    pose, said = DrawnPose(Study(problem)), Words("en", problem)
+    told = ["".join(getattr(part, "text", "") for part in found) for found in element_sentences(pose, said)]
+    along = {e["of"] for e in problem.constraints if e.values.get("line") is not None and e.values.get("of")}
+    assert sum("long enough" in sentence for sentence in told) == len(along)
+
+
+def test_ends_are_called_as_they_lie_in_the_figure_where_they_may_turn_over():
+    swings, slides = (" ".join(captions(page(name))) for name in ("rod-pendulum", "sliding-ladder"))
+    assert "as they lie here" in swings and "as they lie here" not in slides
+
+
+def captions(document: Document) -> list[str]:
+    found = [part for part in parts(document.sections) if isinstance(part, FigureBlock)]
+    return ["".join(inline.text for inline in block.caption if isinstance(inline, Text)) for block in found]
