@@ -9,21 +9,22 @@ from typing import Any
 
 from rbpsym.algebra.effort import at_most, in_all
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.chapters import contact, forces, inertia, kinematics, momentum, oscillations
+from rbpsym.derivation.chapters import contact, forces, inertia, instant, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
-from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.study import Study
 from rbpsym.methods import work_energy
 from rbpsym.methods.registry import METHODS
 from rbpsym.statement.model import Problem
-from rbpsym.verify.lagrange import agreement, lagrange_verdict
+from rbpsym.verify.lagrange import agreement, lagrange_verdict, start_verdict
 
 MOST_PRODUCTS = 250_000  # of a method, beside the proofs of its steps
 MOST_IN_ALL = 4_000_000  # of all chapters and proofs of a phase, some fifteen seconds: twice the longest of the library
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
+THERE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, forces.write, instant.write)
 AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write)
 
 
@@ -33,7 +34,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
     With `simulation`, the numerical oracle is run as well. Raises StatementError if the
     statement does not determine the motion.
     """
-    first = _derived(Study(problem), simulation)
+    first = _derived(study_of(problem), simulation)
     if not problem.phases:
         return first
     try:
@@ -47,7 +48,7 @@ def derive(problem: Problem, *, simulation: bool = True) -> Derivation:
 
 def _derived(study: Study, simulation: bool) -> Derivation:
     """The derivation of one phase."""
-    study.dynamics  # noqa: B018  what grows too long is refused before anything is written
+    study.solved  # noqa: B018  what grows too long is refused before anything is written
     with suppress(LimitError):  # the signs at the start: told by the methods that can't do without the forces
         check_start(study)
     draft = Draft(study)
@@ -58,6 +59,9 @@ def _derived(study: Study, simulation: bool) -> Derivation:
 
 def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
     """What each method finds; the letters of the first chapters are those of all others, which are left out without them."""
+    if draft.study.at_start:
+        all(_written(draft, write) for write in THERE)
+        return {}
     if not all(_written(draft, write) for write in BEFORE):
         for name in METHODS:
             draft.skip(name, "skipped.too_long", method=name)
@@ -105,8 +109,8 @@ def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scal
 def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:
     study = draft.study
     report = _simulated(draft) if simulation else None
-    lagrange: Verdict = lagrange_verdict(study.system, study.dynamics, study.assumptions)
-    agreed, letters = agreement(study, found), draft.context
+    lagrange = start_verdict(study) if study.at_start else lagrange_verdict(study.system, study.dynamics, study.assumptions)
+    agreed, letters = agreement(study, found) if found else {}, draft.context
     return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreed, report, lagrange, letters=letters)
 
 

@@ -14,6 +14,7 @@ from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.at_start import ONLY_THERE
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
@@ -54,22 +55,19 @@ def _table(values: Mapping[str, Scalar] | None, study: Study) -> dict[str, str] 
 
 def results(study: Study) -> dict[str, Any]:
     """All results without the verdicts."""
-    system, dynamics = study.system, study.dynamics
+    system = study.system
     return {
         "problem": study.problem.name,
-        "degrees_of_freedom": len(system.independent),
+        "degrees_of_freedom": study.instant.freedom if study.instant else len(system.independent),
         "coordinates": [c.name for c in study.problem.coordinates],
         "symbols": symbols(study),
         "moments_of_inertia": {name: text(state.moment, study) for name, state in system.bodies.items()},
         "masses": {name: text(state.mass, study) for name, state in system.bodies.items()},
+        "at_start": _start(study),
         "accelerations": _accelerations(study),
-        "equations_of_motion": {
-            "speeds": list(system.speeds),
-            "mass_matrix": [[text(entry, study) for entry in row] for row in dynamics.mass_matrix],
-            "forcing": [text(value, study) for value in dynamics.forcing],
-        },
+        "equations_of_motion": None if study.at_start else _equations_of_motion(study),
         "dependent_coordinates": _table(system.dependent, study),
-        "reactions": _table(dynamics.reactions, study),
+        "reactions": _table(study.solved.reactions, study),
         "kinetic_energy": _kinetic(study),
         "potential_energy": text(study.potential, study),
         "first_integral": text(study.first_integral, study),
@@ -92,6 +90,20 @@ def results(study: Study) -> dict[str, Any]:
     }
 
 
+def _start(study: Study) -> dict[str, Any] | None:
+    """The speeds at the start, and why only this is told; None where formulas for every position are."""
+    return study.instant and {"reason": ONLY_THERE, "speeds": _table(study.instant.speeds, study)}
+
+
+def _equations_of_motion(study: Study) -> dict[str, Any]:
+    dynamics = study.dynamics
+    return {
+        "speeds": list(study.system.speeds),
+        "mass_matrix": [[text(entry, study) for entry in row] for row in dynamics.mass_matrix],
+        "forcing": [text(value, study) for value in dynamics.forcing],
+    }
+
+
 def symbols(study: Study) -> dict[str, dict[str, str]]:
     """All names that an expression may hold, as they are written there, each with one that sympy reads as a symbol."""
     problem, balance = study.problem, study.open_balance
@@ -106,6 +118,8 @@ def _accelerations(study: Study) -> dict[str, str] | None:
     from rbpsym.algebra.calculus import substitute
     from rbpsym.algebra.evaluate import time_derivative
 
+    if study.instant is not None:
+        return _table({n.removesuffix("_ddot"): v for n, v in study.instant.accelerations.items()}, study)
     found, scope = study.dynamics.accelerations, study.system.scope
     if found is None:
         return None
@@ -140,16 +154,16 @@ def _momenta(study: Study) -> dict[str, Any]:
 def _forces(study: Study) -> dict[str, dict[str, Any]]:
     """The ledger: the torque of a force about the centre of mass, and the couples, which are entries of their own."""
     found: dict[str, dict[str, Any]] = {}
-    for item in study.works:
-        state = study.system.bodies[item.on]
-        forces = [f for f in study.system.on(item.on) if f.name == item.force]
+    for name, body in dict.fromkeys((force.name, force.on) for force in study.system.forces):
+        state = study.system.bodies[body]
+        forces = [f for f in study.system.on(body) if f.name == name]
         values = {
             "x": sum((f.vector.x for f in forces), NOTHING),
             "y": sum((f.vector.y for f in forces), NOTHING),
             "couple": sum((f.couple for f in forces), NOTHING),
             "torque_about_center": sum((torque_about_center(f, state) for f in forces), NOTHING),
         }
-        found.setdefault(item.force, {})[item.on] = {key: text(short(v), study) for key, v in values.items()}
+        found.setdefault(name, {})[body] = {key: text(short(v), study) for key, v in values.items()}
     return found
 
 
@@ -221,7 +235,7 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
 def _valid_where(study: Study) -> list[str]:
     """What must not vanish for accelerations, forces and squares of speeds to be as they are told; what one-sided forces
     and static friction ask for."""
-    tables = (study.dynamics.accelerations or {}, study.dynamics.reactions, study.squares)
+    tables = (study.solved.accelerations or {}, study.solved.reactions, study.squares)
     below = dict.fromkeys(one for table in tables for value in table.values() for one in divisors(value))
     open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
     asked = [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
@@ -320,8 +334,9 @@ def _phase(stage) -> dict[str, Any]:
         "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
         "energy_taken": text(began.energy_taken, study),
         "start_valid_where": _demands((*began.asked, *_begins(study)), study),
+        "at_start": _start(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),
-        "reactions": _table(study.dynamics.reactions, study),
+        "reactions": _table(study.solved.reactions, study),
         "one_sided": _sides(study),
     }

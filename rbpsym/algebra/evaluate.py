@@ -204,6 +204,12 @@ def _change(node: t.Delta, scope: Scope) -> Scalar:
     return found - at_start(found, scope)
 
 
+def _there(node: t.At, scope: Scope) -> Scalar:
+    if node.condition != t.equation(t.Sym("t"), t.ZERO):
+        raise ReadError("a quantity has a value at the start (t = 0) alone")
+    return at_start(scalar(node.arg, scope), scope)
+
+
 def _limit(node: t.Limit, scope: Scope) -> Scalar:
     found, to = scalar(node.arg, scope), scalar(node.to, scope)
     return substitute(found, {node.var: to})
@@ -244,7 +250,7 @@ VALUES: dict[type, Callable[[Any, Scope], Value]] = {
     t.Sum: _no_value,
     t.Bracket: _between,
     t.Delta: _change,
-    t.At: _no_value,
+    t.At: _there,
     t.Limit: _limit,
     t.Word: _no_value,
     t.Chain: lambda node, scope: value(node.items[0], scope),

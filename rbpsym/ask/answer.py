@@ -178,8 +178,9 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
     closed = {name: done for name, (_, done) in works.items()}
     image = image_of(world.study, moment.state)
+    moved = world.study.begun if world.study.at_start else world.motion.moved
     try:
-        found = [substitute(world.motion.moved(substitute(value, closed)), image) for value in named]
+        found = [substitute(moved(substitute(value, closed)), image) for value in named]
         found = [shortest(short(even(value)), world.study) for value in found]
     except ZeroDivisionError:
         raise StatementError(f"“{question.quantity}” has no value there: something is divided by zero") from None
@@ -235,6 +236,9 @@ def _along(asked: Asked, question: Question) -> Found:
     world, study, named = asked.world(place), asked.study(place), parts(bound)
     if bound.told:
         return Found(study, named, tuple(map(short, named)), told=bound.told)
+    if study.at_start and any(names_in(value) & world.motion.unsettled for value in named):
+        what = f"of the motion, only the start is known, also of “{question.quantity}”"
+        raise StatementError(what, instead=f"ask for “{question.quantity} at the start”, or when a phase begins.")
     works = _works(world, named)
     closed = {name: done for name, (_, done) in works.items()}
     values = tuple(short(world.motion.moved(substitute(value, closed))) for value in named)

@@ -10,7 +10,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask.moments import Asked, contacts_last
 from rbpsym.ask.question import Question
-from rbpsym.derivation.chapters import contact, endings, oscillations
+from rbpsym.derivation.chapters import contact, endings, instant, oscillations
 from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
@@ -67,6 +67,9 @@ def _before(asked: Asked, place: int) -> Iterator[Step]:
 
 def _grounds(draft: Draft, found: Found) -> None:
     """What the laws make of the accelerations and forces that are needed, and the squares of speeds from the start."""
+    if draft.study.at_start:
+        instant.write(draft)
+        return
     study, dynamics = draft.study, draft.study.dynamics
     known = {**(dynamics.accelerations or {}), **dynamics.reactions}
     named = [*found.named, *(power for power, _ in found.works.values())]
@@ -90,6 +93,8 @@ def _grounds(draft: Draft, found: Found) -> None:
 def _speeds(found: Found) -> list[str]:
     """The coordinates whose speeds are needed as functions of the place."""
     named = [*found.named, *(power for power, _ in found.works.values())]
+    if found.study.at_start:
+        return []
     told = {name for value in map(found.study.on_motion, named) for name in names_in(value)}
     needed = found.of == "position" or bool(found.works)
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
@@ -107,8 +112,14 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
     data |= {"moment": found.moment, "ways": found.ways, **_said(draft, found)}
     for letter, value in of.items():
         draft.define(letter, value)
+    if found.study.at_start:
+        rule, pairs = "solution", zip(found.named, rows, strict=True)
+        rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    told = (step.id for step in draft.steps if step.rule in TOLD)
+    told = [step.id for step in draft.steps if step.rule in TOLD]
+    if found.study.at_start:
+        held = {name for value in found.named for name in names_in(value)}
+        told = [id for id in told if draft.context.steps[id].slots["quantity"].name in held]
     named = draft.those(*([data["told"]] if found.told else told), "law.motion")
     return draft.add("answer", rule, statement, "ask.answer", premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked))  # fmt: skip

@@ -18,6 +18,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before, uniform_motion
@@ -59,7 +60,7 @@ class Asked:
     @cached_property
     def first(self) -> Study:
         """The mechanics of the first phase."""
-        return Study(replace(self.problem, phases=()) if self.problem.phases else self.problem)
+        return study_of(replace(self.problem, phases=()) if self.problem.phases else self.problem)
 
     @property
     def names(self) -> list[str]:
@@ -89,7 +90,7 @@ class Asked:
     @cached_property
     def whole(self) -> ProblemWorld:
         """The quantities of the whole motion: what happens when its phases begin."""
-        return ProblemWorld(Study(self.problem))
+        return ProblemWorld(study_of(self.problem))
 
     @cached_property
     def _worlds(self) -> dict[int, ProblemWorld]:

@@ -79,13 +79,15 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
     drawn = InLetters(problem)
     yield click.style(drawn.title, bold=True)
     speeds = {f"{name}_dot**2": value for name, value in (answer["speed_squared"] or {}).items()}
-    accelerations = {f"{name}_ddot": value for name, value in (answer["accelerations"] or {}).items()}
+    accelerations = _dotted(answer["accelerations"], 2)
     energies = {"K": answer["kinetic_energy"]["total"], "U": answer["potential_energy"]}
+    there = _there(answer)
     for title, values in (
         ("moments of inertia", {f"I__{name}": value for name, value in answer["moments_of_inertia"].items()}),
-        ("accelerations", accelerations),
+        (f"speeds{there}", _dotted((answer["at_start"] or {}).get("speeds"))),
+        (f"accelerations{there}", accelerations),
         ("squares of speeds", speeds),
-        ("unknown forces", answer["reactions"]),
+        (f"unknown forces{there}", answer["reactions"]),
         ("unknown forces along the motion", answer["reactions_along_motion"]),
         ("energy", energies),
     ):
@@ -99,6 +101,16 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         yield from _phase(phase, drawn)
     yield ""
     yield verdict_line(answer["verdicts"])
+
+
+def _there(told: Mapping[str, Any]) -> str:
+    """Where accelerations and forces are told, if not for every position."""
+    return " at the start" if told["at_start"] else ""
+
+
+def _dotted(values: Mapping[str, str] | None, order: int = 1) -> dict[str, str]:
+    """Speeds or accelerations by their names."""
+    return {f"{name}_{'d' * order}ot": value for name, value in (values or {}).items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +184,8 @@ def _equilibria(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
             for mode in item["damping"] or ()
         )
         yield f"  {_places(item['at'], drawn)}{_valid(item, drawn)}: {_stability(item, drawn)}{told}"
-    yield from _not_all("equilibria", answer["equilibria_complete"])
+    if not answer["at_start"]:
+        yield from _not_all("equilibria", answer["equilibria_complete"])
 
 
 def _valid(item: Mapping[str, Any], drawn: InLetters) -> str:
@@ -215,7 +228,10 @@ def _conditions(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     for item in answer["one_sided"]:
         if item["state"] in ("asked", "open"):
             yield f"  {drawn.formula(item['force'])} has the sign that it can have only{_valid(item, drawn)}"
-    yield from _not_all("losses of contact", answer["conditions_complete"])
+    if answer["at_start"]:
+        yield click.style(answer["at_start"]["reason"], dim=True)
+    else:
+        yield from _not_all("losses of contact", answer["conditions_complete"])
 
 
 def _friction(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
@@ -236,17 +252,15 @@ def _phase(phase: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
     if phase["valid_where"]:
         yield f"  the motion comes there only{_valid(phase, drawn)}"
     yield from (f"  {line}" for line in _begins(phase, drawn))
-    speeds = {f"{name}_dot": value for name, value in (phase["speeds"] or {}).items()}
     yield from table("begins at", values, drawn)
-    yield from table("with the speeds", speeds, drawn)
+    yield from table("with the speeds", _dotted(phase["speeds"]), drawn)
     yield from table("impulses", {n: v for n, v in (phase["impulses"] or {}).items() if v != "0"}, drawn)
     if phase["energy_taken"] not in (None, "0"):
         yield f"  {click.style('energy taken in the phase before', dim=True)} {drawn.formula(phase['energy_taken'])}"
     if phase["energy_lost"] not in (None, "0"):
         yield f"  {click.style('energy lost', dim=True)} {drawn.formula(phase['energy_lost'])}"
-    accelerations = {f"{name}_ddot": value for name, value in (phase["accelerations"] or {}).items()}
-    yield from table("accelerations", accelerations, drawn)
-    yield from table("unknown forces", phase["reactions"], drawn)
+    yield from table(f"accelerations{_there(phase)}", _dotted(phase["accelerations"], 2), drawn)
+    yield from table(f"unknown forces{_there(phase)}", phase["reactions"], drawn)
     yield from _friction(phase, drawn)
 
 

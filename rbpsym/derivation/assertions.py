@@ -22,7 +22,7 @@ Entry = tuple[Condition, str]
 MOST_PRODUCTS = 100_000
 
 IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
-CHAPTERS = "ask kinematics inertia momentum torque newton_euler work energy oscillations contact phases comparison theory"
+CHAPTERS = "ask kinematics inertia instant momentum torque newton_euler work energy oscillations contact phases comparison theory"
 RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided
 """
@@ -109,6 +109,7 @@ PAGES: Mapping[str, Entry] = {
     "statement.rest": (w.leaves_rest, "statement.rest_there"),
     "statement.rest_there": (w.stays_at_rest, "statement.begins"),
     **{f"kinematics.{kind}_many": (_all(f"kinematics.{kind}"), "") for kind in MANY},
+    "instant.intro": (lambda said: said.study.at_start, ""),
     "oscillations.intro": (w.is_not_carried, "oscillations.carried"),
     "oscillations.brief": (w.is_not_carried, "oscillations.carried"),
     "newton_euler.rest.intro": (w.is_still, ""),

@@ -13,7 +13,7 @@ from rbpsym.equality.verdict import Verdict
 from rbpsym.mechanics.conditions import all_conditions, rate_conditions
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.system import System, at_point
+from rbpsym.mechanics.system import Condition, System, at_point
 from rbpsym.notation.tree import relations
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Element
@@ -22,12 +22,16 @@ LOCAL = ("x_fixed_in_the_body", "y_fixed_in_the_body")
 
 
 def conditions_kept(context: Context, step: Step) -> Verdict:
-    """All conditions of the constraints hold in the poses as found, and so do their time derivatives."""
+    """All conditions of the constraints hold in the poses as found, and so do their time derivatives (of those that stay
+    as equations, where the speeds are told at the start alone, not)."""
     system = context.study.system
     geometry = geometry_of(system)
-    found = [*all_conditions(system.problem, geometry), *rate_conditions(system.problem, geometry)]
+    open_ = (*system.implicit, *system.speed_ties) if context.study.at_start else ()
+    names = {condition.constraint for condition in open_}
+    rates = [c for c in rate_conditions(system.problem, geometry) if c.constraint not in names]
+    rates += [Condition(c.constraint, time_derivative(c.value, system.scope)) for c in system.implicit if c not in open_]
     _use_conditions(context, step)
-    values = [c.value for c in found] + [time_derivative(c.value, system.scope) for c in system.implicit]
+    values = [c.value for c in (*all_conditions(system.problem, geometry), *rates)]
     return weakest([same(context, value, NOTHING) for value in values])
 
 

@@ -64,7 +64,8 @@ class Context:
     @property
     def unsolved(self) -> tuple[str, ...]:
         """The accelerations, where there is no closed formula for them."""
-        return self.whole.system.accelerations if self.whole.dynamics.accelerations is None else ()
+        is_open = not self.whole.at_start and self.whole.dynamics.accelerations is None
+        return self.whole.system.accelerations if is_open else ()
 
     @property
     def scope(self) -> Scope:

@@ -164,7 +164,7 @@ def starts_at_rest(said: Said) -> bool:
 
 def stays_at_rest(said: Said) -> bool:
     """It starts at rest where all accelerations vanish."""
-    found, scope = said.study.dynamics.accelerations, said.system.scope
+    found, scope = said.study.solved.accelerations, said.system.scope
     return bool(found) and starts_at_rest(said) and all(is_zero(at_start(a, scope)) for a in found.values())
 
 

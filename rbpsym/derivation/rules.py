@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_constraints as k
+from rbpsym.derivation import checks_instant as i
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
@@ -37,6 +38,9 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "force": (c.identity,),
     "potential": (c.identity, c.conservative),
     "balance": (c.on_motion,),
+    "held": (i.kept_condition,),
+    "start_rate": (i.rate_at_start,),
+    "start_law": (i.law_at_start,),
     "identity": (c.identity,),
     "combination": (c.combination,),
     "solution": (c.on_motion,),

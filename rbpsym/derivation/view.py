@@ -101,6 +101,8 @@ class View(Context):
     @property
     def ties(self) -> tuple[Condition, ...]:
         """The conditions that tie coordinates: part of what the law of motion says."""
+        if self.whole.at_start and MOTION not in self.premises:
+            return ()
         if self.whole.ties:
             self.use(MOTION)
         return self.whole.ties
@@ -132,7 +134,12 @@ class View(Context):
     def _starts(self) -> dict[str, Scalar]:
         """What the premises say of the start; an unknown force is another one there."""
         granted = {key: found for key, found in self.whole.system.scope.start.items() if self._is_granted_start(key)}
-        return granted | {name: symbol(f"{name}°'") for name in self._moving}
+        return granted | {name: symbol(f"{name}°'") for name in self._moving.union(self._sought)}
+
+    @cached_property
+    def _sought(self) -> frozenset[str]:
+        """Speeds at the start that are not declared but follow from the conditions."""
+        return frozenset(self.whole.instant.sought if self.whole.at_start else ())
 
     @property
     def unsettled(self) -> frozenset[str]:
@@ -178,7 +185,7 @@ class View(Context):
 
     def start(self, found: Scalar) -> Scalar:
         """The value in the start state, where that is a premise."""
-        for name in names_in(found) & self.whole.system.scope.start.keys():
+        for name in (names_in(found) & self.whole.system.scope.start.keys()) - self._sought:
             id = f"start.{name.removesuffix('_dot')}"
             if id in self.facts:
                 self.use(id)
@@ -198,7 +205,7 @@ class View(Context):
         return super().rate(node)
 
     def _value(self, node: t.Node) -> Value:
-        for part in self.parts(node, t.Delta):
+        for part in self.parts(node, t.Delta, t.At):
             self.start(value(part.arg, self.scope))
         return super().value(node)
 
@@ -235,7 +242,7 @@ class View(Context):
 
     def _by_laws(self, found: Scalar) -> Scalar:
         """Accelerations and unknown forces replaced by what all laws together make of them, where that is a premise."""
-        if MOTION not in self.premises or not names_in(found) & self._moving:
+        if MOTION not in self.premises or self.whole.at_start or not names_in(found) & self._moving:
             return found
         self.use(MOTION)
         return self.whole.on_motion(found)

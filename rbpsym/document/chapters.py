@@ -20,6 +20,7 @@ ORDER = (
     "inertia",
     "momentum",
     "forces",
+    "instant",
     "motion",
     "reactions",
     "work",

@@ -29,6 +29,7 @@ from rbpsym.statement.model import Problem
 RULES: Mapping[str, frozenset[str]] = {
     "kinematics": frozenset({"constraint", "no_slip", "taut"}),
     "inertia": frozenset({"mass_integral", "parallel_axis", "statement"}),
+    "instant": frozenset({"held", "start_rate", "start_law"}),
     "motion": frozenset({"torque", "balance", "combination", "solution"}),
     "reactions": frozenset({"balance"}),
     "work": frozenset({"work", "workless", "power"}),
@@ -40,7 +41,7 @@ STANDARD = 2
 
 # chapters under one heading: that of the first of them in the second row that is there
 GROUPS = (
-    (("kinematics", "inertia", "momentum", "motion"), ("motion", "kinematics", "inertia")),
+    (("kinematics", "inertia", "momentum", "instant", "motion"), ("motion", "instant", "kinematics", "inertia")),
     (("work", "energy"), ("work", "energy")),
     (("reactions", "contact"), ("contact", "reactions")),
     (("oscillations",), ("oscillations",)),

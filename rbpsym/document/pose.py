@@ -100,7 +100,7 @@ class DrawnPose:
     def reactions(self) -> dict[str, float]:
         """The unknown forces of the motion in this pose, as far as they have numbers."""
         found = {}
-        for name, value in self.study.dynamics.reactions.items():
+        for name, value in self.study.solved.reactions.items():
             try:
                 found[name] = self.value(value)
             except (RbpsymError, ZeroDivisionError):

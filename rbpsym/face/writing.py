@@ -135,6 +135,7 @@ def _table() -> Mapping[type[t.Node], Callable[[Any, Alphabet], Any]]:
         t.BodyIntegral: lambda node, names: body(names.write(node.integrand), sympy.Symbol(node.body)),
         t.PathIntegral: along,
         t.Delta: change,
+        t.At: lambda node, names: sympy.Subs(names.write(node.arg), names.scalar(CLOCK), 0),
     }
 
 

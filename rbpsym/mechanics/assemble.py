@@ -27,8 +27,11 @@ from rbpsym.statement.model import Problem
 CLOSE = 1e-7  # at sample numbers, which are near 1
 
 
-def assemble(problem: Problem) -> System:
-    """Kinematics and forces of a problem. Raises StatementError if the poses can't be or contradict."""
+def assemble(problem: Problem, *, free: bool = False) -> System:
+    """Kinematics and forces of a problem; with `free`, what no condition solves for stays free: no speed is solved for.
+
+    Raises StatementError if the poses can't be or contradict.
+    """
     inertias = {body.name: inertia(body) for body in problem.bodies}
     given = poses(problem, inertias)
     names = (*_by_preference(problem), *open_names(given))
@@ -37,13 +40,13 @@ def assemble(problem: Problem) -> System:
     left = open_names(placed)
     if left:
         raise still_open(problem, left[0])
-    free = tuple(c.name for c in problem.coordinates if c.name not in tied.solved)
+    names = tuple(c.name for c in problem.coordinates if c.name not in tied.solved)
     solved = {c.name: tied.solved[c.name] for c in problem.coordinates if c.name in tied.solved}
-    _refuse_frozen(problem, tied.implicit, free)
-    scope, independent = _rates(free, tied, problem)
+    _refuse_frozen(problem, tied.implicit, names)
+    scope, independent = _rates(names, tied, problem, free=free)
     scope = _with_clock(scope, problem, placed)
     states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
-    bare = System(problem, free, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
+    bare = System(problem, names, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
     _check_starts(bare)
     _check_start_speeds(bare)
     return _with_forces(bare, locator(problem, inertias, placed))
@@ -129,14 +132,14 @@ def _text(value: Scalar) -> str:
     return to_machine(present(value))
 
 
-def _rates(free: tuple[str, ...], tied: Tied, problem: Problem) -> tuple[Scope, tuple[str, ...]]:
-    """Time derivatives of coordinates and speeds; dependent speeds from the implicit conditions."""
-    speeds = {name: symbol(f"{name}_dot") for name in free}
-    dependent = _dependent_speeds(free, tied, problem) if tied.implicit or tied.speeds else {}
-    independent = tuple(name for name in free if f"{name}_dot" not in dependent)
+def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) -> tuple[Scope, tuple[str, ...]]:
+    """Time derivatives of coordinates and speeds; dependent speeds from the implicit conditions, unless all stay free."""
+    speeds = {name: symbol(f"{name}_dot") for name in names}
+    dependent = _dependent_speeds(names, tied, problem) if (tied.implicit or tied.speeds) and not free else {}
+    independent = tuple(name for name in names if f"{name}_dot" not in dependent)
     rates = {name: dependent.get(f"{name}_dot", speed) for name, speed in speeds.items()}
     rates |= {f"{name}_dot": symbol(f"{name}_ddot") for name in independent}
-    start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in free}
+    start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None and c.name in names}
     start |= {
         f"{c.name}_dot": scalar(c.speed) for c in problem.coordinates if c.speed is not None and c.name in independent
     }

@@ -52,6 +52,8 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
     moment = _Moment(before, after, places, speeds)
     rows = [row for name in after.bodies for row in _balances(moment, name, impulses)]
     rows += [_parting(moment, e) for e in impulses if e.kind == "collision"]
+    rows += [moment.new(time_derivative(c.value, after.scope)) for c in after.implicit]
+    rows += [moment.new(c.value) for c in after.speed_ties]
     unknowns = (*after.speeds, *(e.name for e in impulses if e.kind == "collision"), *after.unknowns)
     solution = solve_linear(rows, unknowns)
     missing = [name for name in after.speeds if name not in solution.values]

@@ -20,6 +20,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import Style
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
@@ -117,7 +118,7 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
 
 def known_stages(problem: Problem) -> tuple[tuple[Stage, ...], NotApplicable | None]:
     """The phases up to the first whose end has no closed form, and why it has none."""
-    found = [Stage(problem.name, Study(replace(problem, phases=())))]
+    found = [Stage(problem.name, study_of(replace(problem, phases=())))]
     for phase in problem.phases:
         try:
             found.append(_next(found[-1], phase))
@@ -128,10 +129,15 @@ def known_stages(problem: Problem) -> tuple[tuple[Stage, ...], NotApplicable | N
 
 def _next(stage: Stage, phase: Phase) -> Stage:
     study = stage.study
+    if study.at_start and phase.event != "at once":
+        raise NotApplicable(
+            f"the end of the phase before “{phase.name}” has no closed form: its motion is known at its start alone",
+            instead="let the phase begin at once, or state it as a problem of its own.",
+        )
     before = ENDINGS[phase.event](study, phase)
     clock = None if None in (stage.clock, before.time) else stage.clock + before.time
     problem = shifted(phase, clock)
-    placed = Study(_started(problem, study.style, before.places, {}))
+    placed = type(study)(_started(problem, study.style, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
     speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
@@ -142,7 +148,8 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     factors = [scalar(item["restitution"]) for item in phase.impulses if item.kind == "collision"]
     asked = settle((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions) or ()
     began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow, asked)
-    return Stage(phase.name, Study(after), began, clock)
+    later = type(study)(after)
+    return Stage(phase.name, later if later.at_start and later.ties else study_of(after), began, clock)
 
 
 def _taken(study: Study, end: State) -> Scalar | None:

@@ -54,7 +54,7 @@ OPS = {"way": ">", "force": ">=", "slip": ">", "gain": ">"}
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
     """What has to be positive at the start: lengths and heights that tell ways and sides, one-sided forces, the slip in
     its sense, or its gain from rest."""
-    start, reactions = _start(study), study.dynamics.reactions
+    start, reactions = _start(study), study.solved.reactions
     yield from ((element, "way", value) for element, value in ways_taken(study))
     for element in study.problem.constraints:
         for name in pushes(element):
@@ -66,8 +66,8 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
         slip = substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent) * sense
         first = _at_start(slip, start)
         if first is not None and is_zero(first):
-            first = _at_start(study.on_motion(time_derivative(slip, study.system.scope)), start)
-            if first is not None and study.dynamics.accelerations and not is_zero(without_even_roots(first)):
+            first = _at_start(study.begun(time_derivative(slip, study.system.scope)), start)
+            if first is not None and study.solved.accelerations and not is_zero(without_even_roots(first)):
                 yield element, "gain", first
         elif first is not None:
             yield element, "slip", first

@@ -28,6 +28,8 @@ class State:
 
 def at_start(study: Study, phase: Phase | None = None) -> State:
     """Coordinates and speeds of the declared start, dependent ones too."""
+    if study.instant is not None:
+        return State(NOTHING, study.instant.places, study.instant.speeds)
     start, places, speeds = study.system.scope.start, {}, {}
     for coordinate in study.problem.coordinates:
         name = coordinate.name

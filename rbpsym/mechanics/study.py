@@ -16,7 +16,8 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy, events, friction, motion, open_rest, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
-from rbpsym.mechanics.dynamics import Dynamics, newton_euler_rows, solve
+from rbpsym.mechanics.dynamics import FEW_PRODUCTS, Dynamics, newton_euler_rows, solve
+from rbpsym.mechanics.instant import Instant, has_start
 from rbpsym.mechanics.system import Condition, System
 from rbpsym.mechanics.unsolvable import too_long
 from rbpsym.notation.tree import Fn, Sym, walk
@@ -49,6 +50,21 @@ class Study:
         return self.system.implicit
 
     @property
+    def at_start(self) -> bool:
+        """Whether only the start is told (`at_start.StartStudy`)."""
+        return False
+
+    @property
+    def instant(self) -> Instant | None:
+        """What holds at the start, where only this is told."""
+        return None
+
+    @property
+    def solved(self) -> Dynamics | Instant:
+        """Accelerations and unknown forces, for every position or else at the start."""
+        return self.instant or self.dynamics
+
+    @property
     def dynamics(self) -> Dynamics:
         """Equations of motion, accelerations, unknown forces. Raises LimitError where they grow too long."""
         if isinstance(self._dynamics, LimitError):
@@ -59,7 +75,7 @@ class Study:
     def _dynamics(self) -> Dynamics | LimitError:
         """That it grows too long is found out only once, whoever asks first."""
         try:
-            with apart(), at_most(MOST_PRODUCTS):
+            with apart(), at_most(FEW_PRODUCTS if self.ties and has_start(self.problem) else MOST_PRODUCTS):
                 return solve(self.system)
         except LimitError:
             return too_long(self.system)
@@ -245,6 +261,10 @@ class Study:
         """The value with accelerations and unknown forces replaced by what they are."""
         value = substitute(value, self.dynamics.reactions)
         return substitute(value, self.dynamics.accelerations or {})
+
+    def begun(self, value: Scalar) -> Scalar:
+        """The value at the start, places and speeds not yet put in, with accelerations and unknown forces replaced."""
+        return self.on_motion(value)
 
 
 RANKS = (

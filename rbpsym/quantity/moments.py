@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import depends_on, root, substitute
@@ -76,7 +77,8 @@ def carried(world: ProblemWorld, value: Scalar) -> Scalar:
 
 def start(world: ProblemWorld, phrase: str) -> Bound:
     """The value in the start state."""
-    found = mapped(world.bound(phrase), lambda v: carried(world, v), world.motion.scope.start)
+    see = world.study.begun if world.study.at_start else partial(carried, world)
+    found = mapped(world.bound(phrase), see, world.motion.scope.start)
     return _still(world, found, phrase)
 
 

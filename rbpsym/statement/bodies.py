@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from rbpsym.notation.tree import ONE, Node, add, neg
+from rbpsym.notation.tree import ONE, ZERO, Fn, Node, add, mul, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
@@ -14,7 +15,7 @@ from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
 from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass
-from rbpsym.statement.source import Table
+from rbpsym.statement.source import SourceItem, Table
 
 _BODY_KEYS = ("shape", "mass", "angle", "points", "meaning")
 _PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name")
@@ -22,12 +23,15 @@ VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi"
 
 
 def read_bodies(table: Table, scope: Scope) -> dict[str, Body]:
-    """The bodies by name."""
-    return {name: read_body(part, name, scope) for name, part in table.tables("bodies", "bodies")}
+    """The bodies by name; each may be placed by a point of one that stands before it."""
+    found: dict[str, Body] = {}
+    for name, part in table.tables("bodies", "bodies"):
+        found[name] = read_body(part, name, scope, found)
+    return found
 
 
-def read_body(table: Table, name: str, scope: Scope) -> Body:
-    """One body."""
+def read_body(table: Table, name: str, scope: Scope, before: Mapping[str, Body]) -> Body:
+    """One body; it may be placed by a point of one `before` it."""
     check_name(name, table)
     where = f"the body “{name}”"
     kind = kind_of_element(table, SHAPES, "shape")
@@ -37,7 +41,7 @@ def read_body(table: Table, name: str, scope: Scope) -> Body:
     shape, mass = _shape(table, kind, scope, where)
     shape = replace(shape, points={**shape.points, **own})
     angle = _angle(table, kind, scope, where)
-    placed = _placed(table, points, scope, where)
+    placed = _placed(table, points, scope, before, where)
     return Body(name, shape, mass, placed, angle, table.string("meaning"), table.source.key(table.path))
 
 
@@ -69,7 +73,9 @@ def _angle(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | No
     return read_expression(table.item("angle"), scope, f"“angle” of {where}", NUMBER, "coordinates")
 
 
-def _placed(table: Table, points: tuple[str, ...], scope: Scope, where: str) -> tuple[str, Pair] | None:
+def _placed(
+    table: Table, points: tuple[str, ...], scope: Scope, before: Mapping[str, Body], where: str
+) -> tuple[str, Pair] | None:
     given = [key for key in table.names() if key in points]
     if len(given) > 1:
         raise table.error(
@@ -79,8 +85,31 @@ def _placed(table: Table, points: tuple[str, ...], scope: Scope, where: str) -> 
         )
     if not given:
         return None
-    what = f"“{given[0]}” of {where}"
-    return given[0], read_pair(table.item(given[0]), scope, what, LENGTH, "coordinates")
+    what, item = f"“{given[0]}” of {where}", table.item(given[0])
+    if isinstance(item.value, str) and "." in item.value:
+        return given[0], _place_of(item, before, what)
+    return given[0], read_pair(item, scope, what, LENGTH, "coordinates")
+
+
+def _place_of(item: SourceItem, before: Mapping[str, Body], what: str) -> Pair:
+    """Where a point of another body is, from the place and the angle of that body."""
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.algebra.present import present
+
+    name, _, point = item.value.partition(".")
+    told, (x, y) = (before[name].placed if name in before else None) or ("", (ZERO, ZERO))
+    if told and point == told:
+        return x, y
+    body = before.get(name)
+    if not told or body.angle is None or not {point, told} <= body.points.keys():
+        raise item.error(
+            f"{what}: “{item.value}” is no point of a body that is placed before it",
+            "place the other body first, by a point and an angle; or write a pair of expressions.",
+        )
+    right, up = (add(here, neg(there)) for here, there in zip(body.points[point], body.points[told], strict=True))
+    c, s = Fn("cos", body.angle), Fn("sin", body.angle)
+    place = add(x, mul(c, right), neg(mul(s, up))), add(y, mul(s, right), mul(c, up))
+    return present(scalar(place[0])), present(scalar(place[1]))
 
 
 # --- shape and mass

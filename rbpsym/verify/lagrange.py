@@ -13,12 +13,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import derivative, names_in, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol, total
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
@@ -26,6 +26,7 @@ from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
+from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
@@ -286,6 +287,26 @@ def _verdicts(system: System, dynamics: Dynamics, assumptions: Assumptions) -> l
     found = [_vanishes(value, assumptions) for value in _tied_speeds(system)]
     found += [_vanishes(_defect(system, dynamics, value, k), assumptions) for k, value in enumerate(values)]
     return found + _solution_verdicts(system, dynamics, assumptions) or [proved("nothing moves")]
+
+
+def start_verdict(study: Study) -> Verdict:
+    """The same where only the start is told: there Lagrange's expressions, along all variations that the conditions allow,
+    vanish in the sum."""
+    system, found = study.system, study.instant
+    speeds = {f"{name}_dot": value for name, value in found.speeds.items()}
+    there, moves = {**found.places, **speeds, **found.accelerations}, {n: symbol(f"variation_of_{n}") for n in system.coordinates}
+    held = [(c.value, "") for c in system.implicit] + [(c.value, "_dot") for c in system.speed_ties]
+    rows = [total(derivative(value, f"{n}{tail}") * move for n, move in moves.items()) for value, tail in held]
+    try:
+        with at_most(MOST_PRODUCTS):
+            known = Dynamics((), (), found.accelerations, found.reactions, {}, {})
+            expressions = _with_friction(system, known, lagrange_expressions(system))
+            names = tuple(name for move in moves.values() for name in names_in(move))
+            allowed = solve_linear([substitute(row, there) for row in rows], names, keep_free=True).values
+            work = total(substitute(expressions[n], there) * move for n, move in moves.items())
+            return scalars_equal(substitute(work, allowed), NOTHING, study.assumptions)
+    except (NotApplicable, LimitError) as error:
+        return undecided(error.what)
 
 
 def _with_friction(system: System, dynamics: Dynamics, expressions: Mapping[str, Scalar]) -> dict[str, Scalar]:

@@ -9,7 +9,7 @@ state, and along the motion from the declared start.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -19,6 +19,7 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import slip_senses
+from rbpsym.mechanics.instant import Instant
 from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.numbers import Values, number, sample
 from rbpsym.mechanics.study import Study
@@ -132,13 +133,14 @@ class Bench:
         names = self._coordinates(changed)
         return start_state(self.conditions, names, rates, self._poses(names), tuple(held))
 
-    def declared_start(self) -> Start | None:
-        """The state from which the author lets it start, None if it is not declared in full."""
+    def declared_start(self, sought: Collection[str] = ()) -> Start | None:
+        """The state from which the author lets it start, None if it is not declared in full; without the speeds `sought`."""
         known, system = self.derived.system.scope.start, self.derived.system
         if not all(name in known and f"{name}_dot" in known for name in system.independent):
             return None
         places = {name: number(known[name], self.sample) for name in system.coordinates if name in known}
-        rates = {name: number(known[f"{name}_dot"], self.sample) for name in system.independent}
+        told = (name for name in system.independent if f"{name}_dot" not in sought)
+        rates = {name: number(known[f"{name}_dot"], self.sample) for name in told}
         return self.start(places, rates, places)
 
     def compare_generic_states(self) -> None:
@@ -146,9 +148,10 @@ class Bench:
         source, system = np.random.default_rng(20201), self.derived.system
         for _ in range(GENERIC_STATES):
             shift = {n: self.sample[n] + 0.2 * source.uniform(-1, 1) for n in system.independent}
-            self._compare_start(self.start(shift, {n: source.uniform(-1.5, 1.5) for n in system.independent}))
+            self.compare_start(self.start(shift, {n: source.uniform(-1.5, 1.5) for n in system.independent}))
 
-    def _compare_start(self, start: Start) -> None:
+    def compare_start(self, start: Start) -> None:
+        """Accelerations and unknown forces at a state."""
         self._compare(start.where, start.speed, start.q)
 
     def usual_time(self, start: Start) -> float:
@@ -299,6 +302,8 @@ def simulate(
 
 def simulate_study(study: Study, numbers: Mapping[str, float] | None = None) -> SimulationReport:
     """Everything that a study derives, put to the test. Raises as `simulate`."""
+    if study.instant is not None:
+        return simulate_start(study, study.instant, numbers)
     return simulate(
         study.system,
         study.dynamics,
@@ -308,6 +313,27 @@ def simulate_study(study: Study, numbers: Mapping[str, float] | None = None) -> 
         momenta=angular_momenta(study),
         numbers=numbers,
     )
+
+
+def told(study: Study) -> Dynamics:
+    """The dynamics; where only the start is told, what the accelerations and unknown forces are there."""
+    found = study.instant
+    return study.dynamics if found is None else Dynamics((), (), found.accelerations, found.reactions, {}, {})
+
+
+def simulate_start(study: Study, found: Instant, numbers: Mapping[str, float] | None = None) -> SimulationReport:
+    """Speeds that follow, accelerations and unknown forces at the start, put to the test. Raises as `simulate`."""
+    bench = Bench(Derived(study.system, told(study), None, {}, {}, {}), numbers)
+    bench.placement.mechanism.clock = 0.0
+    start = bench.declared_start(found.sought)
+    bench.compare_start(start)
+    for name, value in found.speeds.items():
+        rate = start.rates[bench.placement.names.index(name)]
+        bench.errors.note("speed", name, number(value, bench.sample), float(rate))
+    errors = bench.errors.relative()
+    if start.freedom != found.freedom:
+        errors["degrees of freedom"] = np.inf
+    return SimulationReport(max(errors.values()), errors, None, bench.states, start.freedom)
 
 
 def angular_momenta(study: Study) -> dict[str, tuple[Vector, Scalar]]:

@@ -20,7 +20,7 @@ from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.statement.model import Element, Phase, Problem
-from rbpsym.verify.simulation import Bench, Derived, Errors, SimulationReport, simulate_study
+from rbpsym.verify.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
 from rbpsym.verify.simulation_bodies import placed
 from rbpsym.verify.simulation_contacts import slipping
 from rbpsym.verify.simulation_placement import dotted
@@ -75,8 +75,7 @@ def followed(problem: Problem, parts: tuple[Stage, ...]) -> dict[str, float]:
 
 
 def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
-    derived = Derived(study.system, study.dynamics, None, study.squares, {}, {})
-    return Bench(derived, numbers)
+    return Bench(Derived(study.system, told(study), None, study.squares, {}, {}), numbers)
 
 
 def _compare(

@@ -6,14 +6,14 @@ import pytest
 
 from tests.ask.simulated import compared
 from tests.ask.test_answers import asked
-from tests.library.derived import NAMES
+from tests.library.derived import FOLLOWED
 from tests.oracles.conftest import SETS
 
 # problems whose motion is not declared in full, or is not followed: nothing can be compared
 UNCOMPARED: set[str] = set()
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FOLLOWED)
 def test_answers_are_what_the_simulation_shows(name: str, record_property) -> None:
     found = compared(asked(name), 1)
     record_property(SETS, found.sets)
@@ -22,6 +22,6 @@ def test_answers_are_what_the_simulation_shows(name: str, record_property) -> No
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FOLLOWED)
 def test_answers_are_what_the_simulation_shows_at_many_sets(name: str) -> None:
     assert not compared(asked(name), 20).wrong

@@ -25,7 +25,7 @@ SAID = {"kept": "holds", "lost": "loss", "asked": "asks", "open": "asks"}
 
 def stages(path: Path) -> tuple[Derivation, ...]:
     found = derived_from(path)
-    return (found, *(phase.derivation for phase in found.phases))
+    return tuple(one for one in (found, *(phase.derivation for phase in found.phases)) if not one.study.at_start)
 
 
 def lasts(found: Derivation) -> bool:

@@ -19,7 +19,7 @@ import rbpsym
 import rbpsym.face
 from rbpsym.face.model import SymbolicModel
 from tests.architecture.source import ROOT
-from tests.library.derived import NAMES, derived
+from tests.library.derived import FOLLOWED, derived
 
 t = dynamicsymbols._t
 MODULES = sorted(f"rbpsym.face.{each.name}" for each in pkgutil.iter_modules(rbpsym.face.__path__))
@@ -30,7 +30,7 @@ def model(name: str) -> SymbolicModel:
     return rbpsym.model(derived(name).study)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FOLLOWED)
 def test_every_problem_of_the_library_answers(name: str) -> None:
     """Energies and momenta are the sums of their parts; the power of the works is the rate of the kinetic energy."""
     ours = model(name)

@@ -12,7 +12,7 @@ import pytest
 from rbpsym.commands.listing import LEVELS
 from rbpsym.commands.shelf import entry
 from rbpsym.statement.library import library_folder, problem_files
-from tests.library.derived import NAMES, derived, problem
+from tests.library.derived import AT_START, NAMES, derived, problem
 
 SLOWEST = 10  # seconds to derive, on two cores; benchmarks/library.py has the table
 UNDECIDED = 0.02  # of all steps
@@ -75,7 +75,9 @@ def test_every_step_is_proved_or_says_why_not(name):
 @by_name
 def test_methods_and_oracles_agree(name):
     found = derived(name).summary()
-    still = not derived(name).study.system.independent  # statics: no acceleration on which methods could agree
+    study = derived(name).study
+    assert study.at_start == (name in AT_START)
+    still = study.at_start or not study.system.independent  # statics, or one moment: no acceleration on which methods could agree
     assert (found["methods"] or still) and found["methods_agree"], found["methods"]
     assert found["lagrange"] == "PROVED"
     assert found["simulation"] is not None and found["simulation"]["max_relative_error"] <= 1e-8

@@ -20,11 +20,11 @@ from rbpsym.solve import results
 from rbpsym.statement.loader import load_problem
 from rbpsym.verify.simulation import Bench, Derived
 from tests.derivation.conftest import FILES
-from tests.library.derived import NAMES
+from tests.library.derived import FOLLOWED
 from tests.oracles.conftest import DRAWS, SETS
 from tests.oracles.sets import Numbers, bounds, drawn
 
-ALL = (*NAMES, "systems/guided-rod", "systems/damped-rod", "systems/cart-rod", "systems/rod-on-strings")
+ALL = (*FOLLOWED, "systems/guided-rod", "systems/damped-rod", "systems/cart-rod", "systems/rod-on-strings")
 FEW, MANY = 2, 20
 MOST_DRAWS = 40  # per set
 CLOSE = 1e-6

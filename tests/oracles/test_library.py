@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.library.derived import NAMES, derived
+from tests.library.derived import FOLLOWED, derived
 from tests.oracles.compare import Findings, each, findings
 from tests.oracles.conftest import DRAWS, MISSING, SETS
 
@@ -41,7 +41,7 @@ def wrong(name: str, found: Findings) -> list[str]:
     return [line for what, line in zip(found.wrong(), each(found), strict=True) if what not in OPEN.get(name, ())]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FOLLOWED)
 def test_the_motion_is_that_of_the_simulation(name, record_property):
     found = put_to_the_test(name, FEW, SHORT, record_property)
     assert found.sets and found.compared

@@ -6,6 +6,7 @@ from functools import cache
 import pytest
 
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import build as rb
@@ -14,6 +15,7 @@ from rbpsym.statement.loader import load_problem
 from rbpsym.statement.model import Problem
 from rbpsym.verify.simulation import angular_momenta, simulate, simulate_study
 from rbpsym.verify.simulation_phases import followed, simulate_problem
+from tests.library.derived import AT_START
 
 LIMIT, SEEN = 1e-8, 1e-4
 
@@ -37,7 +39,7 @@ def parts(name: str) -> tuple[Stage, ...]:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_events_and_impulses_agree(name: str) -> None:
-    report = simulate_problem(Study(problem(name)))
+    report = simulate_problem(study_of(problem(name)))
     wrong = {key: error for key, error in report.errors.items() if not error <= LIMIT}
     assert not wrong
     assert any(": speed after" in key for key in report.errors)
@@ -70,7 +72,7 @@ def _spoilt(stage: Stage) -> dict[str, Stage]:
 def test_a_wrong_hand_over_is_seen(name: str) -> None:
     first, second, *_ = parts(name)
     spoilt = _spoilt(second)
-    assert spoilt or name == "brake-drum"
+    assert spoilt or name in ("brake-drum", *AT_START)
     for what, stage in spoilt.items():
         assert max(followed(problem(name), (first, stage)).values()) > SEEN, what
 

@@ -42,10 +42,13 @@ def write(draft: Draft) -> None:
     """The conditions of all constraints, then the coordinates and speeds that they determine."""
     given = as_given(draft.study.system)
     _define_tied(draft)
+    ties = (*draft.study.ties, *draft.study.system.speed_ties) if draft.study.at_start else ()
+    kept = {condition.constraint for condition in ties}  # their rates are told of the start alone
     for element in draft.study.problem.constraints:
         _geometric(draft, element, given)
         _kept_angle(draft, element)
-        SPEEDS.get(element.kind, _nothing)(draft, element, given)
+        if element.name not in kept:
+            SPEEDS.get(element.kind, _nothing)(draft, element, given)
     found_spins(draft, given)
     tied(draft)
 

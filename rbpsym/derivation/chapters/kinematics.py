@@ -122,6 +122,8 @@ def _velocity(draft: Draft, name: str, state: BodyState) -> None:
         data={"pairs": pairs},
         body=BodyRef(name),
     )
+    if draft.study.at_start:
+        return  # no kinetic energy follows
     square = tidy(state.velocity.dot(state.velocity))
     draft.add(
         f"speed.{name}",

@@ -61,6 +61,11 @@ def model(problem: Problem, language: str) -> Model:
     notation = said.notation
     parts, partial = problem_stages(problem)
     study = parts[0].study
+    if any(part.study.at_start for part in parts):
+        raise StatementError(
+            f"the motion of “{problem.name}” can't be followed: it is known at its start alone",
+            instead="its speeds, accelerations and forces there are in `rbpsym solve` and in notes.",
+        )
     numbers = sliders(study)
     names = tuple(slider.name for slider in numbers)
     _require_start(study, {slider.name: slider.value for slider in numbers})

@@ -44,6 +44,7 @@ REASONS = {  # why there is no motion that can be followed
     "tied": "the speeds are tied by a condition that is no condition on the places",
     "no_start": "the statement does not say where the motion starts",
     "rest": "nothing moves",
+    "at_start": "the motion is known at its start alone",
 }
 
 Numbers = Mapping[str, float | np.ndarray]
@@ -273,6 +274,8 @@ def require_motion(study: Study) -> None:
     system = study.system
     if not study.problem.coordinates:
         raise NotApplicable(REASONS["statics"])
+    if study.at_start:
+        raise NotApplicable(REASONS["at_start"])
     if system.speed_ties:
         raise NotApplicable(REASONS["tied"])
     if any(name not in system.scope.start for name in system.independent):

@@ -100,6 +100,8 @@ def legs(derivation: Derivation, found: Scales) -> Iterator[Leg]:
     endings = [stage.began.before for stage in stages(problem)[1:]] if problem.phases else []
     parts = [("", derivation), *((phase.name, phase.derivation) for phase in derivation.phases)]
     for (name, part), ending in zip(parts, [*endings, None], strict=False):
+        if part.study.at_start:
+            return
         end = math.inf if ending else AFTERWARDS * began or math.inf
         yield (one := leg(part, found.numbers, end, ending, began=began, name=name))
         began += one.moments[-1]

@@ -1,0 +1,144 @@
+"""A problem of which only the start is told, because formulas for every position would grow too long."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.effort import apart, at_most
+from rbpsym.algebra.roots import tidied, without_even_roots
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import LimitError
+from rbpsym.mechanics import events, friction, motion, oscillation, rest
+from rbpsym.mechanics.assemble import assemble
+from rbpsym.mechanics.dynamics import FEW_PRODUCTS
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.instant import Instant, has_start, start_of
+from rbpsym.mechanics.study import MOST_PRODUCTS, Study
+from rbpsym.mechanics.system import Condition, System
+from rbpsym.mechanics.unsolvable import too_long
+from rbpsym.statement.model import Problem
+
+ONLY_THERE = "formulas for every position would be long: accelerations and unknown forces are told at the start alone"
+
+
+def study_of(problem: Problem) -> Study:
+    """The mechanics of a problem: for every position, or else (`StartStudy`) at its start.
+
+    That is where coordinates stay tied to each other, their start is stated in full, and the equations of motion grow
+    too long or have no value there.
+    """
+    study = Study(problem)
+    return StartStudy(problem) if has_start(problem) and StartStudy(problem).ties and _is_lost(study) else study
+
+
+def _is_lost(study: Study) -> bool:
+    """Whether nothing is told for every position (where nothing is free to move, all that there is, is the start)."""
+    try:
+        with apart(), at_most(FEW_PRODUCTS):
+            scope = study.system.scope
+            for name in study.system.coordinates:
+                substitute(scope.rates[name], scope.start)
+        study.dynamics  # noqa: B018
+        return not (study.system.independent or study.system.has_clock)
+    except (LimitError, ZeroDivisionError):
+        return True
+
+
+@dataclass(frozen=True)
+class StartStudy(Study):
+    """All coordinates are free in its system; of the motion, only its start is known (`instant`)."""
+
+    @property
+    def at_start(self) -> bool:
+        """Only the start is told."""
+        return True
+
+    @cached_property
+    def system(self) -> System:
+        """Kinematics and forces, with the speeds at the start as the conditions make them."""
+        if not has_start(self.problem):
+            return self._free
+        scope, speeds = self._free.scope, {f"{name}_dot": value for name, value in self.instant.speeds.items()}
+        start = {name: speeds.get(name, value) for name, value in scope.start.items()}
+        return replace(self._free, scope=replace(scope, start=start))
+
+    @property
+    def ties(self) -> tuple[Condition, ...]:
+        """The conditions that tie coordinates to each other without an explicit solution."""
+        return self._free.implicit
+
+    @property
+    def _dynamics(self) -> LimitError:
+        return too_long(self.system)
+
+    @cached_property
+    def _free(self) -> System:
+        return assemble(self.problem, free=True)
+
+    @cached_property
+    def instant(self) -> Instant:
+        """What holds at the start. Raises StatementError where the start contradicts the conditions."""
+        with apart(), at_most(MOST_PRODUCTS):
+            return start_of(self._free, self.tidied)
+
+    def tidied(self, value: Scalar) -> Scalar:
+        """The value with what is known to be a square out of its roots."""
+        signs = self.assumptions
+        return short(tidied(without_even_roots(value), lambda n: signs.sign_of(n) == "positive", lambda total: False))
+
+    def begun(self, value: Scalar) -> Scalar:
+        """The value with accelerations and unknown forces replaced by what they are at the start."""
+        return substitute(substitute(value, self.instant.reactions), self.instant.accelerations)
+
+    @property
+    def first_integral(self) -> Scalar | None:
+        """None is looked for."""
+        return None
+
+    @property
+    def squares(self) -> Mapping[str, Scalar]:
+        """None are known."""
+        return {}
+
+    @property
+    def reactions_along_motion(self) -> Mapping[str, Scalar] | None:
+        """None are known."""
+        return None
+
+    @property
+    def works(self) -> tuple[motion.ForceWork, ...]:
+        """None are known."""
+        return ()
+
+    @property
+    def equilibria(self) -> tuple[oscillation.Equilibrium, ...]:
+        """None are looked for."""
+        return ()
+
+    @property
+    def rest(self) -> rest.Rest:
+        """Nowhere is looked."""
+        return rest.Rest(complete=None, reason=ONLY_THERE)
+
+    @property
+    def open_balance(self) -> rest.Balance | None:
+        """None is looked for."""
+        return None
+
+    @property
+    def ended(self) -> events.Losses:
+        """None are looked for."""
+        return events.Losses(complete=None, reason=ONLY_THERE)
+
+    @property
+    def sides(self) -> tuple:
+        """What becomes of the forces is not known."""
+        return ()
+
+    @cached_property
+    def friction_needs(self) -> tuple[friction.FrictionNeed, ...]:
+        """How much static friction the contacts need at the start."""
+        return friction.friction_needs(self.system, self.instant.reactions, self.assumptions)
