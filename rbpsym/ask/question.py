@@ -65,6 +65,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 )  # fmt: skip
 # what is only another way to write something
 OTHERWISE = (
+    (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),

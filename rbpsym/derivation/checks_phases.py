@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
@@ -19,6 +19,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
@@ -64,7 +65,18 @@ def first_then(context: Context, step: Step) -> Verdict:
     context, (time,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
     before = context.assumptions.with_range("t", NOTHING, time)
     ahead = compare(NOTHING, time, context.assumptions)
-    return weakest([ahead, Verdict(PROVED) if sign(_left(context, step), before).is_nonzero else UNSEEN])
+    left = _left(context, step)
+    kept = sign(left, before).is_nonzero or _has_no_other_root(left, time, context.assumptions)
+    return weakest([ahead, Verdict(PROVED) if kept else UNSEEN])
+
+
+def _has_no_other_root(left: Scalar, time: Scalar, given: Assumptions) -> bool:
+    """Whether a + b t + c t², which vanishes at a time T, does not vanish between 0 and T: c (t + T) + b keeps its sign."""
+    half = derivative(derivative(left, "t"), "t") / 2
+    begin = substitute(derivative(left, "t"), {"t": NOTHING})
+    kinds = [sign(half * time * k + begin, given) for k in (1, 2)]
+    signs = {kind.kind for kind in kinds if kind.kind != "zero"}
+    return not depends_on(half, "t") and signs in ({"positive"}, {"negative"})
 
 
 def _left(context: Context, step: Step) -> Scalar:

@@ -14,6 +14,7 @@ from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.decide import compare
 from rbpsym.equality.verdict import Verdict, undecided
+from rbpsym.notation import tree as t
 
 
 def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
@@ -76,7 +77,10 @@ def direction(context: Context, step: Step) -> Verdict:
     said = [context.value(node.items[0]) for node in step.obligations]
     for way, turn in ((1, NOTHING), (-1, PI)):
         if any(compare(NOTHING, x * way / value, context.assumptions).is_proved for value in (UNITY, *said)):
-            return same(context, context.value(right) - turn, function("atan", y / x))
+            inner = [node.arg for node in t.walk(right) if isinstance(node, t.Fn) and node.name == "atan"]
+            slope = context.value(inner[0]) if inner else y / x
+            told = same(context, context.value(right) - turn, function("atan", slope))
+            return weakest([same(context, slope, y / x), told])
     return undecided("on which side the vector points is not decided")
 
 

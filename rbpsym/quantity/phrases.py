@@ -58,6 +58,8 @@ def _rate_of(world: ProblemWorld, letter: str, name: str | None, about: str | No
 
 def _of_coordinate(order: int):
     def find(world: ProblemWorld, name: str) -> Bound:
+        if name in world.study.system.bodies and name not in world.coordinates:
+            return _of_point(order)(world, f"{name}.cm")
         value, scope = scalar(read_infix(name, world.names)), world.motion.scope
         value = world.study.system.dependent.get(name, value)
         for _ in range(order):

@@ -198,7 +198,7 @@ class ProblemWorld:
             return ORIGIN
         if name in problem.points:
             return pair(problem.points[name])
-        body, _, point = name.partition(".")
+        body, _, point = (name if "." in name else f"{name}.cm").partition(".")
         if body in SYSTEM and point == "cm":
             return self.centre(body)
         state = self.body(body)

@@ -15,7 +15,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.loader import load_problem, load_text
 
 ANSWERS = [
     ("sliding-ladder", "N_w", "3*M*g*cos(theta)*(3*sin(theta) - 2*sin(theta_0))/4"),
@@ -59,6 +59,43 @@ ANSWERS = [
     ("disk-on-incline", "s as a function of t", "g*t^2*sin(beta)/3"),
     ("yo-yo", "tension T", "M*g*R^2/(R^2 + 2*b^2)"),
 ]  # fmt: skip
+
+
+FALL = """
+[parameters]
+m = "mass"
+g = "acceleration"
+v_0 = "speed"
+h = "length"
+[coordinates]
+x = { dimension = "length", start = "0", speed = "v_0" }
+y = { dimension = "length", start = "h", speed = "0" }
+[bodies.p]
+shape = "particle"
+mass = "m"
+center = ["x", "y"]
+[interactions.W]
+type = "gravity"
+"""
+FALLS = [
+    ("time of flight until y = 0", "sqrt(2*h/g)"),
+    ("x where y = 0", "v_0*sqrt(2*h/g)"),
+    ("vertical velocity of p where y = 0", "-sqrt(2*g*h)"),
+    ("direction of velocity of p where y = 0", "-atan(sqrt(2*g*h)/v_0)"),
+    ("work of W until y = 0", "m*g*h"),
+    ("y as a function of t", "h - g*t^2/2"),
+]
+
+
+@pytest.mark.parametrize(("question", "told"), FALLS)
+def test_a_fall_comes_to_the_floor(question: str, told: str) -> None:
+    """Both coordinates move; the time comes first, and all else from it."""
+    problem = load_text(FALL)
+    found = answered(Asked(problem), question)
+    numbers = sample(problem) | {"t": 0.7}
+    expected = scalar(read_infix(told, ["m", "g", "v_0", "h", "t"]))
+    assert found.verdict.is_proved, found.verdict
+    assert number(found.value, numbers) == pytest.approx(number(expected, numbers))
 
 
 @cache
