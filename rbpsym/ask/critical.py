@@ -12,8 +12,8 @@ from rbpsym.ask.extremes import extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
 from rbpsym.ask.neat import neat
 from rbpsym.ask.regions import Region, alone, common, region_on_way
-from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, way_to, ways_to
-from rbpsym.ask.wanted import Wanted, wanted
+from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, way_to, whole_ways
+from rbpsym.ask.wanted import Wanted, arrives, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -189,11 +189,8 @@ def _closed(condition: Wanted, found: Region, name: str) -> tuple[bool, str]:
         return True, ""
     bound = found.lower if found.upper is None else found.upper
     [place, *_], along = found.worst, condition.along
-    there = {name: bound, along: place}
-    arrives = is_zero(place - condition.end) and not is_zero(
-        rooted(substitute(derivative(condition.values[-1], along), there), condition.given)
-    )
-    if arrives or not is_zero(rooted(substitute(condition.values[-1], there), condition.given)):
+    square = substitute(condition.values[-1], {name: bound, along: place})
+    if arrives(condition, place, {name: bound}) or not is_zero(rooted(square, condition.given)):
         return True, ""
     return False, f"with this {name} itself, {along} = {told(place)} is approached and never reached"
 
@@ -223,9 +220,9 @@ def extremum(world: Scene, superlative: str, phrase: str, over: str | None, low:
     if low is not None:
         given = given.with_range(name, place_in(world, name, low), place_in(world, name, high))
     elif name in world.motion.squares and name in world.motion.scope.start:
-        each = [  # from the start to where it comes to rest
+        each = [
             _of_extreme(value, name, range_, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
-            for _, range_ in ways_to(world, name, None, given)
+            for _, range_ in whole_ways(world, name, given)
         ]
         if any(len(one.values) != 1 or not is_zero(one.values[0] - each[0].values[0]) for one in each[1:]):
             return Finding(undecided("it depends on the sense in which the motion sets out"))

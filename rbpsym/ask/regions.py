@@ -87,7 +87,8 @@ def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region |
     if low.where and is_zero(low.value) and low.beside:
         return Region(is_empty=low.beside < 0, asked=low.asked)
     found = region(low.value, name, where_met(given, low.asked).without(along))
-    return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,))
+    otherwise = 0 if found is None or low.asked else found.otherwise
+    return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,), otherwise=otherwise)
 
 
 def common(regions: Sequence[Region | None], given: Assumptions) -> Region | None:

@@ -129,8 +129,22 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
     return found[0]
 
 
+def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+    """How far a coordinate goes as is told, in each sense in which it may set out: to where it first comes to rest, where a
+    contact is lost, or to the end of its range. Raises StatementError where that depends on parameters."""
+    ended, found = world.study.ended, ways_to(world, name, None, given)
+    if ended.complete is not True or any(loss.valid or name not in loss.at for loss in ended.found):
+        what = ended.found[0].force if ended.found else "a contact"
+        raise StatementError(
+            f"whether, and where, {what} lets go depends on the parameters or is not decided",
+            instead=f"say where from and where to: “… over {name} between VALUE and VALUE”.",
+        )
+    cut = [(way, way.until(loss.at[name], given)) for way, given in found for loss in ended.found[:1]]
+    return cut or found
+
+
 def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> list[tuple[Way, Assumptions]]:
-    """The same for each sense in which it may set out."""
+    """The same as `way_to` for each sense in which it may set out."""
     study = world.study
     square, begin = world.motion.squares.get(name), study.system.scope.start.get(name)
     if square is None or begin is None:

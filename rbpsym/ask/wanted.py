@@ -7,10 +7,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
@@ -19,6 +20,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import DimensionError, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.rest import rooted
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
 
@@ -48,6 +50,15 @@ def wanted(world: Scene, text: str, name: str = "") -> Wanted:
             words = found.groups() if find is not _holds_fast else (*found.groups(), name)
             return find(world, *words)
     return _compared(world, text)
+
+
+def arrives(condition: Wanted, place: Scalar | None, at: Mapping[str, Scalar] = MappingProxyType({})) -> bool:
+    """Whether a motion whose speed vanishes at a place comes there nevertheless: it is where it was to come, and the square
+    of the speed goes through zero there (else the place is approached for ever)."""
+    if condition.end is None or condition.along is None or place is None or not is_zero(place - condition.end):
+        return False
+    slope = substitute(derivative(condition.values[-1], condition.along), {**at, condition.along: place})
+    return not is_zero(rooted(slope, condition.given))
 
 
 def _reaches(world: Scene, name: str, text: str) -> Wanted:

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import UNITY, Scalar
-from rbpsym.ask.extremes import extremes
+from rbpsym.algebra.scalar import UNITY
+from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.seen import Scene, moving, way_to
-from rbpsym.ask.wanted import Wanted, free_place, on_way, wanted
+from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import StatementError, Undecided
@@ -82,7 +82,9 @@ def _demands(world: Scene, condition: Wanted) -> Iterator[Demand]:
         lows = extremes(value, condition.along, given, -1)
         if lows is None or any(low.crossing is not None or low.asked for low in lows):
             raise Undecided("where it is least on the way is not decided")
-        yield from (_of_low(low.value, low.where, low.beside, op) for low in lows)
+        told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
+        strict = condition.end is not None and op == ">="
+        yield from (_of_low(low, way if strict else op) for low, way in zip(lows, told, strict=True))
 
 
 def _always(condition: Wanted) -> bool:
@@ -90,9 +92,9 @@ def _always(condition: Wanted) -> bool:
     return settle([Demand(value, ">=" if condition.closed else ">") for value in condition.values], condition.given) == ()
 
 
-def _of_low(value: Scalar | None, where: str, beside: int, op: str) -> Demand:
-    if value is None:
+def _of_low(low: Extreme, op: str) -> Demand:
+    if low.value is None:
         return Demand(-UNITY)
-    if where and is_zero(value) and beside:
-        return Demand(UNITY * beside)
-    return Demand(value, op)
+    if low.where and is_zero(low.value) and low.beside:
+        return Demand(UNITY * low.beside)
+    return Demand(low.value, op)

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -57,12 +58,12 @@ def _is_free(value: Scalar, slope: Scalar, given: Assumptions) -> bool:
 
 
 def _degree(value: Scalar, name: str) -> int | None:
-    """The degree of the numerator in the name or its sine or cosine, if it is a polynomial in one of them."""
-    inner = [index for index in value.num.atoms() if atom_depends(index, name)]
-    if len(inner) != 1 or (value.den.atoms() & set(inner)):
+    """The degree of the numerator, if it is a polynomial in the quantity itself."""
+    index = atoms.intern("symbol", name)
+    if any(other != index and atom_depends(other, name) for other in value.num.atoms()):
         return None
-    parts = value.num.by_power(inner[0])
-    return max(parts) - min(parts)
+    powers = value.num.by_power(index)
+    return max(powers) - min(powers)
 
 
 def extreme_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sense: int) -> Verdict:
