@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.ask.extremes import extreme
-from rbpsym.ask.finding import Finding, checked, verdict_of
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.neat import neat
 from rbpsym.ask.regions import Region, alone, common, region_on_way
-from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, way_to, whole_ways
+from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle
@@ -28,8 +27,17 @@ GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 
 SUPERLATIVES = LEAST | GREATEST
 
 
+OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off)?((?: (?:until|before) .+)?)")
+KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
+FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
+
+
 def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
-    """SYMBOL for which a condition is met; the smallest or largest of them."""
+    """SYMBOL for which a condition is met, or its opposite; the smallest or largest of them."""
+    if opposite := OPPOSITE.fullmatch(text):
+        other = superlative and ("largest" if SUPERLATIVES[superlative] < 0 else "smallest")
+        found = which(world, other, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
+        return replace(found, relation=FLIPPED.get(found.relation, found.relation), says="", rule="")
     condition = wanted(world, text, name)
     if not condition.equal and superlative is None and name not in world.coordinates:
         return _region(world, name, condition, text, 0)
@@ -91,10 +99,11 @@ def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: s
     """What does not depend on the symbol."""
     if is_zero(value):
         return Finding(proved("it is an identity"), name, says=f"“{text}” holds for every {name}")
-    raise StatementError(f"“{text}” does not depend on {name}", instead=_instead(world, value))
+    raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
 
 
-def _instead(world: Scene, value: Scalar) -> str:
+def on_what(world: Scene, value: Scalar) -> str:
+    """The parameters on which a value depends, as advice."""
     known = [q.name for q in world.study.problem.parameters if depends_on(value, q.name)]
     return f"it depends on {', '.join(known)}." if known else ""
 
@@ -119,7 +128,7 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
             says = "for no values" if known.is_empty else "for all values"
             says = f"“{text}” holds {says} of the parameters in their declared ranges"
             return Finding(proved("the sign is the same for all parameters"), name, says=says)
-        raise StatementError(f"“{text}” does not depend on {name}", instead=_instead(world, cores[0]))
+        raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     regions = [region_on_way(value, name, along or "", given) for value in values]
     found = common(regions, given)
     if found is None:
@@ -196,115 +205,3 @@ def _closed(condition: Wanted, found: Region, name: str) -> tuple[bool, str]:
 
 
 OTHERWISE = {0: "", 1: "else “{text}” holds for every {name}", -1: "else there is no such {name}"}
-
-
-# --- extrema
-
-
-def extremum(world: Scene, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None) -> Finding:
-    """The greatest or least value of a quantity over a coordinate or parameter."""
-    if over is not None and over not in (*world.coordinates, "t"):
-        parameter(world, over)
-    value, given = seen(world, phrase), world.motion.assumptions
-    free = moving(world, (value,))
-    name = over or (free[0] if len(free) == 1 else None)
-    if name is None:
-        what = f"depends on {', '.join(free)}" if free else "is constant on the motion"
-        instead = "say over what: “… over NAME”, or “… over NAME between VALUE and VALUE”."
-        raise StatementError(f"“{phrase}” {what}", instead=instead)
-    if any(other != name for other in free):
-        raise StatementError(f"“{phrase}” depends on {next(o for o in free if o != name)} too")
-    if not depends_on(value, name):
-        raise StatementError(f"“{phrase}” does not depend on {name}", instead=_instead(world, value))
-    closed = low is not None
-    if low is not None:
-        given = given.with_range(name, place_in(world, name, low), place_in(world, name, high))
-    elif name in world.motion.squares and name in world.motion.scope.start:
-        each = [
-            _of_extreme(value, name, range_, SUPERLATIVES[superlative], phrase, closed=True, by_place=False)
-            for _, range_ in whole_ways(world, name, given)
-        ]
-        if any(len(one.values) != 1 or not is_zero(one.values[0] - each[0].values[0]) for one in each[1:]):
-            return Finding(undecided("it depends on the sense in which the motion sets out"))
-        return replace(each[0], verdict=all_of(one.verdict for one in each))
-    elif name == "t":
-        closed, given = True, one_period(value, given)
-    return _of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=closed, by_place=False)
-
-
-def extreme_for(world: Scene, name: str, phrase: str, superlative: str) -> Finding:
-    """SYMBOL for which a quantity is least or greatest."""
-    value, given = seen(world, phrase), world.motion.assumptions
-    if name not in world.coordinates:
-        parameter(world, name)
-    if not depends_on(value, name):
-        raise StatementError(f"“{phrase}” does not depend on {name}", instead=_instead(world, value))
-    return _of_extreme(value, name, given, SUPERLATIVES[superlative], phrase, closed=False, by_place=True)
-
-
-def _of_extreme(
-    value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool
-) -> Finding:
-    found = extreme(value, name, given, sense)
-    word = "largest" if sense > 0 else "least"
-    if found is None:
-        return Finding(undecided("the signs of the slope on the range are not decided"), name if by_place else "")
-    if found.where == "everywhere":
-        return Finding(proved("its slope vanishes"), values=(found.value,), says=f"“{phrase}” is the same for every {name}")
-    if found.crossing is not None:
-        return Finding(
-            proved("the slope is monotone and changes its sign"), name, equation=found.crossing.equation, place=(name, None)
-        )
-    if found.value is None:
-        says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found.place)}"
-        return Finding(proved("the leading term at the end of the range"), name if by_place else "", says=says)
-    under = where_met(given, found.asked)
-    data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
-    said = checked("extreme", **data, given=under, at_end=bool(found.where))
-    if found.where and not closed:
-        says = f"no {word} value is reached: {told(found.value)} is approached as {name} goes to {_end(found.place)}"
-        values = () if by_place else (found.value,)
-        symbol_ = name if by_place else ""
-        return Finding(symbol=symbol_, **said, values=values, relation="approaches", valid=found.asked, says=says)
-    place = (name, found.place)
-    if by_place:
-        return Finding(symbol=name, **said, values=(found.place,), valid=found.asked, place=place)
-    return Finding(**said, values=(found.value,), valid=found.asked, place=place)
-
-
-def _end(place: Scalar | None) -> str:
-    return "infinity" if place is None else told(place)
-
-
-# --- equal values
-
-
-def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
-    """Two different values of one parameter with the same value of a quantity: the second as a function of the first."""
-    parameter(world, first)
-    value, given = seen(world, phrase), world.motion.assumptions
-    known = {quantity.name for quantity in world.study.problem.parameters}
-    if not depends_on(value, first):
-        raise StatementError(f"“{phrase}” does not depend on {first}", instead=_instead(world, value))
-    if second in known and depends_on(value, second):
-        raise StatementError(f"“{phrase}” depends on both {first} and {second}", instead=f"name the other value of {first} anew.")
-    given = _like(given, first, second)
-    other = substitute(value, {first: symbol(second)})
-    table = sign_table(other - value, second, given.with_range(second, *given.range_of(second)))
-    zeros = [z for z in table.zeros.found if not z.is_pole and not is_zero(z.place - symbol(first))]
-    if not zeros and not table.zeros.open_ and not table.zeros.crossings:
-        return Finding(proved("no other value of it gives the same"), second, says=f"only {second} = {first} has the same")
-    if not zeros or table.zeros.open_:
-        return Finding(undecided("it has no closed form"), second, equation=(table.zeros.open_ or (other - value,))[0])
-    gap = neat(other * other - value * value, given)  # both are positive, or zero together
-    same = sign(value, given).is_nonnegative
-    places = [*(zero.place for zero in zeros), symbol(first)]
-    asked = where_met(given, [demand for zero in zeros for demand in zero.asked])
-    verdict = verdict_of("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
-    return Finding(verdict, second, tuple(neat(z.place, given) for z in zeros), asked=tuple(z.asked for z in zeros))
-
-
-def _like(given: Assumptions, first: str, second: str) -> Assumptions:
-    """The assumptions with a second name of which the same is declared."""
-    given = given.with_signs({second: given.sign_of(first)})
-    return given.with_range(second, *given.range_of(first)) if first in given.ranges else given

@@ -23,10 +23,12 @@ MOST_PRODUCTS = 20_000
 
 @dataclass(frozen=True, slots=True)
 class Leading:
-    """coefficient × ε^order, ε > 0 being the distance from the place, or one over the size of what goes to infinity."""
+    """coefficient × ε^order, ε > 0 being the distance from the place, or one over the size of what goes to infinity; `image`:
+    the value as a function of ε (of √ε where the order is no whole number)."""
 
     coefficient: Scalar
     order: Fraction
+    image: Scalar | None = None
 
     @property
     def limit(self) -> Scalar | None:
@@ -43,13 +45,14 @@ def leading(value: Scalar, name: str, to: Scalar | None, side: int = 1) -> Leadi
         with apart(), at_most(MOST_PRODUCTS):
             for power in (1, 2):  # √ε is a power series in δ with ε = δ²
                 step = symbol(SMALL) ** power * side
-                found = _series(substitute(value, {name: 1 / step if to is None else to + step}))
+                image = substitute(value, {name: 1 / step if to is None else to + step})
+                found = _series(image)
                 if found is not None:
                     break
     except (LimitError, Undecided, ZeroDivisionError):
         return None
     first = None if found is None else next((k for k, term in enumerate(found.terms) if not is_zero(term)), None)
-    return None if first is None else Leading(short(found.terms[first]), Fraction(found.start + first, power))
+    return None if first is None else Leading(short(found.terms[first]), Fraction(found.start + first, power), image)
 
 
 @dataclass(frozen=True, slots=True)

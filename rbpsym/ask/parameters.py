@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from rbpsym.ask import critical, special, yesno
+from rbpsym.ask import critical, optima, special, yesno
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
@@ -33,13 +33,23 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (rf"(.+) (?:for|in the limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
     (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "0")),
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "oo")),
-    (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", critical.with_equal),
-    (rf"{_N} {_FOR} (.+) is {_BEST}", critical.extreme_for),
+    (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", optima.with_equal),
+    (rf"for which {_N} is (.+) {_BEST}", optima.extreme_for),
+    (rf"where is (.+) {_BEST}", lambda w, phrase, best: optima.extreme_for(w, None, phrase, best)),
+    (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: critical.which(w, None, name, _told_after(text))),
+    (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: critical.which(w, None, name, text)),
+    (rf"{_N} {_FOR} (.+) is {_BEST}", optima.extreme_for),
     (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
-    (rf"{_BEST} (.+?)(?: over {_N})?(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?", critical.extremum),
+    (rf"{_BEST} (.+?)(?: over {_N})?(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?", optima.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
+
+
+def _told_after(text: str) -> str:
+    """“it not slip” as “it does not slip”, “theta = 0 stable” as “theta = 0 is stable”."""
+    text = re.sub(r"^(\w+) not (\w+)", r"\1 does not \2", text)
+    return re.sub(r" ((?:un)?stable|zero)$", r" is \1", text)
 
 
 def _clause(text: str, until: str | None, place: str | None) -> str:

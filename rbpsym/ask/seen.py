@@ -54,12 +54,17 @@ def scene(asked: Asked, place: int | None = None) -> Scene:
     return Scene(asked.study(place), asked=asked, place=place)
 
 
+OF_ONE = ("period", "frequency", "decay rate")  # are that of the only coordinate
+
+
 def seen(world: Scene, phrase: str) -> Scalar:
     """A quantity at a moment, or on the motion with its speeds as functions of the place as far as they are known.
 
     Raises StatementError or ReadError for what means nothing.
     """
-    question = read_question(phrase)
+    free = world.study.system.independent
+    whose = f" of {free[0]}" if len(free) == 1 and phrase.removeprefix("the ") in OF_ONE else ""
+    question = read_question(phrase + whose)
     if world.place and question.when is None and not question.phase and not is_jump(question.quantity):
         question = replace(question, phase=world.asked.names[world.place])
     found = found_of(world.asked, question)
@@ -178,7 +183,7 @@ def _turning(way: Way, ahead: Assumptions) -> Scalar | None:
     if found.open_ or found.crossings or found.asked:
         raise StatementError(
             f"how far “{way.name}” goes depends on the parameters, or is not known in closed form",
-            instead=f"say until when: “… until {way.name} = VALUE”.",
+            instead=f"say until when: “… until {way.name} = VALUE”, or “… between VALUE and VALUE”.",
         )
     return found.found[0 if way.sense > 0 else -1].place if found.found else None
 

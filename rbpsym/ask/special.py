@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.ask.finding import Finding
-from rbpsym.ask.limits import Leading, leading
+from rbpsym.ask.finding import Finding, checked
+from rbpsym.ask.limits import SMALL, Leading, leading
 from rbpsym.ask.neat import neat
 from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen
 from rbpsym.equality.assumptions import Assumptions
@@ -82,14 +83,20 @@ def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assump
     if found is None:
         return Finding(undecided("no leading term of its power series was found"))
     term = _term(found, name, to, side)
-    verdict = proved("the leading term of the power series")
+    said = _checked(found, given)
     if found.order < 0:
         says = f"“{phrase}” grows beyond all bounds, as this"
-        return Finding(verdict, values=(neat(term, given),), relation="approaches", says=says)
+        return Finding(**said, values=(neat(term, given),), relation="approaches", says=says)
     if found.order > 0:
         says = f"the limit is 0; “{phrase}” vanishes as this"
-        return Finding(verdict, values=(neat(term, given),), relation="approaches", says=says)
-    return Finding(verdict, values=(neat(found.coefficient, given),))
+        return Finding(**said, values=(neat(term, given),), relation="approaches", says=says)
+    return Finding(**said, values=(neat(found.coefficient, given),))
+
+
+def _checked(found: Leading, given: Assumptions) -> dict[str, Any]:
+    order = found.order * (1 if found.order.denominator == 1 else 2)
+    data = {"value": found.image, "name": SMALL, "order": int(order), "coefficient": found.coefficient}
+    return checked("limit", **data, given=given.with_signs({SMALL: "positive"}))
 
 
 def _term(found: Leading, name: str, to: Scalar | None, side: int) -> Scalar:
@@ -115,7 +122,7 @@ def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Findin
     found = leading(value, name, to)
     if found is None:
         return Finding(undecided("no leading term of its power series was found"))
-    return Finding(proved("the leading term of the power series"), values=(neat(_term(found, name, to, 1), given),))
+    return Finding(**_checked(found, given), values=(neat(_term(found, name, to, 1), given),))
 
 
 # --- dependence

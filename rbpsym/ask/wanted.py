@@ -206,16 +206,16 @@ def _compared(world: Scene, text: str) -> Wanted:
 
 _N, _UNTIL = r"([\w.]+)", r"(?:,? (?:until|before|up to) (\w+) (?:=|reaches|is) (.+))?"
 WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
-    (rf"{_N} reaches (.+)", _reaches),
+    (rf"{_N} (?:just )?reach(?:es)? (.+)", _reaches),
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
-    (rf"{_N} (?:does not|never) slips?{_UNTIL}", _holds_fast),
+    (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
-    (rf"(?:it|nothing|everything) (?:does not|never) (?:leave|lift|let go|lose contact)s?{_UNTIL}", _touches),
-    (rf"(?:it|everything) (?:stays in contact|keeps contact){_UNTIL}", _touches),
+    (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact)s?{_UNTIL}", _touches),
+    (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
-    (r"(.+?) (?:vanishes|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
+    (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
 )
 
 

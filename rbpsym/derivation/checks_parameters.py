@@ -12,7 +12,7 @@ from itertools import pairwise
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
@@ -27,6 +27,7 @@ from rbpsym.mechanics.stability import essential
 Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
 KINDS = {1: "positive", -1: "negative"}
 SENSES = {"positive": 1, "negative": -1}
+MOST_DERIVATIVES = 6
 
 
 def vanishes_there(context: Context, step: Step) -> Verdict:
@@ -167,3 +168,30 @@ def is_extreme(context: Context, step: Step) -> Verdict:
     place, best = step.data["place"], step.data["best"]
     found = end_said(value, name, given) if step.data["at_end"] else slope_said(value, name, place, given, sense)
     return found if found.is_proved else extreme_said(value, name, best, given, sense)
+
+
+def tends_to(context: Context, step: Step) -> Verdict:
+    """value/ε^order goes to the coefficient with ε, by l'Hôpital's rule; else their squares do, both being positive (`data`:
+    "value" as a function of ε, "name" of ε, "order", "coefficient", "given")."""
+    value, order, end, given = (step.data[key] for key in ("value", "order", "coefficient", "given"))
+    found = _goes_to(value, step.data["name"], order, end, given)
+    if found.is_proved or not all(sign(one, given).kind == "positive" for one in (value, end)):
+        return found
+    return _goes_to(rooted(value * value, given), step.data["name"], order * 2, rooted(end * end, given), given)
+
+
+def _goes_to(value: Scalar, name: str, order: int, end: Scalar, given: Assumptions) -> Verdict:
+    """The first derivatives above and below the line that do not vanish at ε = 0 are compared."""
+    small, index = symbol(name), atoms.intern("symbol", name)
+    lowest = min((min(poly.by_power(index)) for poly in (value.num, value.den)), default=0)
+    above, below = (short(Scalar(poly) * small ** (-lowest)) for poly in (value.num, value.den))  # no ε stands in a divisor
+    above, below = (above, below * small**order) if order >= 0 else (above * small**-order, below)
+    try:
+        for _ in range(MOST_DERIVATIVES):
+            ends = [rooted(substitute(part, {name: NOTHING}), given) for part in (above, below)]
+            if not all(map(is_zero, ends)):
+                return scalars_equal(ends[0] / ends[1], end, given)
+            above, below = short(derivative(above, name)), short(derivative(below, name))
+    except ZeroDivisionError:
+        pass
+    return undecided("the limit is not seen on a second road")

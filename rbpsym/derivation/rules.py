@@ -83,6 +83,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "vanishes_for": (parameters.vanishes_there,),
     "holds_for": (parameters.bounds_hold,),
     "extreme": (parameters.is_extreme,),
+    "limit": (parameters.tends_to,),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then, p.first_then),

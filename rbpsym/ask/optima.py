@@ -1,0 +1,143 @@
+"""The greatest and least values of quantities, where they lie, and values of a parameter that give the same."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.ask.critical import SUPERLATIVES, on_what
+from rbpsym.ask.extremes import extreme
+from rbpsym.ask.finding import Finding, checked, verdict_of
+from rbpsym.ask.neat import neat
+from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
+from rbpsym.ask.zeros import precedes, sign_table, where_met
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.errors import StatementError
+
+
+def extremum(
+    world: Scene,
+    superlative: str,
+    phrase: str,
+    over: str | None,
+    low: str | None,
+    high: str | None,
+    *,
+    by_place: bool = False,
+) -> Finding:
+    """The greatest or least value of a quantity over a coordinate (on its way), a parameter, or the time."""
+    if over is not None and over not in (*world.coordinates, "t"):
+        parameter(world, over)
+    value, given, sense = seen(world, phrase), world.motion.assumptions, SUPERLATIVES[superlative]
+    free = moving(world, (value,))
+    name = over or (free[0] if len(free) == 1 else None)
+    if name is None:
+        what = f"depends on {', '.join(free)}" if free else "is constant on the motion"
+        instead = "say over what: “… over NAME”, or “… over NAME between VALUE and VALUE”."
+        raise StatementError(f"“{phrase}” {what}", instead=instead)
+    if name in world.motion.speeds or name in world.motion.unsettled:
+        what = f"“{phrase}” is not known as a function of the position alone"
+        raise StatementError(what, instead=f"ask for its magnitude, or give {name.removesuffix('_dot')} a start.")
+    if any(other != name for other in free) and not by_place:
+        raise StatementError(f"“{phrase}” depends on {next(o for o in free if o != name)} too")
+    if not depends_on(value, name):
+        raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
+    ways = [((), given)]
+    if low is not None:
+        ends = place_in(world, name, low), place_in(world, name, high)
+        if not precedes(*ends, given):
+            raise StatementError(f"“{low}” is not surely less than “{high}”", instead="write the lower end first.")
+        ways = [((), given.with_range(name, *ends))]
+    elif name in world.motion.squares and name in world.motion.scope.start:
+        ways = [(way.asked, range_) for way, range_ in whole_ways(world, name, given)]
+    elif name == "t":
+        ways = [((), one_period(value, given))]
+    closed = name in (*world.coordinates, "t") or low is not None
+    found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
+    if any(len(one.values) != 1 or not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
+        if any(len(one.values) != 1 for one in found):
+            return Finding(undecided("it depends on the sense in which the motion sets out"))
+        values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
+        return replace(found[0], verdict=all_of(one.verdict for one in found), values=values, asked=asked, place=None)
+    return replace(found[0], verdict=all_of(one.verdict for one in found))
+
+
+def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
+    """SYMBOL for which a quantity is least or greatest."""
+    return extremum(world, superlative, phrase, name, None, None, by_place=True)
+
+
+def _of_extreme(
+    value: Scalar, name: str, given: Assumptions, sense: int, phrase: str, *, closed: bool, by_place: bool
+) -> Finding:
+    found = extreme(value, name, given, sense)
+    word = "largest" if sense > 0 else "least"
+    if found is None:
+        return Finding(undecided("the signs of the slope on the range are not decided"), name if by_place else "")
+    if found.where == "everywhere":
+        return Finding(proved("its slope vanishes"), values=(found.value,), says=f"“{phrase}” is the same for every {name}")
+    if found.crossing is not None:
+        return Finding(
+            proved("the slope is monotone and changes its sign"), name, equation=found.crossing.equation, place=(name, None)
+        )
+    if found.value is None:
+        says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found.place)}"
+        return Finding(proved("the leading term at the end of the range"), name if by_place else "", says=says)
+    under = where_met(given, found.asked)
+    data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
+    said = checked("extreme", **data, given=under, at_end=bool(found.where))
+    if found.where and not closed:
+        says = f"no {word} value is reached: {told(found.value)} is approached as {name} goes to {_end(found.place)}"
+        values = () if by_place else (found.value,)
+        symbol_ = name if by_place else ""
+        return Finding(symbol=symbol_, **said, values=values, relation="approaches", valid=found.asked, says=says)
+    place = (name, found.place)
+    if by_place:
+        return Finding(symbol=name, **said, values=(found.place,), valid=found.asked, place=place)
+    return Finding(**said, values=(found.value,), valid=found.asked, place=place)
+
+
+def _end(place: Scalar | None) -> str:
+    return "infinity" if place is None else told(place)
+
+
+# --- equal values
+
+
+PLURALS = {"periods": "period", "frequencies": "frequency"}
+
+
+def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
+    """Two different values of one parameter with the same value of a quantity: the second as a function of the first."""
+    parameter(world, first)
+    phrase = PLURALS.get(phrase, phrase)
+    value, given = seen(world, phrase), world.motion.assumptions
+    known = {quantity.name for quantity in world.study.problem.parameters}
+    if not depends_on(value, first):
+        raise StatementError(f"“{phrase}” does not depend on {first}", instead=on_what(world, value))
+    if second in known and depends_on(value, second):
+        raise StatementError(f"“{phrase}” depends on both {first} and {second}", instead=f"name the other value of {first} anew.")
+    given = _like(given, first, second)
+    other = substitute(value, {first: symbol(second)})
+    table = sign_table(other - value, second, given.with_range(second, *given.range_of(second)))
+    zeros = [z for z in table.zeros.found if not z.is_pole and not is_zero(z.place - symbol(first))]
+    if not zeros and not table.zeros.open_ and not table.zeros.crossings:
+        return Finding(proved("no other value of it gives the same"), second, says=f"only {second} = {first} has the same")
+    if not zeros or table.zeros.open_:
+        return Finding(undecided("it has no closed form"), second, equation=(table.zeros.open_ or (other - value,))[0])
+    gap = neat(other * other - value * value, given)  # both are positive, or zero together
+    same = sign(value, given).is_nonnegative
+    places = [*(zero.place for zero in zeros), symbol(first)]
+    asked = where_met(given, [demand for zero in zeros for demand in zero.asked])
+    verdict = verdict_of("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
+    return Finding(verdict, second, tuple(neat(z.place, given) for z in zeros), asked=tuple(z.asked for z in zeros))
+
+
+def _like(given: Assumptions, first: str, second: str) -> Assumptions:
+    """The assumptions with a second name of which the same is declared."""
+    given = given.with_signs({second: given.sign_of(first)})
+    return given.with_range(second, *given.range_of(first)) if first in given.ranges else given
