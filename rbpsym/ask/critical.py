@@ -16,10 +16,10 @@ from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.rest import rooted
 from rbpsym.mechanics.stability import essential
 
 LEAST = {"smallest": -1, "least": -1, "lowest": -1, "minimum": -1, "minimal": -1, "shortest": -1, "slowest": -1}

@@ -8,8 +8,8 @@ from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import simplified_root, tidied, without_even_roots
 from rbpsym.algebra.scalar import UNITY, Scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import rooted
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.rest import rooted
 
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:

@@ -17,10 +17,10 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import rooted
 from rbpsym.errors import DimensionError, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.rest import rooted
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
 

@@ -20,10 +20,11 @@ from rbpsym.ask.limits import leading
 from rbpsym.ask.neat import neat
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.rest import rooted, turns_within
+from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 
 SENSES = {"positive": 1, "negative": -1, "zero": 0}

@@ -12,17 +12,17 @@ from itertools import pairwise
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.poly import generator, inverse
+from rbpsym.algebra.ring import factors
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import compare, scalars_equal
+from rbpsym.equality.rooted import rooted, shorter
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.rest import rooted
-from rbpsym.mechanics.stability import essential
 
 Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
 KINDS = {1: "positive", -1: "negative"}
@@ -40,7 +40,7 @@ def vanishes_there(context: Context, step: Step) -> Verdict:
 
 def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assumptions) -> Verdict:
     """Whether the value vanishes in its range at these places at most."""
-    slope = short(derivative(value, name))
+    slope = shorter(derivative(value, name))
     if len(places) < 2 and sign(slope, given).is_nonzero:
         return proved("it is monotone, so that it vanishes once at most")
     if not places and sign(value, given).is_nonzero:
@@ -75,10 +75,23 @@ def extreme_said(value: Scalar, name: str, best: Scalar, given: Assumptions, sen
 
 def end_said(value: Scalar, name: str, given: Assumptions) -> Verdict:
     """Whether the value is monotone, so that it goes to its bounds at the ends."""
-    slope = short(derivative(value, name))
-    if sign(rooted(essential(slope, given), given), given).is_nonzero:
+    slope = shorter(derivative(value, name))
+    if sign(rooted(_core(slope, given), given), given).is_nonzero:
         return proved("it is monotone")
     return undecided("that it is monotone is not seen on a second road")
+
+
+def _core(value: Scalar, given: Assumptions) -> Scalar:
+    """What has the sign of the value: without factors of known sign, and with the others once where their power is odd."""
+    _, powers = value.num.content()
+    coefficient, found = factors(value.num.scaled(1, inverse(powers)))
+    parts = [*found, *((generator(index), exponent) for index, exponent in powers), (value.den, -1)]
+    core, side = UNITY, 1 if coefficient > 0 else -1
+    for part, exponent in parts:
+        known = SENSES.get(sign(Scalar(part), given).kind or "")
+        core = core if known or exponent % 2 == 0 else core * Scalar(part)
+        side *= (known or 1) ** (exponent % 2)
+    return core * side
 
 
 def slope_said(value: Scalar, name: str, place: Scalar, given: Assumptions, sense: int) -> Verdict:
@@ -86,10 +99,10 @@ def slope_said(value: Scalar, name: str, place: Scalar, given: Assumptions, sens
 
     The slope has there a factor that vanishes and is monotone, or has its signs on both sides; the other factors keep theirs.
     """
-    slope = short(derivative(value, name))
-    core = essential(rooted(essential(slope, given), given), given)
+    slope = shorter(derivative(value, name))
+    core = _core(rooted(_core(slope, given), given), given)
     there = scalars_equal(rooted(substitute(core, {name: place}), given), NOTHING, given)
-    if there.is_proved and sign(short(derivative(core, name)), given).kind == KINDS[-sense]:
+    if there.is_proved and sign(shorter(derivative(core, name)), given).kind == KINDS[-sense]:
         return proved("the slope changes its sign there, and its factor that does is monotone")
     limits = of_symbol(name, given)
     sides = ((limits.lower, place, sense), (place, limits.upper, -sense))
@@ -109,7 +122,7 @@ def bounds_hold(context: Context, step: Step) -> Verdict:
     values = [value for value in values if sign(value, given).kind != "positive"]
     if sense:
         return _bound_said(values, {name: ends[-sense]}, way, given, sense)
-    slopes = [SENSES.get(sign(short(derivative(value, name)), given).kind or "", 0) for value in values]
+    slopes = [SENSES.get(sign(shorter(derivative(value, name)), given).kind or "", 0) for value in values]
     seen = [_ends_said(value, slope, name, ends, way, given) for value, slope in zip(values, slopes, strict=True)]
     ended = {slope for slope, (_, vanishes) in zip(slopes, seen, strict=True) if vanishes}
     if all(kept for kept, _ in seen) and all(end is None or side in ended for side, end in ends.items()):
@@ -126,7 +139,7 @@ def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, give
     is_kept = all(sign(rooted(substitute(value, there), given), given).is_nonnegative for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
-    if is_kept and any(sign(short(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):
+    if is_kept and any(sign(shorter(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):
         return proved("nothing is negative at the bound, and at one place something vanishes there and is negative beyond")
     return undecided("that this is the bound is not seen on a second road")
 
@@ -159,10 +172,10 @@ def _there(value: Scalar, along: str | None, worst: Sequence[Scalar | None]) -> 
     for place in worst:
         if place is not None:
             with suppress(ZeroDivisionError):
-                yield short(substitute(value, {along: place}))
+                yield shorter(substitute(value, {along: place}))
 
 
-def is_extreme(context: Context, step: Step) -> Verdict:
+def extreme_there(context: Context, step: Step) -> Verdict:
     """The value is the greatest (least) one at the stated place, or towards the end of the range ("at_end")."""
     value, name, given, sense = (step.data[key] for key in ("value", "name", "given", "sense"))
     place, best = step.data["place"], step.data["best"]
@@ -184,14 +197,14 @@ def _goes_to(value: Scalar, name: str, order: int, end: Scalar, given: Assumptio
     """The first derivatives above and below the line that do not vanish at ε = 0 are compared."""
     small, index = symbol(name), atoms.intern("symbol", name)
     lowest = min((min(poly.by_power(index)) for poly in (value.num, value.den)), default=0)
-    above, below = (short(Scalar(poly) * small ** (-lowest)) for poly in (value.num, value.den))  # no ε stands in a divisor
+    above, below = (shorter(Scalar(poly) * small ** (-lowest)) for poly in (value.num, value.den))  # no ε stands in a divisor
     above, below = (above, below * small**order) if order >= 0 else (above * small**-order, below)
     try:
         for _ in range(MOST_DERIVATIVES):
             ends = [rooted(substitute(part, {name: NOTHING}), given) for part in (above, below)]
             if not all(map(is_zero, ends)):
                 return scalars_equal(ends[0] / ends[1], end, given)
-            above, below = short(derivative(above, name)), short(derivative(below, name))
+            above, below = shorter(derivative(above, name)), shorter(derivative(below, name))
     except ZeroDivisionError:
         pass
     return undecided("the limit is not seen on a second road")

@@ -82,7 +82,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "value_along": (values.value_along,),
     "vanishes_for": (parameters.vanishes_there,),
     "holds_for": (parameters.bounds_hold,),
-    "extreme": (parameters.is_extreme,),
+    "extreme": (parameters.extreme_there,),
     "limit": (parameters.tends_to,),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),

@@ -24,13 +24,14 @@ from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.rest import Rest, rooted
+from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.roots import numerator_factors
 from rbpsym.mechanics.stability import essential, is_stable, stable_where
 from rbpsym.mechanics.system import System

@@ -6,13 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root, with_image, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
@@ -226,14 +225,3 @@ def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -
         if element.values.get("limit") is not None:
             grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
             yield from (Demand(most - grip, ">="), Demand(most + grip, ">="))
-
-
-def rooted(value: Scalar, given: Assumptions) -> Scalar:
-    """The value with √(x²) = x for what is positive."""
-    for index in sorted(value.atoms()):
-        found = atoms.atom(index)
-        if found.kind == "root":
-            inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
-            image = simplified_root(inner, lambda name: given.sign_of(name) == "positive")
-            value = with_image(value.num, index, image) / with_image(value.den, index, image)
-    return short(without_even_roots(value))
