@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import certified
 from rbpsym.ask.finding import Finding
@@ -14,6 +15,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Certificate, Step
 from rbpsym.equality.verdict import all_of
+from rbpsym.mechanics.demands import settle
 from rbpsym.notation import tree as t
 
 OPS = ("=", "<", ">", "<=", ">=")
@@ -25,6 +27,10 @@ def concluded(world: Scene, text: str, found: Finding) -> Answer:
     draft, quantities = Draft(world.study), {question.text: (question, one) for question, one in world.used}
     kept = (pair for pair in quantities.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values)
     grounds = [certified(world.asked, *pair) for pair in kept]
+    name = found.symbol or (found.place or ("",))[0]
+    more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
+    left = settle((*found.valid, *more), world.motion.assumptions)
+    found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
     nodes = tuple(draft.show(value, factor=True) for value in found.values)
     last = tuple(_last(draft, found, nodes))
     return Answer(

@@ -86,7 +86,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    return Finding(symbol=name, values=places, valid=shared, asked=own, **found)
+    return Finding(symbol=name, values=places, valid=shared, asked=own, met=True, **found)
 
 
 def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:

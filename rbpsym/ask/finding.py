@@ -21,7 +21,8 @@ class Finding:
 
     relation: how the symbol stands to the one value: "=", "<", ">", "<=", ">=", "between" two, or "approaches". says: a
     sentence instead of a value, or beside it. equation: what vanishes at the symbol where it has no closed form. place: where
-    an extremum lies, (name, place). holds: yes or no. rule, data: how it was checked, by a rule of derivations.
+    an extremum lies, (name, place). holds: yes or no. met: what the moments
+    ask for stands in `valid` already. rule, data: how it was checked, by a rule of derivations.
     """
 
     verdict: Verdict
@@ -34,6 +35,7 @@ class Finding:
     equation: Scalar | None = None
     place: tuple[str, Scalar | None] | None = None
     holds: bool | None = None
+    met: bool = False
     rule: str = ""
     data: Mapping[str, Any] = field(default_factory=dict)
 

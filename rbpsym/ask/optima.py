@@ -46,6 +46,7 @@ def extremum(
         raise StatementError(f"“{phrase}” depends on {next(o for o in free if o != name)} too")
     if not depends_on(value, name):
         raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
+    given = where_met(given, [demand for demand in world.demands if not depends_on(demand.value, name)])
     ways = [((), given)]
     if low is not None:
         ends = place_in(world, name, low), place_in(world, name, high)

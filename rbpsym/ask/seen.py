@@ -43,8 +43,9 @@ class Scene(ProblemWorld):
 
     @property
     def demands(self) -> tuple[Demand, ...]:
-        """What the moments ask for at which quantities are taken."""
-        return tuple(dict.fromkeys(d for _, found in self.used if found.moment for d in found.moment.state.valid))
+        """What the moments ask for at which quantities are taken, and the senses in which speeds are."""
+        moments = [found.moment.state.valid for _, found in self.used if found.moment]
+        return tuple(dict.fromkeys(d for part in (*moments, *(found.asked for _, found in self.used)) for d in part))
 
 
 def scene(asked: Asked, place: int | None = None) -> Scene:

@@ -47,7 +47,7 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in world.demands), given)
         if valid is None:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
-        return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid)
+        return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid, met=True)
     except ZeroDivisionError:
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=_by_limit(phrase, image)) from None
 

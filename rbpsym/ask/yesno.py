@@ -71,7 +71,7 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
 def _demands(world: Scene, condition: Wanted) -> Iterator[Demand]:
     """What has to hold of the parameters: each least value on the way is positive."""
     op = ">=" if condition.closed else ">"
-    given = where_met(condition.given, condition.asked)
+    given = where_met(condition.given, (*condition.asked, *world.demands))
     for value in condition.values:
         if condition.along is None or not depends_on(value, condition.along):
             yield Demand(value, op)

@@ -61,6 +61,11 @@ def test_json_tells_of_a_parameter():
     assert record(answered(asked(ROLLING), "does acceleration of s depend on m"))["answer"] == "False"
 
 
+def test_the_sense_of_a_speed_is_a_condition():
+    found = answered(asked("rod-pendulum"), "largest angular velocity of rod")
+    assert found.verdict.is_proved and record(found)["valid_where"] == ["sin(theta_0) > 0"]
+
+
 YES_OR_NO = [
     ("ball-in-a-loop", "does theta reach pi", None),
     ("sliding-ladder", "does N_w vanish", True),
@@ -83,7 +88,6 @@ def test_yes_or_no(problem, question, holds):
 
 
 WRONG = [
-    ("rod-pendulum", "largest angular velocity of rod", "is not known as a function of the position alone"),
     ("rod-pendulum", "largest F_y over theta between pi/2 and 0", "not surely less"),
     ("ball-in-a-loop", "least N over theta", "depends on the parameters"),
     (ON_ROD, "smallest v_1 for which theta reaches pi", "no parameter of the problem"),
