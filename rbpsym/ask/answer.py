@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
-from rbpsym.algebra.normal import is_rooted
 from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import certified
+from rbpsym.ask.forms import sense_at_sample, shortest
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, at_time, image_of, moment_of
-from rbpsym.ask.neat import neat
 from rbpsym.ask.question import Question, is_jump
-from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Step
-from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict
-from rbpsym.errors import NoNumber, NotApplicable, RbpsymError, StatementError, Undecided
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
-from rbpsym.quantity.path import SENSES, even, first_push, sense, work_done
+from rbpsym.quantity.path import even, first_push, sense, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -187,17 +181,6 @@ def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -
     return tuple(_settled(world, value, moment, question) for value in found)
 
 
-def shortest(value: Scalar, study: Study) -> Scalar:
-    """The value in the shortest of its forms: as it is, with short roots, as one root."""
-    if not is_rooted(value.num) and not is_rooted(value.den):
-        return value
-    given, square = study.assumptions, short(even(value * value))
-    forms, way = [value, neat(value, given)], SENSES.get(sign(value, given).kind)
-    if way and not is_rooted(square.num) and not is_rooted(square.den):
-        forms.append(simplified_root(square, lambda name: given.sign_of(name) == "positive") * way)
-    return min(forms, key=lambda form: length(present(form, study.style, factor=True)))
-
-
 def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Question) -> Scalar:
     """The value, which must hold nothing that moves. Raises StatementError."""
     moving = names_in(value) & {*world.motion.scope.rates, *world.motion.unsettled, *world.motion.speeds}
@@ -263,7 +246,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
             way = sense(motion, name)
             if not way:
                 push = first_push(motion, name)
-                way = _at_sample(world, push)
+                way = sense_at_sample(world.study, push)
                 asked.append(Demand(push * way))
             if not way:
                 return found
@@ -278,14 +261,6 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
     return replace(found, values=values, of=of, ways=ways, asked=tuple(asked))
 
 
-def _at_sample(world: ProblemWorld, push: Scalar) -> int:
-    """1 or -1, the sense of a push at the sample numbers; 0 where it has none there."""
-    try:
-        return int(math.copysign(1, found)) if (found := number(push, sample(world.study.problem))) else 0
-    except NoNumber:
-        return 0
-
-
 def _moving(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
     """What moves in the values."""
     return {n for value in values for n in names_in(value)} & {*world.motion.scope.rates, *world.motion.speeds}
@@ -298,8 +273,7 @@ def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
         world.bound(name)
     moving = _moving(world, found.values)
     if name in world.dependent and moving:
-        found = _inverted(world, found, name, moving)
-        moving = {name}
+        found, moving = _inverted(world, found, name, moving), {name}
     left = sorted(moving - {name, f"{name}_dot"})
     if left:
         why = "it is not known how it moves" if name == "t" else f"{left[0]} is no known function of {name}"

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import function, names_in
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
-from rbpsym.ask.moments import Asked, contacts_last
+from rbpsym.ask.lasting import contacts_last
+from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question
 from rbpsym.derivation.chapters import contact, endings, instant, oscillations
 from rbpsym.derivation.checks_values import TURNED

@@ -7,26 +7,23 @@ it comes there; a new kind of moment is a new entry of MOMENTS.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before, uniform_motion
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import TIME
-from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.source import did_you_mean
@@ -157,7 +154,7 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
         if number + 1 < len(asked.names) and place is None and not _comes_before(asked, number, state):
             continue
         begun = _is_begun(study, state)
-        return Moment(number, at_start(study)) if begun else Moment(number, _clear(study, state), "event", phase)
+        return Moment(number, at_start(study)) if begun else Moment(number, clear(study, state), "event", phase)
     if event == "reaches" and is_zero(at_start(asked.study(place or 0)).places[subject] - scalar(value)):
         return Moment(place or 0, at_start(asked.study(place or 0)))
     raise _told(refused, event, subject)
@@ -174,29 +171,6 @@ def _comes_before(asked: Asked, number: int, state: State) -> bool:
 def _is_begun(study: Study, state: State) -> bool:
     begun = at_start(study)
     return state.time == NOTHING or (state.time is None and all(is_zero(q - begun.places[n]) for n, q in state.places.items()))
-
-
-def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[str, Demand]]:
-    """(force, what it asks) for each contact that is lost on the way: a place lies not beyond that; where the contact is
-    lost under conditions only, its force still pushes there."""
-    motion = ProblemWorld(study).motion
-    for loss in study.losses:
-        if loss.valid or not loss.at:
-            yield loss.force, Demand(short(substitute(study.reactions_along_motion[loss.force], places)), ">=")
-        elif loss.coordinate in places:
-            name, there = loss.coordinate, loss.at[loss.coordinate]
-            way = sense(motion, name) or there - study.system.scope.start[name]
-            yield loss.force, Demand((there - places[name]) * way, ">=")
-
-
-def _clear(study: Study, state: State) -> State:
-    """The state, if no contact is lost on the way to it; what that asks of the parameters is a condition."""
-    asked = list(contacts_last(study, state.places))
-    for force, demand in asked:
-        if settle([demand], study.assumptions) is None:
-            raise StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
-    valid = settle([*state.valid, *(demand for _, demand in asked)], study.assumptions)
-    return replace(state, valid=state.valid + tuple(demand for _, demand in asked) if valid is None else valid)
 
 
 def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
