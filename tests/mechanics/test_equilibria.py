@@ -8,7 +8,7 @@ from rbpsym.mechanics.rest import is_autonomous, resting_forces
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import load_text
-from tests.library.derived import NAMES, problem
+from tests.library.derived import FOLLOWED, problem
 
 K, L, R, W, X, Y, Z = (symbol(name) for name in ("k", "l", "r", "w", "x", "y", "z"))
 
@@ -40,7 +40,7 @@ def start_at_rest(study):
 
 def test_a_stated_start_that_rests_is_a_place_of_rest_be_it_an_end_of_its_range():
     seen = set()
-    for name in NAMES:
+    for name in FOLLOWED:
         study = Study(problem(name))
         at = start_at_rest(study)
         if at is not None:
