@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields
 from functools import cached_property
+from weakref import proxy
 
 from rbpsym.algebra.calculus import depends_on, names_in
 from rbpsym.algebra.evaluate import Scope, Value, value
@@ -123,8 +124,10 @@ class View(Context):
     @cached_property
     def scope(self) -> Scope:
         """The meanings that the premises grant; the start state as far as it is a premise."""
-        tables = (_Letters(self, self.scalars, self._opaque), _Letters(self, self.vectors, self._opaque_vector))
-        return Scope(*tables, self._rates, self._starts, self.body_integral, _Letters(self, self.works, self._opaque_rate))
+        view = proxy(self)  # no circle: a view goes when nobody holds it any more
+        kinds = (("scalars", View._opaque), ("vectors", View._opaque_vector), ("works", View._opaque_rate))
+        scalars, vectors, works = (_Letters(view, getattr(self, kind), opaque) for kind, opaque in kinds)
+        return Scope(scalars, vectors, self._rates, self._starts, lambda f, body: view.body_integral(f, body), works)
 
     @cached_property
     def _rates(self) -> dict[str, Scalar]:
@@ -150,13 +153,13 @@ class View(Context):
         id = f"start.{key.removesuffix('_dot')}"
         return id not in self.facts or id in self.premises
 
-    def meaning(self, letter: str, table: Mapping, opaque: Callable[[str], Value]) -> Value:
+    def meaning(self, letter: str, table: Mapping, opaque: Callable[[View, str], Value]) -> Value:
         """What a letter stands for: as the step that introduced it says, if this is the step itself or a premise."""
         id, said = self.introduced.get(letter, ("", None))
         if self.step is not None and id == self.step.id:
             return table[letter]
         if id not in self.premises:
-            return opaque(letter)
+            return opaque(self, letter)
         self.use(id)
         if said is None:
             return table[letter]
@@ -343,7 +346,7 @@ def seen_by(context: Context, step: Step) -> View:
 class _Letters(Mapping):
     """A table of letters that gives those meanings alone which the view grants."""
 
-    def __init__(self, view: View, table: Mapping[str, Value], opaque: Callable[[str], Value]) -> None:
+    def __init__(self, view: View, table: Mapping[str, Value], opaque: Callable[[View, str], Value]) -> None:
         self._view, self._table, self._opaque = view, table, opaque
 
     def __getitem__(self, name: str) -> Value:
