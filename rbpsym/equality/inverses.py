@@ -12,6 +12,7 @@ from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
 from rbpsym.algebra.scalar import PI, UNITY, Scalar, lift, quotient
 from rbpsym.equality.bounds import of_angle
 from rbpsym.equality.factoring import cleared, reduced
+from rbpsym.equality.signs import sign
 
 if TYPE_CHECKING:
     from rbpsym.equality.reading import Reading, Turn
@@ -108,10 +109,11 @@ def _is_principal(reading: Reading, angle: Scalar) -> bool:
     """Whether the angle surely lies between -π/2 and π/2."""
     if angle.den is not ONE:
         return False
-    lower, upper = of_angle(angle.num, reading.study.assumptions)
+    lower, upper = of_angle(angle.num, reading.assumptions)
     if lower is None or upper is None:
         return False
-    return reading.study.is_nonnegative(lower + QUARTER) and reading.study.is_nonnegative(QUARTER - upper)
+    ends = lower + QUARTER, QUARTER - upper
+    return all(sign(end, reading.assumptions, factoring=False).is_nonnegative for end in ends)
 
 
 def _canonical(image: Poly, arg: Scalar) -> Scalar:

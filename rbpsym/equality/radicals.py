@@ -17,7 +17,6 @@ from rbpsym.equality.factoring import cleared, reduced
 from rbpsym.equality.masks import NONZERO, ZERO
 from rbpsym.equality.points import all_atoms
 from rbpsym.equality.reading import Constraint, Reading
-from rbpsym.equality.signs import Study
 from rbpsym.errors import LimitError, Undecided
 
 MOST_CASES = 64
@@ -28,22 +27,22 @@ HOW = {False: "exact algebra of roots and functions", True: "exact algebra of ro
 def vanishes(value: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
     """How it was proved that the numerator vanishes wherever it has a value; "" if it was not."""
     value = without_even_roots(value)
-    study, bases = Study(assumptions, factoring=False), _bases(value)
+    bases = _bases(value)
     try:
-        forced = _forced(value, Reading(study, bases, deep, {}))
-        real = _count_cases(value, study, bases, deep, forced)
+        forced = _forced(value, Reading(assumptions, bases, deep, {}))
+        real = _count_cases(value, assumptions, bases, deep, forced)
     except (LimitError, Undecided, ZeroDivisionError):
         return ""
     return HOW[deep] + (f", in each of {real} cases of signs" if real > 1 else "") if real else ""
 
 
-def _count_cases(value: Scalar, study: Study, bases: Bases, deep: bool, forced: Signs) -> int:
+def _count_cases(value: Scalar, assumptions: Assumptions, bases: Bases, deep: bool, forced: Signs) -> int:
     """The number of cases of signs, if the value vanishes in each of them; else 0."""
     waiting, real = [dict(forced)], 0
     for _ in range(MOST_CASES):
         if not waiting:
             return real
-        reading = Reading(study, bases, deep, waiting.pop())
+        reading = Reading(assumptions, bases, deep, waiting.pop())
         found = _in_case(value, reading, forced)
         if found is False:
             return 0
@@ -73,14 +72,14 @@ def _forced(value: Scalar, reading: Reading) -> Signs:
 
 
 def _is_unknown(factor: Poly, reading: Reading) -> bool:
-    return reading.study.poly(factor) & NONZERO == NONZERO
+    return reading.mask(factor) & NONZERO == NONZERO
 
 
 def _is_strict(constraint: Constraint, reading: Reading, except_for: list[Poly]) -> bool:
     """Whether the other factors surely do not vanish where the constraint holds."""
     if constraint.is_strict:
         return True
-    vanishing = [factor for factor, k in constraint.factors.items() if k > 0 and reading.study.poly(factor) & ZERO]
+    vanishing = [factor for factor, k in constraint.factors.items() if k > 0 and reading.mask(factor) & ZERO]
     return set(vanishing) <= set(except_for)
 
 

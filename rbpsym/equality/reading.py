@@ -18,8 +18,9 @@ from rbpsym.algebra.normal import Bases, turn
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
 from rbpsym.algebra.scalar import Scalar, lift
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
-from rbpsym.equality.signs import Study
+from rbpsym.equality.signs import sign
 from rbpsym.errors import Undecided
 
 Turn = tuple[Poly, Poly]
@@ -46,7 +47,7 @@ class Reading:
     as 1 and noted in `assumed`.
     """
 
-    study: Study
+    assumptions: Assumptions
     bases: Bases
     deep: bool
     case: dict[Poly, int]
@@ -93,9 +94,13 @@ class Reading:
             result = result * factor ** (-k * exponent)
         return result
 
+    def mask(self, factor: Poly) -> int:
+        """What sign a factor may have in any case."""
+        return sign(Scalar(factor), self.assumptions, factoring=False).mask
+
     def sign(self, factor: Poly) -> int:
         """The sign of a factor in this case."""
-        mask = self.study.poly(factor)
+        mask = self.mask(factor)
         if not mask & 1:
             return 1
         if not mask & 4:

@@ -28,10 +28,15 @@ LONG = 2000  # a polynomial of √LONG terms costs as much as two short ones
 
 @dataclass(frozen=True, slots=True)
 class SignResult:
-    """kind: "positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero" or None."""
+    """mask: the signs that the value may have (see `masks`)."""
 
-    kind: str | None
+    mask: int
     certificate: str = ""
+
+    @property
+    def kind(self) -> str | None:
+        """"positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero" or None."""
+        return NAMES[self.mask]
 
     @property
     def is_nonzero(self) -> bool:
@@ -62,8 +67,8 @@ def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResul
                 study.left = 0
             mask = study.scalar(value)
     except (LimitError, Undecided, ZeroDivisionError) as error:
-        return SignResult(None, str(error))
-    return SignResult(NAMES[mask], study.reasons.get(value.num, "") if NAMES[mask] else "")
+        return SignResult(ANY, str(error))
+    return SignResult(mask, study.reasons.get(value.num, "") if NAMES[mask] else "")
 
 
 @dataclass
