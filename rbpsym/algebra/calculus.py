@@ -62,6 +62,8 @@ def rate_along(value: Scalar, rates: Mapping[str, Scalar]) -> Scalar:
 
 
 def _atom_rate(index: int, rates: Mapping[str, Scalar]) -> Scalar:
+    if rates.keys().isdisjoint(atom_names(index)):
+        return NOTHING
     return total(atom_derivative(index, name) * rates[name] for name in rates if name in atom_names(index))
 
 

@@ -81,16 +81,19 @@ def remembered(function: Callable[P, T]) -> Callable[P, T]:
 
     @wraps(function)
     def call(*args: P.args) -> T:
-        if args in kept:
-            found, products = kept[args]
-            spend(products)
-            return found
-        with at_most(COUNTABLE) as left:
-            granted = left[0]
-            found = function(*args)
+        held = kept.get(args)
+        if held is not None:
+            spend(held[1])
+            return held[0]
+        left = _left.get()
+        if left is None:
+            with at_most(COUNTABLE):
+                return call(*args)
+        before = left[0]
+        found = function(*args)
         if len(kept) >= MOST_KEPT:
             kept.clear()
-        kept[args] = found, granted - left[0]
+        kept[args] = found, before - left[0]
         return found
 
     return call

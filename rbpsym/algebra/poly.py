@@ -92,10 +92,10 @@ class Poly:
             return other
         if not other.terms:
             return self
-        return accumulate(((1, self), (1, other)))
+        return _sum(self, other, 1)
 
     def __sub__(self, other: Poly) -> Poly:
-        return accumulate(((1, self), (-1, other))) if other.terms else self
+        return _sum(self, other, -1) if other.terms else self
 
     def __neg__(self) -> Poly:
         return Poly({m: -c for m, c in self.terms.items()}, self._denominator)
@@ -104,6 +104,10 @@ class Poly:
         if len(self.terms) * len(other.terms) > 40 * MOST_TERMS:
             raise LimitError("the expression grows beyond what can be expanded exactly")
         spend(len(self.terms) * len(other.terms))
+        if other is ONE or not self.terms:
+            return self
+        if self is ONE or not other.terms:
+            return other
         if len(other.terms) == 1:
             [(m, c)] = other.terms.items()
             return self.scaled(c, m)
@@ -206,6 +210,17 @@ def divided(terms: dict[Monomial, int], denominator: int) -> Poly:
     if denominator == 1:
         return Poly({m: c for m, c in terms.items() if c} if 0 in terms.values() else terms, 1)
     return Poly({m: ratio(c, denominator) for m, c in terms.items() if c})
+
+
+def _sum(a: Poly, b: Poly, sign: int) -> Poly:
+    """a ± b."""
+    if not a._denominator == b._denominator == 1:
+        return accumulate(((1, a), (sign, b)))
+    spend(len(a.terms) + len(b.terms))
+    result = dict(a.terms)
+    for m, c in b.terms.items():
+        result[m] = result.get(m, 0) + sign * c
+    return divided(result, 1)
 
 
 def accumulate(parts: Iterable[tuple[Coefficient, Poly]]) -> Poly:

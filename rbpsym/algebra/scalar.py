@@ -20,19 +20,22 @@ from rbpsym.algebra.poly import ONE, UNIT, ZERO, Poly, accumulate, constant, gen
 class Scalar:
     """An element of the field; use + - * / and ** with integers; ints and Fractions mix in."""
 
-    __slots__ = ("den", "num")
+    __slots__ = ("_hash", "den", "num")
 
     def __init__(self, num: Poly, den: Poly = ONE) -> None:
         self.num, self.den = num, den
+        self._hash: int | None = None
 
     def __hash__(self) -> int:
-        return hash((self.num, self.den))
+        if self._hash is None:
+            self._hash = hash((self.num, self.den))
+        return self._hash
 
     def __eq__(self, other: object) -> bool:
         """Sameness of form (not of value: that is `normal.is_zero` of the difference)."""
         if not isinstance(other, Scalar):
             return isinstance(other, (int, Fraction)) and self.number() == other
-        return self.num == other.num and self.den == other.den
+        return self is other or (self.num == other.num and self.den == other.den)
 
     def __bool__(self) -> bool:
         return bool(self.num.terms)
@@ -41,7 +44,7 @@ class Scalar:
         return f"Scalar({show(self)})"
 
     def __add__(self, other: Operand) -> Scalar:
-        other = lift(other)
+        other = other if type(other) is Scalar else lift(other)
         if not other.num.terms:
             return self
         if not self.num.terms:
@@ -57,16 +60,17 @@ class Scalar:
         return Scalar(-self.num, self.den)
 
     def __sub__(self, other: Operand) -> Scalar:
-        other = lift(other)
+        other = other if type(other) is Scalar else lift(other)
         return Scalar(self.num - other.num) if self.den is ONE and other.den is ONE else self + -other
 
     def __rsub__(self, other: Operand) -> Scalar:
         return lift(other) + (-self)
 
     def __mul__(self, other: Operand) -> Scalar:
-        other = lift(other)
+        other = other if type(other) is Scalar else lift(other)
         if self.den is ONE and other.den is ONE:
-            return Scalar(self.num * other.num)
+            num = self.num * other.num
+            return self if num is self.num else other if num is other.num else Scalar(num)
         if not self.num.terms or not other.num.terms:
             return NOTHING
         if self.num == other.den:
@@ -147,7 +151,8 @@ def total(parts: Iterable[Scalar]) -> Scalar:
     """The sum, those with the same denominator brought together before anything is cancelled."""
     by_den: dict[Poly, list[tuple[int, Poly]]] = {}
     for part in parts:
-        by_den.setdefault(part.den, []).append((1, part.num))
+        if part.num.terms:
+            by_den.setdefault(part.den, []).append((1, part.num))
     sums = ((accumulate(found) if len(found) > 1 else found[0][1], den) for den, found in by_den.items())
     return sum((Scalar(num) if den == ONE else quotient(num, den) for num, den in sums), NOTHING)
 

@@ -112,9 +112,10 @@ class Vector:
 
 def _pairs(a: Vector, b: Vector, of) -> Scalar:
     return total(
-        length_a * length_b * _between(angle_a, angle_b, of)
+        length_a * length_b * turn
         for angle_a, length_a in a.parts.items()
         for angle_b, length_b in b.parts.items()
+        if (turn := _between(angle_a, angle_b, of))
     )
 
 

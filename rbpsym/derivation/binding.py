@@ -24,24 +24,24 @@ MOST_LAWS = 6  # of so many single laws it is tried whether they do
 def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
     """The step with its premises, what else its author cites, and its certificate."""
     named = tuple(dict.fromkeys(named))
-    found, used, kept = None, set(), _needed(replace(context, is_hasty=True), step, named)
+    found, used, kept = None, set(), _needed(context, step, named, hasty=True)
     if kept is not None:
-        found, used = examined(context, replace(step, premises=kept))
+        found, used = examined(context, step, kept)
     if kept is None or not found.verdict.is_proved or set(kept) - used:  # numbers mislead: the long way
-        kept = _needed(context, step, named)
-        found = None if kept is None else examined(context, replace(step, premises=kept))[0]
+        kept = _needed(context, step, named, hasty=False)
+        found = None if kept is None else examined(context, step, kept)[0]
     if kept is None:
-        kept, (found, _) = named, examined(context, replace(step, premises=_widest(context, step, named)))
+        kept, (found, _) = named, examined(context, step, _widest(context, step, named))
     context.rests[step.id] = frozenset(introducers(context, [step.statement])) | fixed(context)
     return replace(step, premises=kept, cites=tuple(id for id in named if id not in kept), certificate=found)
 
 
-def _needed(context: Context, step: Step, named: tuple[str, ...]) -> tuple[str, ...] | None:
+def _needed(context: Context, step: Step, named: tuple[str, ...], *, hasty: bool) -> tuple[str, ...] | None:
     """The least of the first set of premises with which it is proved; None if it is with none."""
     for level in _levels(context, step, named):
-        found, used = examined(context, replace(step, premises=level))
+        found, used = examined(context, step, level, hasty=hasty)
         if found.verdict.is_proved:
-            return _irredundant(context, step, tuple(id for id in level if id in used))
+            return _irredundant(context, step, tuple(id for id in level if id in used), hasty=hasty)
     return None
 
 
@@ -71,11 +71,11 @@ def _levels(context: Context, step: Step, named: tuple[str, ...]) -> Iterator[tu
             yield level
 
 
-def _irredundant(context: Context, step: Step, premises: tuple[str, ...]) -> tuple[str, ...]:
+def _irredundant(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool) -> tuple[str, ...]:
     """Without those that the step is proved without."""
     for id in reversed(premises):
         if id in premises:
-            found, used = examined(context, replace(step, premises=tuple(other for other in premises if other != id)))
+            found, used = examined(context, step, tuple(other for other in premises if other != id), hasty=hasty)
             if found.verdict.is_proved:
                 premises = tuple(other for other in premises if other in used)
     return premises

@@ -122,9 +122,9 @@ def _within(context: Context, step: Step) -> Iterator[Verdict]:
         if name in context.whole.assumptions.ranges:
             context.use(f"range.{name}")
         lower, upper = context.assumptions.range_of(name)
-        turn = None not in (lower, upper) and is_zero(upper - lower - PI * 2)
-        for low, high in ((lower, place), (place, upper)):
-            if None not in (low, high) and not (turn and is_zero(upper - place) and high is upper):
+        is_turned = None not in (lower, upper) and is_zero(upper - lower - PI * 2) and is_zero(upper - place)
+        for low, high in ((lower, place), (place, None if is_turned else upper)):  # the end of a turn is its beginning
+            if None not in (low, high):
                 found = _beyond(context, low, high)
                 is_end = not found.is_proved and is_zero(low - high)  # an end belongs to the range if the start is there
                 yield Verdict(PROVED) if is_end and is_zero(context.start(_of(context, name)) - place) else found

@@ -34,8 +34,7 @@ class Context:
     `moments`: ∫ r^k dm of each body by k; `works`: the rate of each work by its name. `introduced`: by which step or
     fact a letter has its meaning, and the formula that says it (None if its value holds no other letter). `steps`,
     `facts`: by id; `rests`: on which introductions the letters of a step rest; `rows`: what is known of premises
-    already. `assumed`: what a step assumes instead of the problem. `is_hasty`: what is not proved at once need
-    not be refuted.
+    already. `assumed`: what a step assumes instead of the problem.
     """
 
     whole: Study
@@ -49,7 +48,6 @@ class Context:
     rests: dict[str, frozenset[str]] = field(default_factory=dict)
     rows: dict[object, object] = field(default_factory=dict)
     assumed: Assumptions | None = None
-    is_hasty: bool = False
 
     @property
     def study(self) -> Study:
@@ -131,12 +129,11 @@ class Context:
     @property
     def unsettled(self) -> frozenset[str]:
         """Of what nobody knows how it changes: accelerations and unknown forces are no constants."""
-        system = self.study.system
-        return frozenset((*system.accelerations, *system.unknowns))
+        return self.study.system.unsettled
 
     def _refuse_unknown_rates(self, found: Value) -> None:
         """Raises Undecided for a value whose rate is not known."""
-        self._refuse(found, frozenset((*self.study.system.accelerations, *self.study.system.unknowns)), "with time")
+        self._refuse(found, self.study.system.unsettled, "with time")
 
     def _refuse_unknown(self, part: Node) -> None:
         """Raises Undecided for a derivative, or what is taken between places, of what is not known as a function."""

@@ -93,18 +93,25 @@ def short(value: Scalar) -> Scalar:
 # --- the same by numbers: whether it is worth while, and with which rows
 
 
-def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], bool], even: Set[str], known: dict):
+Pivots = dict[Monomial, tuple[dict[Monomial, int], frozenset[str]]]  # rows by the unknown that they are used for, in order
+
+
+def used_by_numbers(rows: Iterable[Row], goal: Scalar, unknown: Set[str], even: Set[str], known: dict):
     """The sources of the rows of which a value is a linear combination, modulo a prime at one point; None if of none.
 
-    `counts`: the names that are not known, of which products are unknowns of their own; `even`: of these the ones of
-    which only squares are; `known`: images that were found. Raises NoImage for a value without an image.
+    `unknown`: the names (beside those with a prime) of which products are unknowns of their own; `even`: of these the
+    ones of which only squares are; `known`: images that were found. Raises NoImage for a value without an image.
     """
 
+    def counts(name: str) -> bool:
+        return name in unknown or name.endswith("'")
+
     def image(value: Scalar) -> dict[Monomial, int]:
-        key = ("image", value, frozenset(name for name in names_in(value) if counts(name)), bool(even))
-        if key not in known:
-            known[key] = _image(value, counts, even)
-        return known[key]
+        key = ("image", value, names_in(value) & unknown, bool(even))
+        found = known.get(key)
+        if found is None:
+            found = known[key] = _image(value, counts, even)
+        return found
 
     images = [(image(row.value), row.sources) for row in rows]
     target = image(goal)
@@ -117,14 +124,14 @@ def used_by_numbers(rows: Iterable[Row], goal: Scalar, counts: Callable[[str], b
     return None if left else sources
 
 
-def _pivots(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]]) -> list:
-    pivots: list[tuple[Monomial, dict[Monomial, int], frozenset[str]]] = []
+def _pivots(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]]) -> Pivots:
+    pivots: Pivots = {}
     for image, told_by in images:
         found, sources = _reduced_image(image, pivots)
         if found:
             key = min(found)
             by = pow(found[key], -1, PRIME)
-            pivots.append((key, {k: v * by % PRIME for k, v in found.items()}, sources | told_by))
+            pivots[key] = {k: v * by % PRIME for k, v in found.items()}, sources | told_by
     return pivots
 
 
@@ -140,9 +147,11 @@ def _products(images: Iterable[tuple[dict[Monomial, int], frozenset[str]]], by: 
             yield {times(key, part): value for key, value in image.items()}, sources
 
 
-def _reduced_image(found: dict[Monomial, int], pivots: list) -> tuple[dict[Monomial, int], frozenset[str]]:
+def _reduced_image(found: dict[Monomial, int], pivots: Pivots) -> tuple[dict[Monomial, int], frozenset[str]]:
+    if found.keys().isdisjoint(pivots):
+        return found, frozenset()
     found, sources = dict(found), frozenset()
-    for key, row, rests_on in pivots:
+    for key, (row, rests_on) in pivots.items():
         if factor := found.get(key, 0):
             sources |= rests_on
             for k, v in row.items():

@@ -103,16 +103,18 @@ def certify(context: Context, step: Step) -> Certificate:
     for id in step.premises:
         if id not in context.steps and id not in context.facts:
             raise KeyError(f"the step “{step.id}” names the premise “{id}”, which is none")
-    found, used = examined(context, step)
+    found, used = examined(context, step, step.premises)
     idle = [id for id in step.premises if id not in used]
     if found.verdict.is_proved and idle:
         return Certificate(found.checks, undecided(f"nothing is concluded from “{idle[0]}”"))
     return found
 
 
-def examined(context: Context, step: Step) -> tuple[Certificate, set[str]]:
-    """The certificate, and the premises that were used."""
-    view = seen_by(context, step)
+def examined(
+    context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False
+) -> tuple[Certificate, set[str]]:
+    """The certificate of the step with these premises, and which of them were used; a `hasty` one holds by numbers."""
+    view = seen_by(context, step, premises, hasty=hasty)
     checks = RULES[step.rule]
     verdict = c.weakest(c.guarded(lambda check=check: check(view, step)) for check in checks)
     if verdict.is_proved and not view.is_hasty:

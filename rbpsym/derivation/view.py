@@ -61,10 +61,12 @@ class Granted:
 
 @dataclass(frozen=True)
 class View(Context):
-    """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use."""
+    """A context as one step sees it. `order`: ids that it may use; `used`: those that it did use. `is_hasty`: what is
+    not proved at once need not be refuted."""
 
     step: Step | None = None
     order: tuple[str, ...] = ()
+    is_hasty: bool = False
     trail: list[set[str]] = field(default_factory=lambda: [set()])
     goals: list[Scalar] = field(default_factory=list)
     opaque: set[str] = field(default_factory=set)
@@ -137,7 +139,7 @@ class View(Context):
     def _starts(self) -> dict[str, Scalar]:
         """What the premises say of the start; an unknown force is another one there."""
         granted = {key: found for key, found in self.whole.system.scope.start.items() if self._is_granted_start(key)}
-        return granted | {name: symbol(f"{name}°'") for name in self._moving.union(self._sought)}
+        return granted | {name: symbol(f"{name}°'") for name in self.whole.system.unsettled.union(self._sought)}
 
     @cached_property
     def _sought(self) -> frozenset[str]:
@@ -166,10 +168,11 @@ class View(Context):
         return self.rate(said) if table is self.works else self.value(said)
 
     def _opaque(self, name: str) -> Scalar:
-        self.opaque.add(name)
-        for letter in (name, f"{name}'"):
-            self._rates.setdefault(letter, symbol(f"{letter}'"))
-            self._starts.setdefault(letter, symbol(f"{letter}°'"))
+        if name not in self.opaque:
+            self.opaque.add(name)
+            for letter in (name, f"{name}'"):
+                self._rates.setdefault(letter, symbol(f"{letter}'"))
+                self._starts.setdefault(letter, symbol(f"{letter}°'"))
         return symbol(name)
 
     def _opaque_rate(self, name: str) -> Scalar:
@@ -245,7 +248,7 @@ class View(Context):
 
     def _by_laws(self, found: Scalar) -> Scalar:
         """Accelerations and unknown forces replaced by what all laws together make of them, where that is a premise."""
-        if MOTION not in self.premises or self.whole.at_start or not names_in(found) & self._moving:
+        if MOTION not in self.premises or self.whole.at_start or not names_in(found) & self.whole.system.unsettled:
             return found
         self.use(MOTION)
         return self.whole.on_motion(found)
@@ -261,11 +264,6 @@ class View(Context):
             self.use(f"start.{name}")
         return with_squares(found, self.whole.squares)
 
-    @cached_property
-    def _moving(self) -> frozenset[str]:
-        system = self.whole.system
-        return frozenset((*system.accelerations, *system.unknowns))
-
     # --- what the premises say
 
     def agree_by_numbers(self, gap: Scalar, depth: str) -> bool | None:
@@ -276,7 +274,8 @@ class View(Context):
         if depth == "along" and MOTION in self.premises:
             return None
         try:
-            sources = used_by_numbers(rows, gap, lambda n: n in speeds or bool(self._rank(n)), speeds, self.rows)
+            unknown = speeds | self.opaque | self.whole.system.unsettled
+            sources = used_by_numbers(rows, gap, unknown, speeds, self.rows)
         except (NoImage, ValueError, ZeroDivisionError):
             return None
         self.trail[-1] |= sources or set()
@@ -310,7 +309,7 @@ class View(Context):
 
     def _rank(self, name: str) -> int:
         """1 for a letter without meaning, 2 for an acceleration or an unknown force, 0 for what stays."""
-        return 2 if name in self._moving else 1 if name in self.opaque or name.endswith("'") else 0
+        return 2 if name in self.whole.system.unsettled else 1 if name in self.opaque or name.endswith("'") else 0
 
     def _told(self, id: str) -> object:
         """The key of a premise's rows, which other views may have worked out with the same premises in use."""
@@ -337,10 +336,10 @@ class View(Context):
                     yield Row(self._by_laws(row), frozenset((id, *noted)))
 
 
-def seen_by(context: Context, step: Step) -> View:
+def seen_by(context: Context, step: Step, premises: tuple[str, ...], *, hasty: bool = False) -> View:
     """The context as a step with these premises sees it."""
-    shared = {name: getattr(context, name) for name in SHARED}
-    return View(**shared, step=step, order=step.premises)
+    shared = (getattr(context, name) for name in SHARED)
+    return View(*shared, step, premises, hasty)
 
 
 class _Letters(Mapping):
