@@ -38,6 +38,7 @@ class Equations:
         self.masses = np.array(mechanism.masses)
         self.masses[idle] = 1.0  # the angle of a particle that nothing turns: any number does
         self.size = len(self.masses)
+        self.bare = np.diag([*self.masses, *[0.0] * len(kept)]).tolist()  # plain lists: single entries are soon set
 
     def at(self, where: np.ndarray, speed: np.ndarray) -> Balance:
         """Raises NotApplicable where the constraints leave a force undetermined."""
@@ -52,16 +53,15 @@ class Equations:
 
     def _matrix(self, rows: list[Row], where: State, speed: State) -> np.ndarray:
         size = self.size
-        matrix = np.zeros((size + len(rows), size + len(rows)))
-        matrix[range(size), range(size)] = self.masses
+        matrix = [row[:] for row in self.bare]
         for k, row in enumerate(rows, size):
             for column, entry in row.entries:
-                matrix[k, column] += entry
-                matrix[column, k] -= entry
+                matrix[k][column] += entry
+                matrix[column][k] -= entry
         for k, item in enumerate(self.kept, size):
             for column, entry in item.drag.at(where, speed) if item.drag else ():
-                matrix[column, k] -= entry
-        return matrix
+                matrix[column][k] -= entry
+        return np.array(matrix)
 
     def _right(self, loads: list[Load], rows: list[Row]) -> np.ndarray:
         right = [0.0] * self.size + [-row.bias for row in rows]
@@ -76,35 +76,33 @@ class Equations:
         """Σ ½ M V² + ½ I_cm ω²."""
         return 0.5 * float(self.masses @ (speed * speed))
 
-    def powers(self, speed: np.ndarray, balance: Balance, account: dict[tuple[str, str, bool], int]) -> np.ndarray:
+    def powers(self, speed: np.ndarray, balance: Balance, account: dict[tuple[str, str, bool], int]) -> list[float]:
         """Power of every force on every body, F·V_cm and τ_cm ω apart, in the order of `account`."""
-        found = np.zeros(len(account))
-        for name, column, push in self._pushes(balance):
-            key = (name, self.mechanism.problem.body_names[column // 3], column % 3 == 2)
-            if key in account:
-                found[account[key]] += push * speed[column]
+        found, names, speeds = [0.0] * len(account), self.mechanism.problem.body_names, speed.tolist()
+        for name, column, push in self._pushes(balance) if account else ():
+            k = account.get((name, names[column // 3], column % 3 == 2))
+            if k is not None:
+                found[k] += push * speeds[column]
         return found
 
     def momentum(self, speed: np.ndarray) -> float:
         """The largest of M |V| and I_cm |ω|: a size to compare momenta with."""
         return float(np.abs(self.masses * speed).max(initial=0.0))
 
-    def torques(self, balance: Balance, levers: list[tuple[float, float]]) -> np.ndarray:
+    def torques(self, balance: Balance, levers: list[tuple[float, float]]) -> list[float]:
         """Torque of all forces on all bodies about each of the fixed places."""
-        found = np.zeros(len(levers))
+        net = [0.0] * self.size
         for _, column, push in self._pushes(balance) if levers else ():
-            k, axis = 3 * (column // 3), column % 3
-            for j, (x, y) in enumerate(levers):
-                lever = (y - balance.where[k + 1], balance.where[k] - x, 1.0)[axis]
-                found[j] += lever * push
-        return found
+            net[column] += push
+        bodies = [(*balance.where[k : k + 2], *net[k : k + 3]) for k in range(0, self.size, 3)]
+        return [sum((bx - x) * fy - (by - y) * fx + couple for bx, by, fx, fy, couple in bodies) for x, y in levers]
 
     def _pushes(self, balance: Balance) -> Iterator[tuple[str, int, float]]:
         """(force, column of X, its component there)."""
         for load in balance.loads:
             for axis, push in enumerate((load.x, load.y, load.torque)):
                 yield load.name, 3 * load.body + axis, push
-        for item, row, multiplier in zip(self.kept, balance.rows, balance.multipliers, strict=True):
+        for item, row, multiplier in zip(self.kept, balance.rows, balance.multipliers.tolist(), strict=True):
             for column, entry in row.entries:
                 yield item.force, column, entry * multiplier
             for column, entry in item.drag.at(balance.where, []) if item.drag else ():
