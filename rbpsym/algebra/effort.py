@@ -93,7 +93,8 @@ def remembered(function: Callable[P, T]) -> Callable[P, T]:
         found = function(*args)
         if len(kept) >= MOST_KEPT:
             kept.clear()
-        kept[args] = found, before - left[0]
+        if left[0] >= 0:  # else it was cut short by a bound that was set outside
+            kept[args] = found, before - left[0]
         return found
 
     return call

@@ -21,6 +21,7 @@ from rbpsym.algebra.bars import (
     sums_before_functions,
     without_shared,
 )
+from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.grouping import (
     best_factors,
     by_moving,
@@ -50,6 +51,11 @@ Pieces = tuple[Coefficient, list[Piece]]
 
 def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.Node:
     """The value as a display tree; `factor` looks for irreducible factors of sums."""
+    return _presented(value, style, factor)
+
+
+@remembered
+def _presented(value: Scalar, style: Style, factor: bool) -> t.Node:
     if value.den is ONE:
         return present_poly(with_joined_angles(value.num), style, factor)
     return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)

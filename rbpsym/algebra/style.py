@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.poly import Monomial
@@ -30,6 +31,13 @@ class Style:
     whole: bool = False
     greater: frozenset[tuple[str, str]] = frozenset()
     tangents: bool = True
+
+    @cached_property
+    def _content(self) -> int:
+        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents))
+
+    def __hash__(self) -> int:
+        return self._content
 
 
 PLAIN = Style()

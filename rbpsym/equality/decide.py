@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Protocol
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.evaluate import BARE, Scope, value, vector
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
@@ -46,7 +47,7 @@ def equal(left: Node, right: Node, assumptions: Assumptions = NONE, scope: Scope
 
 def _equal(left: Node, right: Node, assumptions: Assumptions, scope: Scope) -> Verdict:
     a, b = value(left, scope), value(right, scope)
-    domain = list(dict.fromkeys([*conditions(left, scope), *conditions(right, scope)]))
+    domain = tuple(dict.fromkeys([*conditions(left, scope), *conditions(right, scope)]))
     if any(one.between is not None for one in domain) and (witness := pole(domain, assumptions)) is not None:
         return refuted("the integrand has a pole between the ends of the integral", witness)
     if isinstance(a, Space) or isinstance(b, Space):
@@ -67,6 +68,7 @@ def compare(a: Scalar, b: Scalar, assumptions: Assumptions = NONE, *, strict: bo
     return _guarded(lambda: _compare(a, b, assumptions, strict))
 
 
+@remembered
 def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool) -> Verdict:
     found = sign(b - a, assumptions)
     if found.kind == "positive" or (not strict and found.is_nonnegative):
@@ -88,7 +90,8 @@ def _guarded(decide: Callable[[], Verdict]) -> Verdict:
         return undecided("a denominator is identically zero")
 
 
-def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: Iterable[Condition]) -> Verdict:
+@remembered
+def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: tuple[Condition, ...]) -> Verdict:
     if any(x.den is not ONE and is_zero(Scalar(x.den)) for x in (a, b)):
         return undecided("a denominator is identically zero")
     difference = cross_difference(a, b)
