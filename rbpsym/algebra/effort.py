@@ -93,7 +93,7 @@ def remembered(function: Callable[P, T]) -> Callable[P, T]:
         found = function(*args)
         if len(kept) >= MOST_KEPT:
             kept.clear()
-        if left[0] >= 0:  # else it was cut short by a bound that was set outside
+        if all(bound is None or bound[0] >= 0 for bound in (left, _whole.get())):  # else it was cut short from outside
             kept[args] = found, before - left[0]
         return found
 

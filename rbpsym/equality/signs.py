@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.effort import apart, at_most
+from rbpsym.algebra.effort import apart, at_most, remembered
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import bounds as b
@@ -58,7 +58,7 @@ def sign(value: Scalar, assumptions: Assumptions = NONE, *, factoring: bool = Tr
     return _sign(value, assumptions, factoring)
 
 
-@lru_cache(maxsize=8192)
+@remembered
 def _sign(value: Scalar, assumptions: Assumptions, factoring: bool) -> SignResult:
     study = Study(assumptions, factoring)
     try:

@@ -1,10 +1,11 @@
 """The bound on work belongs to the call that sets it."""
 
 import threading
+from contextlib import nullcontext
 
 import pytest
 
-from rbpsym.algebra.effort import at_most, remembered, spend
+from rbpsym.algebra.effort import apart, at_most, in_all, remembered, spend
 from rbpsym.errors import LimitError
 
 
@@ -59,3 +60,19 @@ def test_what_went_too_far_is_not_remembered():
     with at_most(4), pytest.raises(LimitError):
         costly()
     assert costly() == 1
+
+
+@pytest.mark.parametrize("bound", [at_most, in_all])
+def test_what_was_cut_short_from_outside_is_not_remembered(bound):
+    @remembered
+    def careful():
+        with apart() if bound is in_all else nullcontext():
+            try:
+                spend(8)
+            except LimitError:
+                return "cut short"
+        return "whole"
+
+    with bound(4):
+        assert careful() == "cut short"
+    assert careful() == "whole"
