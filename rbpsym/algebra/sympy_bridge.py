@@ -5,8 +5,12 @@ sympy is imported here only, and only when one of these is needed.
 
 from __future__ import annotations
 
+import ast
+import builtins
 from collections.abc import Iterable
 from functools import lru_cache
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 from rbpsym.algebra import atoms
@@ -55,17 +59,21 @@ def to_sympy(value: Scalar) -> Any:
 
 def plain_names(names: Iterable[str]) -> dict[str, str]:
     """Each name with one that `sympify` reads as a symbol, and not as what sympy or Python call so (I, N, beta, len)."""
-    import builtins
-
-    import sympy
-
     names, found = list(dict.fromkeys(names)), {}
     for name in names:
         plain = name
-        while hasattr(sympy, plain) or hasattr(builtins, plain) or (plain != name and plain in names):
+        while plain in _exported() or hasattr(builtins, plain) or (plain != name and plain in names):
             plain += "_"
         found[name] = plain
     return found
+
+
+@lru_cache(maxsize=1)
+def _exported() -> frozenset[str]:
+    """What sympy exports, read in its source: to import it takes as long as to solve a problem."""
+    source = ast.parse(Path(find_spec("sympy").origin).read_text(encoding="utf-8"))
+    listed = (node.value for node in source.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__")
+    return frozenset(ast.literal_eval(next(listed)))
 
 
 def _expression(poly: Poly) -> Any:
