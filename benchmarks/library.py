@@ -9,11 +9,13 @@ or a bound is missed.
 
 from __future__ import annotations
 
+import gc
 import sys
 import time
 from dataclasses import dataclass
 from statistics import median
 
+from rbpsym.cli import SELDOM
 from rbpsym.derive import derive
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
@@ -81,6 +83,7 @@ def figures(rows: list[Row]) -> tuple[str, bool]:
 
 def main(names: list[str]) -> int:
     """Print the table; 1 if something is not as it should be."""
+    gc.set_threshold(SELDOM)  # as the command does
     print(f"{'':<36} {'degrees':>7}{'':>27} {'seconds':>8} {'with':>8} {'error of':>8}")
     print(
         f"{'problem':<36} {'freedom':>7} {'steps':>6} {'proved':>7} {'undecided':>10} "

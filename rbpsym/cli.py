@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import traceback
@@ -17,6 +18,7 @@ import click
 from rbpsym import __version__
 from rbpsym.errors import RbpsymError
 
+SELDOM = 50_000  # objects more, until the collector looks for circles: a derivation makes none
 FINE, DOUBTFUL, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 70, 130
 
 # name -> module that holds its `command`, in the order of --help
@@ -62,6 +64,7 @@ class Rbpsym(click.Group):
         call = partial(super().main, args, standalone_mode=False, **{**extra, "prog_name": "rbpsym"})
         if not standalone_mode:
             return call()
+        gc.set_threshold(SELDOM)
         return sys.exit(exit_code(call))
 
 
