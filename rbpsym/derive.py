@@ -9,7 +9,7 @@ from typing import Any
 
 from rbpsym.algebra.effort import at_most, in_all
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.chapters import contact, forces, inertia, instant, kinematics, momentum, oscillations
+from rbpsym.derivation.chapters import contact, course, forces, inertia, instant, kinematics, momentum, oscillations
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
 from rbpsym.errors import LimitError, NotApplicable
@@ -25,7 +25,7 @@ MOST_PRODUCTS = 250_000  # of a method, beside the proofs of its steps
 MOST_IN_ALL = 4_000_000  # of all chapters and proofs of a phase, some fifteen seconds: twice the longest of the library
 BEFORE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, momentum.write, forces.write)
 THERE: tuple[Callable[[Draft], None], ...] = (kinematics.write, inertia.write, forces.write, instant.write)
-AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write)
+AFTER: tuple[Callable[[Draft], None], ...] = (contact.write, work_energy.write_done, oscillations.write, course.write)
 
 
 def derive(problem: Problem, *, simulation: bool = True) -> Derivation:

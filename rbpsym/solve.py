@@ -21,6 +21,7 @@ from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.open_rest import Balance
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
 from rbpsym.mechanics.sides import grips
+from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.machine import machine_name, to_machine
 from rbpsym.notation.tree import Node
@@ -86,6 +87,7 @@ def results(study: Study) -> dict[str, Any]:
         | {"open": [_condition(loss, study) for loss in study.ended.open_]},
         "one_sided": _sides(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
+        "solutions": _solutions(study),
         "phases": _phases(study),
     }
 
@@ -102,6 +104,18 @@ def _equations_of_motion(study: Study) -> dict[str, Any]:
         "mass_matrix": [[text(entry, study) for entry in row] for row in dynamics.mass_matrix],
         "forcing": [text(value, study) for value in dynamics.forcing],
     }
+
+
+def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
+    """Coordinates as functions of the time, each in the cases that the declared signs leave open."""
+    known = ((name, given(study, name)) for name in study.system.independent)
+    return {name: [_course(one, study) for one in courses(item)] for name, item in known if item is not None}
+
+
+def _course(one: Course, study: Study) -> dict[str, Any]:
+    where = None if one.where is None else {one.where[0]: text(one.where[1], study)}
+    told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
+    return {**told, "where": where, "valid_where": _demands(one.valid, study)}
 
 
 def symbols(study: Study) -> dict[str, dict[str, str]]:

@@ -11,7 +11,8 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import certified
 from rbpsym.ask.forms import sense_at_sample, shortest
-from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, at_time, image_of, moment_of
+from rbpsym.ask.in_time import at_time
+from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
@@ -19,6 +20,8 @@ from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.solutions import given
+from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -31,7 +34,8 @@ from rbpsym.quantity.problem import ProblemWorld
 class Found:
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
-    it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it."""
+    it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
+    `speeds`: those that a resistance gives as functions of the place."""
 
     study: Study
     named: tuple[Scalar, ...]
@@ -42,6 +46,7 @@ class Found:
     ways: Mapping[str, int] = field(default_factory=dict)
     told: str = ""
     asked: tuple[Demand, ...] = ()
+    speeds: Mapping[str, Scalar] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -252,13 +257,23 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
                 return found
             ways[name] = way
             values = tuple(even(substitute(value, {speed: root(square) * way})) for value in values)
+    resisted = _resisted(world, values)
+    values = tuple(substitute(value, {f"{name}_dot": speed for name, speed in resisted.items()}) for value in values)
     left = any(depends_on(value, speed) for value in values for speed in motion.speeds)
     if left:
         return found
     moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
     of = "position" if moves or values != found.values else "state"
     values = tuple(shortest(short(value), world.study) for value in values)
-    return replace(found, values=values, of=of, ways=ways, asked=tuple(asked))
+    return replace(found, values=values, of=of, ways=ways, asked=tuple(asked), speeds=resisted)
+
+
+def _resisted(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, Scalar]:
+    """The speeds in the values that a resistance gives as functions of the place."""
+    left = (name for name in world.study.system.independent if any(depends_on(value, f"{name}_dot") for value in values))
+    known = ((name, given(world.study, name)) for name in left)
+    found = ((name, speed_along(one, name)) for name, one in known if one is not None)
+    return {name: speed for name, speed in found if speed is not None}
 
 
 def _moving(world: ProblemWorld, values: tuple[Scalar, ...]) -> set[str]:
@@ -274,7 +289,10 @@ def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
     moving = _moving(world, found.values)
     if name in world.dependent and moving:
         found, moving = _inverted(world, found, name, moving), {name}
-    left = sorted(moving - {name, f"{name}_dot"})
+    speed = f"{name}_dot"
+    is_repeated = any(value in (symbol(speed), -symbol(speed)) for value in found.values)
+    stays = speed in moving and (is_repeated or name in world.motion.scope.start)
+    left = sorted(moving - {name, *(() if stays else (speed,))})
     if left:
         why = "it is not known how it moves" if name == "t" else f"{left[0]} is no known function of {name}"
         what = f"“{question.quantity}” depends on {left[0]}, and {why}"
@@ -285,7 +303,7 @@ def _of(world: ProblemWorld, found: Found, question: Question) -> Found:
 def _in_time(asked: Asked, question: Question, place: int) -> Found:
     """The value as a function of the time since the start of the phase."""
     try:
-        return _at_moment(asked, question, at_time(asked, place, symbol("t")))
+        return _at_moment(asked, question, at_time(asked, place, symbol("t"), question.manner))
     except NotApplicable:
         what = f"“{question.quantity}” has no closed form as a function of the time"
         raise StatementError(what, instead="ask for it “as a function of” a coordinate.") from None

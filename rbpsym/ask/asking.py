@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 from rbpsym.ask.answer import Answer, answer
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import of_parameters
-from rbpsym.ask.question import read_question
+from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.statement.model import Problem
+
+# what a motion as a function of the time tells, and is no question about parameters
+OF_COURSE = re.compile("|".join(MANNERS))
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:
@@ -24,4 +29,5 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 def answered(asked: Asked, text: str) -> Answer:
     """The answer to one question."""
     plain = " ".join(text.split()).rstrip(" ?.")
-    return of_parameters(asked, plain) or answer(asked, read_question(plain))
+    about = None if OF_COURSE.search(plain) else of_parameters(asked, plain)
+    return about or answer(asked, read_question(plain))

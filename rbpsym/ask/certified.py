@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import function, names_in
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.ask import in_time
 from rbpsym.ask.lasting import contacts_last
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question
-from rbpsym.derivation.chapters import contact, endings, instant, oscillations
+from rbpsym.derivation.chapters import contact, course, endings, instant, oscillations
 from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
@@ -19,6 +20,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of
 from rbpsym.errors import LimitError, RbpsymError, StatementError
+from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.pushing import start_valid
@@ -31,7 +33,10 @@ if TYPE_CHECKING:
 
 LETTER = "Q"
 LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
-TOLD = ("solution", "first_integral", "work_done", "event_time", "event_place", "end_state")
+TOLD = (
+    "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
+    "course", "speed_along",
+)  # fmt: skip
 
 
 def certified(asked: Asked, question: Question, found: Found) -> Answer:
@@ -45,14 +50,18 @@ def certified(asked: Asked, question: Question, found: Found) -> Answer:
     _grounds(draft, found)
     if found.moment is not None and found.moment.how == "event" and found.moment.phase.event != "at once":
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
+    if found.moment is not None and found.moment.courses:
+        in_time.write(draft, found.moment)
+        draft.chapter = "ask"
     last, values = _last(draft, question, found), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
     steps = needed(draft.steps, last)
+    held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     verdict = all_of(step.certificate.verdict for step in (*before, *steps) if step.certificate)
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
     valid = _valid(draft, found, (*before, *steps))
-    return Answer(question, found.study, values, nodes, verdict, found.of, valid, (*before, *steps))
+    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps))
 
 
 def asked_place(asked: Asked, study: Study) -> int:
@@ -85,6 +94,8 @@ def _grounds(draft: Draft, found: Found) -> None:
         square = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(study.squares[name], factor=True))
         draft.add(f"square.{name}", "first_integral", square, "ask.speed", premises=draft.those(f"motion.{name}"),
                   data={"name": name, "value": study.squares[name]})  # fmt: skip
+    for name, value in found.speeds.items():
+        course.speed(draft, name, value)
     for letter, (power, done) in found.works.items():
         draft.context.works[letter] = power
         draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
@@ -110,12 +121,14 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
     of = dict(zip(letters, found.named, strict=True))
     rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
     data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
-    data |= {"moment": found.moment, "ways": found.ways, **_said(draft, found)}
+    data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(found.speeds), **_said(draft, found)}
     for letter, value in of.items():
         draft.define(letter, value)
     if found.study.at_start:
         rule, pairs = "solution", zip(found.named, rows, strict=True)
         rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
+    if data.get("told") and data["turned"] == "itself":
+        rows = [t.equation(t.Sym(letters[0]), list(t.relations(draft.context.steps[data["told"]].statement))[-1][-1])]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
@@ -153,7 +166,12 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         k = int(place)
         return hand_over(k, asked.problem.phases[k - 1], asked.stage(k - 1), asked.stage(k))
     draft = Draft(found.study)
-    CHAPTERS[kind](draft)
+    if kind == "course":
+        name, _, key = place.partition(" ")
+        draft.chapter = kind
+        course.feature(draft, solutions.given(found.study, name), name, key)
+    else:
+        CHAPTERS[kind](draft)
     return draft
 
 
@@ -164,6 +182,8 @@ def _said(draft: Draft, found: Found) -> dict[str, str]:
     """The step that says what is asked for, and how that is made of it."""
     if not found.told:
         return {}
+    if found.told.startswith("course"):
+        return {"told": draft.steps[-1].id, "turned": "itself"}
     for turned, turn in TURNED.items():
         value = turn(found.values[0]) if found.values[0] or turned != "the square of its frequency" else found.values[0]
         for step in draft.steps:

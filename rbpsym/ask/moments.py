@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra.evaluate import scalar
@@ -19,8 +19,9 @@ from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before, uniform_motion
+from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before
 from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantities import TIME
@@ -36,12 +37,15 @@ class NoClosedForm(StatementError):
 @dataclass(frozen=True)
 class Moment:
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
-    which `phase` would begin, at "rest", at a "time"."""
+    which `phase` would begin, at "rest", at a "time"; the `courses` of the coordinates that lead there,
+    those of `is_small` oscillations or of the motion."""
 
     place: int
     state: State
     how: str = "start"
     phase: Phase | None = None
+    courses: Mapping[str, Course] = field(default_factory=dict)
+    is_small: bool = False
 
 
 @dataclass(frozen=True)
@@ -225,19 +229,16 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _ahead(asked, "rests", _coordinate(asked, name.removesuffix("_dot")), place)
     if text == "0" and name in asked.held:
         return _vanishes(asked, When("vanishes", (name,)), place)
+    from rbpsym.ask import in_time
+
     world = asked.world(place or 0)
     node = read_infix(text, world.names)
     if name == "t":
         require_dimension(node, world.dimensions, TIME, "the time")
-        return at_time(asked, place or 0, scalar(node))
+        return in_time.at_time(asked, place or 0, scalar(node))
     name = _coordinate(asked, name)
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
     return _ahead(asked, "reaches", name, place, node)
-
-
-def at_time(asked: Asked, place: int, time: Scalar) -> Moment:
-    """The state at a time after the start of a phase. Raises NotApplicable where that has no closed form."""
-    return Moment(place, uniform_motion(asked.study(place), time), "time")
 
 
 def _until(asked: Asked, when: When, place: int | None) -> Moment:

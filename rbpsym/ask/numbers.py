@@ -163,7 +163,7 @@ def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:
         found = number(gap, numbers)
     except NoNumber:
         return False
-    return {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR}.get(op, True)
+    return {">": found > -NEAR, ">=": found >= -NEAR, "!=": abs(found) > NEAR, "=": abs(found) < NEAR}.get(op, True)
 
 
 def unit_for(node: t.Node, study: Study, *, is_angle: bool = False) -> str:

@@ -27,7 +27,8 @@ class When:
 @dataclass(frozen=True, slots=True)
 class Question:
     """What is asked: the words of a quantity, when (None: all along), since when a change or work is counted, in which
-    phase, as a function of what (“state”: of places and speeds); whether the direction of the vector is asked for."""
+    phase, as a function of what (“state”: of places and speeds), in which `manner` it moves (values of MANNERS); whether
+    the direction of the vector is asked for."""
 
     text: str
     quantity: str
@@ -36,6 +37,7 @@ class Question:
     phase: str = ""
     of: str = ""
     is_direction: bool = False
+    manner: str = ""
 
 
 _N, _W = r"(\w+)", r"([\w-]+(?: [\w-]+)??)"
@@ -74,6 +76,12 @@ OTHERWISE = (
     (r"\bvertical (?=velocity|acceleration|force|net force|linear momentum)", "y component of "),
     (r"\bangular speed of\b", "magnitude of angular velocity of"),
 )
+MANNERS = {
+    r"(?:for|in) small (?:oscillations|displacements|angles|amplitudes)": "small",
+    r"(?:for|with|under|if|when) (?:weak damping|underdamped)|(?:if )?underdamped": "weak",
+    r"(?:for|with|under) critical damping|(?:if )?critically damped": "critical",
+    r"(?:for|with|under) strong damping|(?:if )?overdamped": "strong",
+}
 PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")
 SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and) (.+)")
 ASKED = re.compile(r"(?:what|how (?:large|big|great|fast|long)) (?:is|are) |(?:find|determine|give|compute) ", re.I)
@@ -98,6 +106,10 @@ def read_question(text: str) -> Question:
         found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
     if (since := SINCE.fullmatch(found.quantity)) and (ends := _ends(since[2], since[3])):
         return replace(found, quantity=since[1], since=ends[0], when=ends[1])
+    for pattern, manner in MANNERS.items():
+        if said := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
+            found = replace(found, quantity=found.quantity[: said.start()] + found.quantity[said.end() :])
+            found = replace(found, manner=f"{found.manner} {manner}".strip())
     while clause := _clause(found.quantity):
         quantity, kind, words, said = clause
         if kind == "of" and not found.of:

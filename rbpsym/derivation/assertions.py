@@ -22,7 +22,9 @@ Entry = tuple[Condition, str]
 MOST_PRODUCTS = 100_000
 
 IDENTITY = "pivot pin weld contact guide slider sticking distance string prescribed prescribed-angle other"
-CHAPTERS = "ask kinematics inertia instant momentum torque newton_euler work energy oscillations contact phases comparison theory"
+CHAPTERS = """
+ask course kinematics inertia instant momentum torque newton_euler work energy oscillations contact phases comparison theory
+"""
 RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided
 """

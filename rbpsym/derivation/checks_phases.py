@@ -158,13 +158,25 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
             continue
         what = "place" if name == coordinate else "speed"
         image[name] = (state.places if what == "place" else state.speeds)[coordinate]
-        if moment.how != "rest":
+        if moment.how == "time" and (said := said_of(context, coordinate)):
+            found.append(same(context, _at(state.time, said if what == "place" else derivative(said, "t")), image[name]))
+        elif moment.how != "rest":
             see = _uniform if state.time is not None else _placed
             found.append(see(context, moment, what, coordinate, image[name]))
     for id in ("moment", "place"):
-        if id in context.steps and moment.how == "event":
+        if id in context.steps and (moment.how == "event"):
             context.use(id)
     return weakest(found), substitute(value, image)
+
+
+def said_of(context: Context, coordinate: str) -> Scalar | None:
+    """The coordinate as a function of the time, as another step says it."""
+    said = [step for step in context.steps.values() if step.rule == "course" and step.data["name"] == coordinate]
+    if not said:
+        return None
+    context.use(said[-1].id)
+    [(_, _, right)] = relations(said[-1].statement)
+    return context.value(right)
 
 
 def _seen(value: Scalar, places: Values, speeds: Values) -> Scalar:

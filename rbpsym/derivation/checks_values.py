@@ -22,9 +22,7 @@ def _on_motion(context: Context, step: Step, value: Scalar) -> Scalar:
     done = {}
     for name, id in step.data["works"].items():
         if name in names_in(value):
-            context.use(id)
-            [(_, _, right)] = relations(context.steps[id].statement)
-            done[name] = context.value(right)
+            done[name] = _said(context, id)
     return context.on_motion(substitute(value, done))
 
 
@@ -37,23 +35,32 @@ def value_then(context: Context, step: Step) -> Verdict:
         if moment.how != "start":
             verdict, value = seen_then(context, moment, value)
             found.append(verdict)
-        found.append(same(context, context.start(value), context.value(right)))
+        value = value if moment.how == "time" else context.start(value)  # in which the time would be that of the start
+        found.append(same(context, value, context.value(right)))
     return weakest(found)
 
 
 def value_along(context: Context, step: Step) -> Verdict:
     """Each stated value is that of a quantity in each state, with the speeds that the motion from the start has, in the
-    sense in which it sets out (`data`: "of", "ways")."""
+    sense in which it sets out (`data`: "of", "ways", and "speeds" that other steps give)."""
     said = [context.value(node.items[0]) for node in step.obligations]
     found = [_sets_out(context, name, way, said) for name, way in step.data["ways"].items()]
     for left, _, right in relations(step.statement):
         stated = substitute(context.value(right), context.study.system.dependent)
         gap = _on_motion(context, step, step.data["of"][left.name]) - stated
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
+        speeds |= {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
         gap = substitute(gap, speeds) if speeds else gap
         is_seen = not is_zero(gap)
         found.append(same(context, without_even_roots(context.along(gap) if is_seen else gap), NOTHING))
     return weakest(found)
+
+
+def _said(context: Context, id: str) -> Scalar:
+    """The value that another step gives."""
+    context.use(id)
+    [(_, _, right)] = relations(context.steps[id].statement)
+    return context.value(right)
 
 
 def _sets_out(context: Context, name: str, way: int, said: list[Scalar]) -> Verdict:

@@ -15,6 +15,7 @@ from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
 from rbpsym.derivation import checks_places as places
+from rbpsym.derivation import checks_solutions as solved
 from rbpsym.derivation import checks_stability as s
 from rbpsym.derivation import checks_values as values
 from rbpsym.derivation.context import Context
@@ -84,6 +85,9 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "holds_for": (parameters.bounds_hold,),
     "extreme": (parameters.extreme_there,),
     "limit": (parameters.tends_to,),
+    "course": (solved.course,),
+    "speed_along": (solved.speed_along,),
+    "feature": (c.identity, solved.feature),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then, p.first_then),

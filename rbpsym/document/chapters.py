@@ -27,6 +27,7 @@ ORDER = (
     "energy",
     "contact",
     "oscillations",
+    "course",
 )
 WIDEST = 49.0  # em: a table that is wider would have to be set in small letters
 

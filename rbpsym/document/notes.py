@@ -45,6 +45,7 @@ GROUPS = (
     (("work", "energy"), ("work", "energy")),
     (("reactions", "contact"), ("contact", "reactions")),
     (("oscillations",), ("oscillations",)),
+    (("course",), ("course",)),
 )
 
 

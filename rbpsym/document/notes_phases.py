@@ -14,7 +14,8 @@ from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase
 
-CHAPTERS = ("kinematics", "instant", "motion", "energy", "contact", "oscillations")  # of a later phase: what is new in it
+# of a later phase: what is new in it
+CHAPTERS = ("kinematics", "instant", "motion", "energy", "contact", "oscillations", "course")
 NEW: dict[str, Callable[[Step], bool]] = {
     "kinematics": lambda step: step.rule in ("constraint", "no_slip", "taut", "tied"),
     "energy": lambda step: step.rule in ("conservation", "first_integral"),

@@ -9,6 +9,7 @@ from rbpsym.algebra.calculus import function
 from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
+from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.oscillation import decaying
 from rbpsym.quantity.bound import Bound, Phrase, number
 from rbpsym.quantity.path import SENSES
@@ -80,9 +81,23 @@ def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
     return number(found[0].at[name], "oscillations")
 
 
+OTHERWISE = {"total angle": "total way", "total change": "total way"}
+
+
+def of_course(world: ProblemWorld, key: str, name: str) -> Bound:
+    """What is told of the motion of a coordinate as a function of the time."""
+    key = OTHERWISE.get(key, key)
+    known = solutions.given(world.study, name) if name in world.study.system.independent else None
+    value = None if known is None else solved.FEATURES[key][1](known)
+    if value is None:
+        raise StatementError(f"the motion of “{name}” has no {key} that is known in closed form")
+    return number(value, f"course {name} {key}")
+
+
 PHRASES: tuple[Phrase, ...] = (
+    (rf"({'|'.join((*solved.FEATURES, *OTHERWISE))}) of (\w+)", of_course, "amplitude of COORDINATE"),
     (r"(lowest |second |third |highest )?frequency of (\w+)", frequency, "frequency of COORDINATE"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (r"period of (\w+)", period, "period of COORDINATE"),
     (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),
-)
+)  # fmt: skip

@@ -1,0 +1,90 @@
+"""The motion as a function of the time, where the acceleration of a coordinate has a form that can be integrated."""
+
+from __future__ import annotations
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import Step
+from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics.solutions import Course, Given
+from rbpsym.notation import tree as t
+
+TOLD = ("amplitude", "terminal speed", "total way")
+
+
+def write(draft: Draft) -> None:
+    """The chapter: oscillations that are exactly linear, and motions with resistance, from their start."""
+    draft.chapter = "course"
+    for name in draft.study.system.independent:
+        known = solutions.given(draft.study, name)
+        if known is None or not (known.form.stiffness or known.form.damping or known.form.drag):
+            continue
+        for one in solutions.courses(known):
+            told(draft, name, one)
+        for key in TOLD if known.speed or known.form.drag else ():
+            feature(draft, known, name, key)
+
+
+def told(draft: Draft, name: str, one: Course, law: str = "") -> str:
+    """The id of the step that says a solution; before it one for each of its letters that is new."""
+    letters = {letter: _letter(draft, letter, value) for letter, value in one.letters.items()}
+    said = {step.id for step in draft.steps for letter in letters.values() if _tells(step, letter)}
+    place = substitute(one.place, {old: symbol(new) for old, new in letters.items()})
+    relation = t.relation(t.Sym(name), "~" if law else "=", draft.show(place))
+    key = one.case or ("small" if law else "plain")
+    where = None if one.where is None else t.equation(t.Sym(one.where[0]), draft.show(one.where[1]))
+    return draft.add(
+        f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation, f"course.{key}",
+        premises=draft.those(f"motion.{name}", law, *said),
+        is_result=True,
+        obligations=draft.asked(one.valid), name=t.Sym(name), where=where, data={"name": name, "law": law},
+    ).id  # fmt: skip
+
+
+def _tells(step: Step, letter: str) -> bool:
+    """Whether the step says what a letter, or its square, is."""
+    left = step.statement.items[0] if isinstance(step.statement, t.Chain) else t.ZERO
+    return t.Sym(letter) in (left, getattr(left, "base", None))
+
+
+def _letter(draft: Draft, letter: str, value: Scalar) -> str:
+    """The letter for a value: the one that it has already, or a new one."""
+    known = next((n for n, v in draft.context.scalars.items() if n.startswith(letter) and is_zero(v - value)), None)
+    shown = draft.show(value, factor=True)
+    if known is not None or isinstance(shown, t.Sym):
+        return known or shown.name
+    taken = draft.context.scalars.keys()
+    found = letter if letter not in taken else draft.free(f"{letter}_s", taken=taken)
+    draft.define(found, value)
+    draft.add(f"letter.{found}", "identity", t.equation(t.Sym(found), shown), "course.letter", letter=t.Sym(found))
+    return found
+
+
+def feature(draft: Draft, known: Given, name: str, key: str) -> None:
+    """A step for what is asked of the solution, if it has that."""
+    letter, find = solved.FEATURES[key]
+    value = find(known)
+    if value is None:
+        return
+    is_one = len(draft.study.system.independent) == 1
+    made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
+    draft.add(
+        f"{key.replace(' ', '_')}.{name}",
+        "feature",
+        t.equation(made, draft.show(value, factor=True)),
+        f"course.{key.replace(' ', '_')}",
+        premises=draft.those(f"motion.{name}"),
+        name=t.Sym(name), letter=made, is_result=True, data={"name": name, "key": key, "form": known.form},
+    )  # fmt: skip
+
+
+def speed(draft: Draft, name: str, value: Scalar) -> str:
+    """The id of the step that says this speed as a function of the place."""
+    known = solutions.given(draft.study, name)
+    return draft.add(
+        f"speed_at.{name}", "speed_along", t.equation(t.Sym(f"{name}_dot"), draft.show(value)), "course.speed",
+        premises=draft.those(f"motion.{name}"),
+        name=t.Sym(name), is_result=True, data={"name": name, "way": known.sense(known.speed or known.form.constant)},
+    ).id  # fmt: skip

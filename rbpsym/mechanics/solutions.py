@@ -1,0 +1,281 @@
+"""The motion of one coordinate as a function of the time, where its acceleration has a form that can be integrated.
+
+q̈ = c - s q - b q̇ - k q̇² with constant c, s, b, k: free and damped oscillations (k = 0), resistance in proportion to the
+speed (s = k = 0) and to its square (s = b = 0). A solution starts as the motion does; that it solves the equation is proved
+by differentiation (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
+from rbpsym.algebra.roots import simplified_root, without_even_roots
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.equality.signs import sign
+from rbpsym.errors import NoNumber, NotApplicable
+from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.study import Study
+
+TIME = symbol("t")
+WEAK, CRITICAL, STRONG = "weak", "critical", "strong"
+CASES = (WEAK, CRITICAL, STRONG)
+SMALL = "small"
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇²."""
+
+    constant: Scalar
+    stiffness: Scalar = NOTHING
+    damping: Scalar = NOTHING
+    drag: Scalar = NOTHING
+
+    @property
+    def rest(self) -> Scalar:
+        """Where a spring balances what is constant."""
+        return short(self.constant / self.stiffness) if self.stiffness else NOTHING
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """A coordinate as a function of the time since the start, in `letters` that stand for these values; where that is so:
+    the demands `valid`, and `where` a parameter has a value."""
+
+    place: Scalar
+    letters: Mapping[str, Scalar] = field(default_factory=dict)
+    case: str = ""
+    valid: tuple[Demand, ...] = ()
+    where: tuple[str, Scalar] | None = None
+
+    @property
+    def whole(self) -> Scalar:
+        """The place in the quantities of the problem."""
+        return without_even_roots(substitute(self.place, self.letters))
+
+    @property
+    def speed(self) -> Scalar:
+        """The speed in the quantities of the problem."""
+        return without_even_roots(derivative(self.whole, "t"))
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics."""
+
+    form: Form
+    place: Scalar
+    speed: Scalar
+    study: Study
+
+    def letter(self, name: str) -> Scalar:
+        """A letter that the problem does not use."""
+        return symbol(self.study.letters.free(name))
+
+    def root(self, value: Scalar) -> Scalar:
+        """The square root, with what is declared positive taken out."""
+        return simplified_root(short(value), lambda n: self.study.assumptions.sign_of(n) == "positive")
+
+    def sense(self, value: Scalar) -> int:
+        """1, -1 or 0: the declared sign, else that at the sample numbers."""
+        known = sign(value, self.study.assumptions).kind
+        if known in SENSES:
+            return SENSES[known]
+        try:
+            found = number(value, sample(self.study.problem))
+        except NoNumber:
+            return 0
+        return (found > 0) - (found < 0)
+
+
+SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1, "zero": 0}
+
+
+def given(study: Study, name: str, *, small: bool = False) -> Given | None:
+    """What is known of a coordinate, with its `small` oscillations about a stable equilibrium in place of its motion; None
+    where its acceleration has no such form, or the start is not said."""
+    if study.at_start:
+        return None
+    start, gained = study.system.scope.start, (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+    if gained is None or name not in start or study.ties:
+        return None
+    found = _small(study, name) if small else form_of(gained, name, {*study.system.scope.rates, "t"})
+    speed = start.get(f"{name}_dot", NOTHING)
+    moving = names_in(start[name]) | names_in(speed)
+    return None if found is None or moving & study.system.scope.rates.keys() else Given(found, start[name], speed, study)
+
+
+def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
+    """The form of an acceleration; None for another one."""
+    speed = f"{name}_dot"
+    slope = derivative(value, speed)
+    parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
+    stiffness, damping, drag = (short(-part) for part in parts)
+    left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
+    if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & moving:
+        return None
+    return None if drag and (stiffness or damping) else Form(left, stiffness, damping, drag)
+
+
+def _small(study: Study, name: str) -> Form | None:
+    """The acceleration to first order about the one stable equilibrium of one degree of freedom."""
+    found = [item for item in study.equilibria if item.stable and name in item.at]
+    if len(found) != 1 or len(study.system.independent) != 1 or study.system.has_clock:
+        return None
+    [[mass]], [[drag]], [[pull]] = (lambda n: (n.inertia, n.damping, n.stiffness))(found[0].linear)
+    stiffness = short(pull / mass)
+    return Form(short(stiffness * found[0].at[name]), stiffness, short(drag / mass))
+
+
+# --- solutions
+
+
+def courses(known: Given) -> Iterator[Course]:
+    """All solutions, each for its own case: one where the declared signs tell which."""
+    kind = kind_of(known.form)
+    if kind != "damped":
+        found = SOLVED[kind](known)
+        yield from () if found is None else (found,)
+        return
+    gap = known.form.stiffness - known.form.damping**2 / 4
+    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(gap, known.study.assumptions).kind, CASES)
+    for case in sure:
+        found = DAMPED[case](known, short(gap))
+        if found is not None:
+            yield found if len(sure) > 1 else replace(found, valid=())
+
+
+def course(known: Given, case: str = "") -> Course | None:
+    """The solution in the case that is named, else in that of the sample numbers."""
+    found = list(courses(known))
+    gap = known.form.stiffness - known.form.damping**2 / 4
+    case = case or (WEAK if known.sense(gap) > 0 else STRONG)
+    return next((one for one in found if one.case == case), found[0] if len(found) == 1 else None)
+
+
+def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
+    """The solution for each coordinate for which there is one, in the case that is named, or of `small` oscillations.
+    Raises NotApplicable where there is none."""
+    found = {}
+    for name in study.system.independent:
+        known = given(study, name, small=SMALL in manner)
+        one = None if known is None else course(known, next((case for case in CASES if case in manner), ""))
+        found |= {} if one is None else {name: one}
+    if not found:
+        raise NotApplicable("the motion has no closed form as a function of the time")
+    return found
+
+
+def kind_of(form: Form) -> str:
+    """Which of the solved forms it is: a key of SOLVED, or “damped”."""
+    if form.drag:
+        return "dragged"
+    if form.stiffness:
+        return "damped" if form.damping else "swinging"
+    return "resisted" if form.damping else "uniform"
+
+
+def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
+    """The place of rest, and the place and speed at the start relative to it."""
+    return known.form.rest, short(known.place - known.form.rest), known.speed
+
+
+def _uniform(known: Given) -> Course | None:
+    left, place, speed = _free(known)
+    return Course(left + place + speed * TIME + known.form.constant * TIME * TIME / 2)
+
+
+def _swinging(known: Given) -> Course | None:
+    left, place, speed = _free(known)
+    stiffness = known.form.stiffness
+    way = known.sense(stiffness)
+    sure = sign(stiffness, known.study.assumptions).kind in ("positive", "negative")
+    valid = () if sure else (Demand(stiffness * way),)
+    rate = known.letter("vartheta" if way > 0 else "eta")
+    if way > 0:
+        moved = place * function("cos", rate * TIME) + speed / rate * function("sin", rate * TIME)
+    else:
+        grows, dies = function("exp", rate * TIME), function("exp", -rate * TIME)
+        moved = (place + speed / rate) / 2 * grows + (place - speed / rate) / 2 * dies
+    return Course(left + moved, _named(rate, root(short(stiffness * way))), valid=valid) if way else None
+
+
+def _named(*pairs: Scalar) -> dict[str, Scalar]:
+    """Letters with their values, which follow each other."""
+    return {next(iter(names_in(letter))): value for letter, value in zip(pairs[::2], pairs[1::2], strict=True)}
+
+
+def _weak(known: Given, gap: Scalar) -> Course | None:
+    left, place, speed = _free(known)
+    decay, rate = known.letter("gamma"), known.letter("vartheta_d")
+    swung = place * function("cos", rate * TIME) + (speed + decay * place) / rate * function("sin", rate * TIME)
+    letters = _named(decay, known.form.damping / 2, rate, root(gap))
+    return Course(left + function("exp", -decay * TIME) * swung, letters, WEAK, (Demand(gap),))
+
+
+def _strong(known: Given, gap: Scalar) -> Course | None:
+    left, place, speed = _free(known)
+    decay, rate = known.letter("gamma"), known.letter("eta")
+    slow, fast = (function("exp", (way * rate - decay) * TIME) for way in (1, -1))
+    moved = (speed + (decay + rate) * place) * slow - (speed + (decay - rate) * place) * fast
+    letters = _named(decay, known.form.damping / 2, rate, root(-gap))
+    return Course(left + moved / rate / 2, letters, STRONG, (Demand(-gap),))
+
+
+def _critical(known: Given, gap: Scalar) -> Course | None:
+    """Where one parameter, to which the damping is proportional, has the value that makes 4 s = b²."""
+    form = known.form
+    for name in (q.name for q in known.study.problem.parameters):
+        each = short(form.damping / symbol(name))
+        if depends_on(form.damping, name) and not any(depends_on(value, name) for value in (each, form.stiffness)):
+            value = short(known.root(form.stiffness) * 2 / each)
+            at = {name: value}
+            left, place, speed = (substitute(part, at) for part in _free(known))
+            rate = known.letter("vartheta")
+            moved = (place + (speed + rate * place) * TIME) * function("exp", -rate * TIME)
+            return Course(left + moved, _named(rate, root(form.stiffness)), CRITICAL, where=(name, value))
+    return None
+
+
+def _resisted(known: Given) -> Course | None:
+    """The speed tends to c/b, at the rate b."""
+    rate, limit = known.letter("lamda"), known.form.constant / known.form.damping
+    last = known.letter("u") if limit else NOTHING
+    gone = (UNITY - function("exp", -rate * TIME)) / rate
+    letters = _named(rate, known.form.damping, *((last, short(limit)) if limit else ()))
+    return Course(known.place + last * TIME + (known.speed - last) * gone, letters)
+
+
+def _dragged(known: Given) -> Course | None:
+    """(ln of a sum of exponentials, or of sines and cosines)/k."""
+    form, speed = known.form, known.speed
+    if not form.constant:
+        ahead = (Demand(form.drag * speed),)
+        valid = () if sign(ahead[0].value, known.study.assumptions).is_nonnegative else ahead
+        return Course(known.place + function("ln", 1 + form.drag * speed * TIME) / form.drag, valid=valid)
+    way = known.sense(form.constant * form.drag)
+    sure = sign(form.constant * form.drag, known.study.assumptions).kind in ("positive", "negative")
+    valid = () if sure else (Demand(form.constant * form.drag * way),)
+    rate = known.letter("eta")
+    letters = _named(rate, root(short(form.constant * form.drag * way)))
+    if way < 0:
+        swung = function("cos", rate * TIME) - speed * rate / form.constant * function("sin", rate * TIME)
+        return Course(known.place + function("ln", swung) / form.drag, letters, valid=valid)
+    last = known.letter("u")
+    letters |= _named(last, short(form.constant / letters[next(iter(letters))]))
+    gone = function("exp", -rate * TIME * 2)
+    part = (last + speed + (last - speed) * gone) / last / 2
+    return Course(known.place + last * TIME + function("ln", part) / form.drag, letters, valid=valid) if way else None
+
+
+SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
+    "uniform": _uniform,
+    "swinging": _swinging,
+    "resisted": _resisted,
+    "dragged": _dragged,
+}
+DAMPED: Mapping[str, Callable[[Given, Scalar], Course | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}
