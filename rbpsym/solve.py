@@ -113,9 +113,8 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
 
 
 def _course(one: Course, study: Study) -> dict[str, Any]:
-    where = None if one.where is None else {one.where[0]: text(one.where[1], study)}
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
-    return {**told, "where": where, "valid_where": _demands(one.valid, study)}
+    return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(one.valid, study)}
 
 
 def symbols(study: Study) -> dict[str, dict[str, str]]:

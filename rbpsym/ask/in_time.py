@@ -21,9 +21,8 @@ def at_time(asked: Asked, place: int, time: Scalar, manner: str = "") -> Moment:
         with suppress(NotApplicable):
             return Moment(place, uniform_motion(study, time), "time")
     found = solutions.courses_of(study, manner)
-    at = {"t": time}
-    places = {name: substitute(one.whole, at) for name, one in found.items()}
-    speeds = {name: substitute(one.speed, at) for name, one in found.items()}
+    places = {name: substitute(one.whole, {"t": time}) for name, one in found.items()}
+    speeds = {name: substitute(one.speed, {"t": time}) for name, one in found.items()}
     valid = tuple(demand for one in found.values() for demand in one.valid)
     return Moment(place, State(time, places, speeds, valid), "time", courses=found, is_small=solutions.SMALL in manner)
 

@@ -40,6 +40,11 @@ class Form:
         """Where a spring balances what is constant."""
         return short(self.constant / self.stiffness) if self.stiffness else NOTHING
 
+    @property
+    def gap(self) -> Scalar:
+        """s - b²/4, which is positive where the damping is weak."""
+        return short(without_even_roots(self.stiffness - self.damping**2 / 4))
+
 
 @dataclass(frozen=True, slots=True)
 class Course:
@@ -141,20 +146,20 @@ def courses(known: Given) -> Iterator[Course]:
         found = SOLVED[kind](known)
         yield from () if found is None else (found,)
         return
-    gap = known.form.stiffness - known.form.damping**2 / 4
-    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(gap, known.study.assumptions).kind, CASES)
+    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(known.form.gap, known.study.assumptions).kind, CASES)
     for case in sure:
-        found = DAMPED[case](known, short(gap))
+        found = DAMPED[case](known, known.form.gap)
         if found is not None:
             yield found if len(sure) > 1 else replace(found, valid=())
 
 
 def course(known: Given, case: str = "") -> Course | None:
-    """The solution in the case that is named, else in that of the sample numbers."""
+    """The solution in the case that is named, else in that of the sample numbers; None where that case can't be."""
     found = list(courses(known))
-    gap = known.form.stiffness - known.form.damping**2 / 4
-    case = case or (WEAK if known.sense(gap) > 0 else STRONG)
-    return next((one for one in found if one.case == case), found[0] if len(found) == 1 else None)
+    if not case and len(found) == 1:
+        return found[0]
+    case = case or (WEAK if known.sense(known.form.gap) > 0 else STRONG)
+    return next((one for one in found if one.case == case), None)
 
 
 def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
@@ -185,8 +190,7 @@ def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
 
 
 def _uniform(known: Given) -> Course | None:
-    left, place, speed = _free(known)
-    return Course(left + place + speed * TIME + known.form.constant * TIME * TIME / 2)
+    return Course(known.place + known.speed * TIME + known.form.constant * TIME * TIME / 2)
 
 
 def _swinging(known: Given) -> Course | None:

@@ -97,6 +97,9 @@ def test_the_library_is_answered_in_time(name: str, question: str, told: str) ->
 
 
 WRONG = [
+    ("k*x - b*x_dot", {}, "x as a function of t, underdamped", "no closed form as a function of the time"),
+    ("-k*x", {}, "x as a function of t, overdamped", "no closed form as a function of the time"),
+    ("-k*x - 3*sqrt(m*k)*x_dot", {}, "x as a function of t, underdamped", "no closed form as a function of the time"),
     ("-b*x_dot", GOES, "terminal speed of x", "has no terminal speed"),
     ("-k*x", {}, "total way of x", "has no total way"),
     ("-k*x - b*x_dot", {}, "amplitude of x", "has no amplitude"),

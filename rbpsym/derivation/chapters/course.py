@@ -33,10 +33,10 @@ def told(draft: Draft, name: str, one: Course, law: str = "") -> str:
     said = {step.id for step in draft.steps for letter in letters.values() if _tells(step, letter)}
     place = substitute(one.place, {old: symbol(new) for old, new in letters.items()})
     relation = t.relation(t.Sym(name), "~" if law else "=", draft.show(place))
-    key = one.case or ("small" if law else "plain")
     where = None if one.where is None else t.equation(t.Sym(one.where[0]), draft.show(one.where[1]))
     return draft.add(
-        f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation, f"course.{key}",
+        f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation,
+        f"course.{one.case or ('small' if law else 'plain')}",
         premises=draft.those(f"motion.{name}", law, *said),
         is_result=True,
         obligations=draft.asked(one.valid), name=t.Sym(name), where=where, data={"name": name, "law": law},
