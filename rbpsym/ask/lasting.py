@@ -35,5 +35,6 @@ def clear(study: Study, state: State) -> State:
     for force, demand in asked:
         if settle([demand], study.assumptions) is None:
             raise StatementError(f"“{force}” vanishes before, and with it the motion that is stated ends")
-    valid = settle([*state.valid, *(demand for _, demand in asked)], study.assumptions)
-    return replace(state, valid=state.valid + tuple(demand for _, demand in asked) if valid is None else valid)
+    demands = [demand for _, demand in asked]
+    # what the place itself asks for stays beside it: a check of a strict sign takes strict conditions only
+    return replace(state, valid=(*state.valid, *(settle(demands, study.assumptions) or demands)))
