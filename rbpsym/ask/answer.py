@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -158,7 +159,9 @@ def _then(asked: Asked, question: Question) -> Found:
     if question.of:
         raise StatementError("what is asked at one moment is no function", instead="leave out “as a function of …”.")
     _bound(asked, question, None)  # an unknown word is told before a moment is looked for
-    return _at_moment(asked, question, moment_of(asked, question.when, question))
+    is_done_before = question.when.kind == "begins" and re.search(r"\bwork\b", question.quantity)
+    when = replace(question.when, kind="until") if is_done_before else question.when
+    return _at_moment(asked, question, moment_of(asked, when, question))
 
 
 def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, substitute
@@ -29,7 +30,9 @@ def extremum(
     *,
     by_place: bool = False,
 ) -> Finding:
-    """The greatest or least value of a quantity over a coordinate (on its way), a parameter, or the time."""
+    """The greatest or least value of a quantity over a coordinate (on its way), a parameter, or the time; of a speed, its
+    magnitude is meant."""
+    phrase = re.sub(r"^(?:the )?(?=(?:speed|velocity) of )", "magnitude of ", phrase)
     if over is not None and over not in (*world.coordinates, "t"):
         parameter(world, over)
     value, given, sense = seen(world, phrase), world.motion.assumptions, SUPERLATIVES[superlative]
