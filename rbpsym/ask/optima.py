@@ -60,6 +60,9 @@ def extremum(
         ways = [(way.asked, range_) for way, range_ in whole_ways(world, name, given)]
     elif name == "t":
         ways = [((), one_period(value, given))]
+    elif over is None and name in world.coordinates:
+        what = f"how far {name} goes in this motion is not known as a function of the position"
+        raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
     closed = name in (*world.coordinates, "t") or low is not None
     found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
     if any(len(one.values) != 1 or not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
