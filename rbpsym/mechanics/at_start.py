@@ -66,6 +66,11 @@ class StartStudy(Study):
         return replace(self._free, scope=replace(scope, start=start))
 
     @property
+    def has_clock(self) -> bool:
+        """Whether something depends on the time explicitly: asked before the speeds at the start are known."""
+        return self._free.has_clock
+
+    @property
     def ties(self) -> tuple[Condition, ...]:
         """The conditions that tie coordinates to each other without an explicit solution."""
         return self._free.implicit

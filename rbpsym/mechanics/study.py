@@ -105,11 +105,16 @@ class Study:
         pairs = zip(self.system.speeds, self.motion_rows, strict=True)
         return sum((symbol(speed) * row for speed, row in pairs), NOTHING)
 
+    @property
+    def has_clock(self) -> bool:
+        """Whether something depends on the time explicitly."""
+        return self.system.has_clock
+
     @cached_property
     def assumptions(self) -> Assumptions:
         """Declared signs of the parameters and ranges of the coordinates."""
         signs = {q.name: q.sign for q in self.problem.parameters}
-        signs |= {} if self.system.has_clock else {"t": "nonnegative"}  # it is counted from the start
+        signs |= {} if self.has_clock else {"t": "nonnegative"}  # it is counted from the start
         ranges = {
             c.name: tuple(None if bound is None else scalar(bound) for bound in (c.lower, c.upper))
             for c in (*self.problem.parameters, *self.problem.coordinates)
