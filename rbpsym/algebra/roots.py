@@ -105,3 +105,22 @@ def _evened(poly: Poly) -> Scalar:
 
 def _is_squared(poly: Poly, index: int) -> bool:
     return any(power not in (0, 1) for power in poly.by_power(index))
+
+
+def without_roots_below(value: Scalar) -> Scalar:
+    """1/√x as √x/x, and 1/(a + b √x) as (a - b √x)/(a² - b² x)."""
+    value = without_even_roots(value)
+    for index in sorted(value.num.atoms()):
+        if atoms.atom(index).kind == "root" and any(power < 0 for power in value.num.by_power(index)):
+            value = _upright(value.num, index) / Scalar(value.den)
+    below = [i for i in value.den.atoms() if atoms.atom(i).kind == "root" and set(value.den.by_power(i)) <= {0, 1}]
+    if len(below) != 1:
+        return value
+    other = with_image(value.den, below[0], -Scalar(generator(below[0])))
+    return without_even_roots(Scalar(value.num) * other) / without_even_roots(Scalar(value.den) * other)
+
+
+def _upright(poly: Poly, index: int) -> Scalar:
+    root_, radicand = Scalar(generator(index)), atoms.atom(index).arg
+    parts = poly.by_power(index).items()
+    return sum((Scalar(part) * root_ ** (power % 2) * radicand ** (power // 2) for power, part in parts), NOTHING)

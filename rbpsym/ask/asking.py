@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 
 from rbpsym.ask.answer import Answer, answer
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import of_parameters
 from rbpsym.ask.question import MANNERS, read_question
+from rbpsym.errors import StatementError
 from rbpsym.statement.model import Problem
 
 # what a motion as a function of the time tells, and is no question about parameters
-OF_COURSE = re.compile("|".join(MANNERS))
+OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:
@@ -29,5 +31,10 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 def answered(asked: Asked, text: str) -> Answer:
     """The answer to one question."""
     plain = " ".join(text.split()).rstrip(" ?.")
-    about = None if OF_COURSE.search(plain) else of_parameters(asked, plain)
-    return about or answer(asked, read_question(plain))
+    in_time = read_question(plain) if OF_COURSE.search(plain) else None
+    if in_time is not None and in_time.manner:
+        return answer(asked, in_time)
+    if in_time is not None:
+        with suppress(StatementError):
+            return answer(asked, in_time)
+    return of_parameters(asked, plain) or answer(asked, read_question(plain))

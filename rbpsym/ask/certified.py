@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import function, names_in
+from rbpsym.algebra.calculus import function, names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask import in_time
@@ -35,7 +35,7 @@ LETTER = "Q"
 LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
-    "course", "speed_along",
+    "course", "speed_along", "reached_in_time",
 )  # fmt: skip
 
 
@@ -217,6 +217,8 @@ def _valid(draft: Draft, found: Found, steps: tuple[Step, ...]) -> tuple[t.Node,
     duties = [duty.relation for open_ in told for duty in open_]
     own = (t.relations(duty) for duty in duties)
     asked = [Demand(value, op) for rows in own for left, op, _ in rows if (value := _valued(draft, left)) is not None]
+    if found.moment is not None and found.moment.watched:
+        asked = [Demand(substitute(one.value, {"t": found.moment.state.time}), one.op) for one in asked]
     left = settle((*_demands(found), *asked), found.study.assumptions) if len(asked) == len(duties) else None
     return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(_demands(found)))))
 

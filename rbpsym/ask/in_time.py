@@ -3,37 +3,72 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import derivative, names_in, substitute
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.moments import Asked, Moment
 from rbpsym.derivation.chapters import course, oscillations
 from rbpsym.derivation.draft import Draft
-from rbpsym.errors import NotApplicable
+from rbpsym.equality.signs import sign
+from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import solutions
+from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
+from rbpsym.mechanics.solved import time_to, without_logarithms
+from rbpsym.mechanics.state import of_coordinate
 
 
-def at_time(asked: Asked, place: int, time: Scalar, manner: str = "") -> Moment:
+def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:
     """The state at a time after the start of a phase. Raises NotApplicable where that has no closed form."""
     study = asked.study(place)
-    if not manner:
+    if not manner and not is_solved:
         with suppress(NotApplicable):
             return Moment(place, uniform_motion(study, time), "time")
     found = solutions.courses_of(study, manner)
-    places = {name: substitute(one.whole, {"t": time}) for name, one in found.items()}
-    speeds = {name: substitute(one.speed, {"t": time}) for name, one in found.items()}
+    at = {"t": time}
+    places = {name: without_logarithms(substitute(one.whole, at)) for name, one in found.items()}
+    speeds = {name: without_logarithms(substitute(one.speed, at)) for name, one in found.items()}
     valid = tuple(demand for one in found.values() for demand in one.valid)
     return Moment(place, State(time, places, speeds, valid), "time", courses=found, is_small=solutions.SMALL in manner)
 
 
-def write(draft: Draft, moment: Moment) -> None:
-    """The steps that say the motion as a function of the time, after those on which they rest."""
+def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str = "") -> Moment:
+    """The first moment at which a coordinate, or a speed x_dot, has a value. Raises NotApplicable where no formula gives it."""
+    study = asked.study(place)
+    name = subject.removesuffix("_dot")
+    moving = of_coordinate(study, name)[subject != name]
+    found = solutions.courses_of(study, manner)
+    at = {n: one.place for n, one in found.items()} | {f"{n}_dot": derivative(one.place, "t") for n, one in found.items()}
+    letters = {letter: value for one in found.values() for letter, value in one.letters.items()}
+    gap = short(substitute(moving, at) - value)
+    drivers = [n for n in study.system.independent if names_in(moving) & {n, f"{n}_dot"}]
+    known = solutions.given(study, drivers[0], small=solutions.SMALL in manner) if len(drivers) == 1 else None
+    if sign(substitute(gap, letters), study.assumptions).is_nonzero:
+        raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")
+    first = None if known is None or names_in(gap) & study.system.scope.rates.keys() else time_to(gap, known, letters)
+    if first is None:
+        raise NotApplicable(f"the time at which “{subject}” has this value has no closed form")
+    time, valid = first
+    found_valid = tuple(demand for one in found.values() for demand in one.valid)
+    asked_for = settle((*found_valid, *valid), study.assumptions)
+    if asked_for is None:
+        raise StatementError(f"“{subject}” does not come to this value in this motion")
+    made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
+    return replace(made, state=replace(made.state, valid=asked_for), watched=(subject, value, time))
+
+
+def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
+    """The ids of the steps that say the motion as a function of the time, after those on which they rest."""
     laws = {}
     if moment.is_small:
         oscillations.write(draft)
         near = (step for step in draft.steps if step.rule == "linearization" and step.data["proved"] != "unstable")
         laws = {step.data["name"]: step.id for step in near}
     draft.chapter = "course"
-    for name, one in moment.courses.items():
-        course.told(draft, name, one, laws.get(name, ""))
+    told = tuple(course.told(draft, name, one, laws.get(name, "")) for name, one in moment.courses.items())
+    if moment.watched is None:
+        return told
+    letters = {letter: value for one in moment.courses.values() for letter, value in one.letters.items()}
+    return (*told, course.reached(draft, *moment.watched, moment.state, letters))

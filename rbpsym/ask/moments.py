@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -38,7 +39,7 @@ class NoClosedForm(StatementError):
 class Moment:
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
     which `phase` would begin, at "rest", at a "time"; the `courses` of the coordinates that lead there,
-    those of `is_small` oscillations or of the motion."""
+    those of `is_small` oscillations or of the motion; what is `watched` there, its value, and the time in letters."""
 
     place: int
     state: State
@@ -46,6 +47,7 @@ class Moment:
     phase: Phase | None = None
     courses: Mapping[str, Course] = field(default_factory=dict)
     is_small: bool = False
+    watched: tuple[str, Scalar, Scalar] | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +118,29 @@ class Asked:
 
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     """The moment that the words mean. Raises StatementError where the motion never comes there."""
-    return MOMENTS[when.kind](asked, when, asked.named(question.phase) if question.phase else None)
+    place = asked.named(question.phase) if question.phase else None
+    try:
+        found, refused = MOMENTS[when.kind](asked, when, place), None
+    except StatementError as error:
+        found, refused = None, error
+    if when.kind in ("reaches", "rests") and (found is None or (found.state.time is None and "time" in question.quantity)):
+        found = _in_time(asked, when, place, question.manner) or found
+    if found is None:
+        raise refused
+    return found
+
+
+def _in_time(asked: Asked, when: When, place: int | None, manner: str) -> Moment | None:
+    """The moment by the motion as a function of the time, where that is known."""
+    from rbpsym.ask import in_time
+
+    world = asked.world(place or 0)
+    name = when.words[0] if when.words else world.study.system.independent[0]
+    value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
+    with suppress(NotApplicable):
+        found = in_time.reached(asked, place or 0, f"{name}_dot" if when.kind == "rests" else name, value, manner)
+        return replace(found, state=clear(world.study, found.state))
+    return None
 
 
 def _start(asked: Asked, when: When, place: int | None) -> Moment:
@@ -236,8 +260,10 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     if name == "t":
         require_dimension(node, world.dimensions, TIME, "the time")
         return in_time.at_time(asked, place or 0, scalar(node))
-    name = _coordinate(asked, name)
+    coordinate = _coordinate(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
+    if coordinate != name:
+        raise NoClosedForm(f"the moment at which “{name}” has this value has no closed form", instead=BY_NUMBERS)
     return _ahead(asked, "reaches", name, place, node)
 
 

@@ -81,6 +81,7 @@ MANNERS = {
     r"(?:for|with|under|if|when) (?:weak damping|underdamped)|(?:if )?underdamped": "weak",
     r"(?:for|with|under) critical damping|(?:if )?critically damped": "critical",
     r"(?:for|with|under) strong damping|(?:if )?overdamped": "strong",
+    r"in (?:the )?steady state|at last": "steady",
 }
 PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")
 SINCE = re.compile(r"(.+?) (?:from|between) (.+?) (?:to|and) (.+)")

@@ -164,7 +164,7 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
             see = _uniform if state.time is not None else _placed
             found.append(see(context, moment, what, coordinate, image[name]))
     for id in ("moment", "place"):
-        if id in context.steps and (moment.how == "event"):
+        if id in context.steps and (moment.how == "event" or moment.watched):
             context.use(id)
     return weakest(found), substitute(value, image)
 

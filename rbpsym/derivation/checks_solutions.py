@@ -8,13 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, substitute
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_roots_below
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks_phases import said_of
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.entailment import short
 from rbpsym.derivation.step import Step
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
-from rbpsym.equality.verdict import UNDECIDED, Verdict
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.mechanics.demands import Demand, assuming
 
 
 def _gained(context: Context, step: Step) -> Scalar:
@@ -32,8 +41,8 @@ def _with(value: Scalar, name: str, place: Scalar, speed: Scalar) -> Scalar:
 
 
 def course(context: Context, step: Step) -> Verdict:
-    """The stated function of the time solves the equation of motion, and starts as the motion does (`data`: "name",
-    "law"), where a parameter has the value that the sentence says (`slots`: "where")."""
+    """The stated function of the time solves the equation of motion, and starts as the motion does unless it is what is left
+    at last (`data`: "name", "law", "steady"), where a parameter has the value that the sentence says (`slots`: "where")."""
     [(left, _, right)] = relations(step.statement)
     name, gained, at = step.data["name"], _gained(context, step), {}
     if step.slots.get("where") is not None:
@@ -45,9 +54,77 @@ def course(context: Context, step: Step) -> Verdict:
     if left.name != name or names_in(follows) & {*context.study.system.coordinates, *context.study.system.speeds}:
         return Verdict(UNDECIDED, reason="the acceleration is no function of the time with this")
     found = [same(context, derivative(speed, "t"), follows)]
-    begins = [(place, name), (speed, f"{name}_dot")]
-    found += [same(context, substitute(a, {"t": NOTHING}), substitute(context.start(symbol(b)), at)) for a, b in begins]
+    if not step.data["steady"]:
+        begins = [(place, name), (speed, f"{name}_dot")]
+        found += [same(context, substitute(a, {"t": NOTHING}), substitute(context.start(symbol(b)), at)) for a, b in begins]
     return weakest(found)
+
+
+def reached(context: Context, step: Step) -> Verdict:
+    """At the stated time the coordinate or speed has the value, and at none before (`data`: "subject", "value")."""
+    [(_, _, right)] = relations(step.statement)
+    subject, time = step.data["subject"], context.value(right)
+    name = subject.removesuffix("_dot")
+    system = context.study.system
+    moving = system.dependent.get(name, symbol(name))
+    moving = moving if name == subject else time_derivative(moving, system.scope)
+    used = [n for n in system.independent if names_in(moving) & {n, f"{n}_dot"}]
+    said = {n: said_of(context, n) for n in used}
+    at = {**said, **{f"{n}_dot": derivative(place, "t") for n, place in said.items()}}
+    gap = substitute(moving, at) - step.data["value"]
+    there = same(context, substitute(gap, {"t": time}), NOTHING)
+    return weakest([there, _lies_ahead(context, step, time), _is_first(context, step, gap, time)])
+
+
+def _lies_ahead(context: Context, step: Step, time: Scalar) -> Verdict:
+    """It is not negative by itself, or since a condition says so of the argument of its logarithm."""
+    found = positive(context, step, time)
+    logs = [atoms.atom(index).arg for index in time.atoms() if atoms.atom(index).kind == "ln"]
+    if found.is_proved or len(logs) != 1:
+        return found
+    said = [context.value(node.items[0]) for node in step.obligations]
+    alike = [UNITY, *said, *(a * b for a in said for b in said)]
+    grows = compare(NOTHING, time / function("ln", logs[0]), _given(context, step))
+    beyond = (compare(NOTHING, without_roots_below((logs[0] - 1) / value), _given(context, step)) for value in alike)
+    return next((weakest([grows, verdict]) for verdict in beyond if verdict.is_proved), found)
+
+
+def _given(context: Context, step: Step) -> Assumptions:
+    """Declared signs and ranges, and the conditions of the step."""
+    said = [Demand(context.value(node.items[0]), node.ops[0]) for node in step.obligations]
+    alone = {next(iter(names_in(one.value))): "positive" for one in said if one.op == ">" and len(names_in(one.value)) == 1}
+    alone = {name: sign for name, sign in alone.items() if any(one.value == symbol(name) for one in said)}
+    return assuming(context.assumptions.with_signs(alone), said)
+
+
+def positive(context: Context, step: Step, value: Scalar) -> Verdict:
+    """It is not negative by the declared signs, or is positive where a condition of the step is."""
+    found = compare(NOTHING, value, _given(context, step), strict=False)
+    ratios = (without_roots_below(value / context.value(node.items[0])) for node in step.obligations)
+    alike = (compare(NOTHING, ratio, _given(context, step)) for ratio in ratios)
+    return found if found.is_proved else next((verdict for verdict in alike if verdict.is_proved), found)
+
+
+def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdict:
+    """What vanishes then grows all the time, or falls; or it is a cos ϑt + b sin ϑt + c, with c = 0 or b = 0 in the first
+    half of the period, else in its first quarter. What dies out is taken off as a factor."""
+    slope = derivative(gap, "t")
+    dying = [function("exp", atoms.atom(i).arg) for i in gap.atoms() if atoms.atom(i).kind == "exp" and "t" in atom_names(i)]
+    steady = [slope, *(short(slope / factor) for factor in dying)]
+    if sign(slope, _given(context, step)).is_nonzero or any(value and not depends_on(value, "t") for value in steady):
+        return Verdict(PROVED, how="it changes in one sense all the time")
+    for value in (gap, *(short(gap / factor) for factor in dying)):
+        rates = {derivative(Scalar(atoms.atom(i).arg), "t") for i in value.atoms() if atoms.atom(i).kind in ("cos", "sin")}
+        rates = {rate for rate in rates if rate and not depends_on(rate, "t")}
+        bent = derivative(derivative(value, "t"), "t")
+        for rate in rates:
+            constant = value + bent / rate**2
+            if depends_on(short(constant), "t"):
+                continue
+            begins = substitute(derivative(value, "t"), {"t": NOTHING})
+            half = is_zero(constant) or is_zero(begins)
+            return compare(time * rate, PI if half else PI / 2, _given(context, step), strict=False)
+    return Verdict(UNDECIDED, reason="whether it has the value before is not decided")
 
 
 def speed_along(context: Context, step: Step) -> Verdict:
@@ -57,17 +134,20 @@ def speed_along(context: Context, step: Step) -> Verdict:
     gained = _with(_gained(context, step), name, symbol(name), value)
     begin = substitute(value, {name: context.start(symbol(name))})
     first = context.start(symbol(f"{name}_dot"))
-    push = context.start(_gained(context, step))
-    found = [same(context, derivative(value, name) * value, gained), same(context, begin, first)]
-    return weakest([*found, *([] if first else _positive(context, push * step.data["way"]))])
+    push = first or context.start(_gained(context, step))
+    found = [same(context, derivative(value, name) * value, gained)]
+    plain = same(context, begin, first)
+    if first and plain.is_proved:
+        return weakest([*found, plain])
+    return weakest([*found, same(context, begin * begin, first * first), positive(context, step, push * step.data["way"])])
 
 
 def feature(context: Context, step: Step) -> Verdict:
-    """What is stated of the solution follows from the equation of motion (`data`: "name", "key", "form")."""
+    """What is stated of the solution follows from the equation of motion (`data`: "name", "key", "form", "steady")."""
     [(_, _, right)] = relations(step.statement)
     form, name = step.data["form"], step.data["name"]
     place, speed = symbol(name), symbol(f"{name}_dot")
-    stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed
+    stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed + form.drive
     found = same(context, context.on_motion(symbol(f"{name}_ddot")), stated)
     return weakest([found, *FEATURES[step.data["key"]](context, step, context.value(right))])
 
@@ -76,14 +156,32 @@ def _positive(context: Context, *values: Scalar) -> list[Verdict]:
     return [compare(NOTHING, value, context.assumptions) for value in values]
 
 
+def _swing(context: Context, step: Step) -> tuple[Scalar, list[Verdict]]:
+    """The square of the amplitude: of the free oscillation (q - rest)² + q̇²/s at the start, which is kept; of what is left
+    of a driven one p² + (dp/dt)²/Ω²; and what has to be so for that."""
+    form, name, steady = step.data["form"], step.data["name"], step.data["steady"]
+    if not form.drive:
+        away = context.start(symbol(name)) - form.constant / form.stiffness
+        plain = [same(context, value, NOTHING) for value in (form.damping, form.drag)]
+        square = away * away + context.start(symbol(f"{name}_dot")) ** 2 / form.stiffness
+        return square, [*plain, *_positive(context, form.stiffness)]
+    part = steady - form.constant / form.stiffness
+    rate, gained = derivative(steady, "t"), context.on_motion(symbol(f"{name}_ddot"))
+    found = [same(context, derivative(rate, "t"), _with(gained, name, steady, rate))]
+    found.append(same(context, derivative(rate, "t"), -part * form.frequency**2))
+    return part * part + (rate / form.frequency) ** 2, [*found, *_positive(context, form.stiffness)]
+
+
 def _amplitude(context: Context, step: Step, value: Scalar) -> list[Verdict]:
-    """(q - rest)² + q̇²/s, which is kept, is its square at the start."""
-    form, name = step.data["form"], step.data["name"]
-    away = context.start(symbol(name)) - form.constant / form.stiffness
-    square = away * away + context.start(symbol(f"{name}_dot")) ** 2 / form.stiffness
-    plain = [same(context, part, NOTHING) for part in (form.damping, form.drag)]
-    found = [*plain, *_positive(context, form.stiffness), same(context, value * value, square)]
-    return [*found, compare(NOTHING, value, context.assumptions, strict=False)]
+    square, found = _swing(context, step)
+    return [*found, same(context, value * value, square), compare(NOTHING, value, context.assumptions, strict=False)]
+
+
+def _fastest(context: Context, step: Step, value: Scalar) -> list[Verdict]:
+    square, found = _swing(context, step)
+    form = step.data["form"]
+    rate = form.frequency**2 if form.drive else form.stiffness
+    return [*found, same(context, value * value, square * rate), compare(NOTHING, value, context.assumptions, strict=False)]
 
 
 def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
@@ -99,13 +197,21 @@ def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
 def _total(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     """q + q̇/b is kept, and q̇ dies out."""
     form = step.data["form"]
-    others = [same(context, part, NOTHING) for part in (form.constant, form.stiffness, form.drag)]
+    others = [same(context, part, NOTHING) for part in (form.constant, form.stiffness, form.drag, form.drive)]
     begin = context.start(symbol(f"{step.data['name']}_dot"))
     return [*others, *_positive(context, form.damping), same(context, value * form.damping, begin)]
 
 
+def _lasting(context: Context, step: Step, value: Scalar) -> list[Verdict]:
+    form = step.data["form"]
+    others = [same(context, part, NOTHING) for part in (form.stiffness, form.drag)]
+    return [*others, *_positive(context, form.damping), same(context, value * form.damping, UNITY)]
+
+
 FEATURES: Mapping[str, Callable[[Context, Step, Scalar], list[Verdict]]] = {
     "amplitude": _amplitude,
+    "greatest speed": _fastest,
     "terminal speed": _terminal,
     "total way": _total,
+    "time constant": _lasting,
 }

@@ -86,6 +86,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "extreme": (parameters.extreme_there,),
     "limit": (parameters.tends_to,),
     "course": (solved.course,),
+    "reached_in_time": (c.identity, solved.reached),
     "speed_along": (solved.speed_along,),
     "feature": (c.identity, solved.feature),
     "inequality": (c.identity,),

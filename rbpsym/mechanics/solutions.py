@@ -1,8 +1,8 @@
 """The motion of one coordinate as a function of the time, where its acceleration has a form that can be integrated.
 
-q̈ = c - s q - b q̇ - k q̇² with constant c, s, b, k: free and damped oscillations (k = 0), resistance in proportion to the
-speed (s = k = 0) and to its square (s = b = 0). A solution starts as the motion does; that it solves the equation is proved
-by differentiation (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
+q̈ = c - s q - b q̇ - k q̇² + h(t) with constant c, s, b, k: free, damped and harmonically driven oscillations (k = 0), resistance
+in proportion to the speed (s = k = 0) and to its square (s = b = 0). A solution starts as the motion does; that it solves
+the equation is proved by differentiation (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
 """
 
 from __future__ import annotations
@@ -10,7 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.equality.signs import sign
@@ -23,17 +25,19 @@ from rbpsym.mechanics.study import Study
 TIME = symbol("t")
 WEAK, CRITICAL, STRONG = "weak", "critical", "strong"
 CASES = (WEAK, CRITICAL, STRONG)
-SMALL = "small"
+STEADY, SMALL = "steady", "small"
 
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇²."""
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive."""
 
     constant: Scalar
     stiffness: Scalar = NOTHING
     damping: Scalar = NOTHING
     drag: Scalar = NOTHING
+    drive: Scalar = NOTHING
+    frequency: Scalar = NOTHING
 
     @property
     def rest(self) -> Scalar:
@@ -49,7 +53,7 @@ class Form:
 @dataclass(frozen=True, slots=True)
 class Course:
     """A coordinate as a function of the time since the start, in `letters` that stand for these values; where that is so:
-    the demands `valid`, and `where` a parameter has a value."""
+    the demands `valid`, and `where` a parameter has a value. `steady`: what is left of a driven motion at last."""
 
     place: Scalar
     letters: Mapping[str, Scalar] = field(default_factory=dict)
@@ -121,9 +125,25 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
     parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
     stiffness, damping, drag = (short(-part) for part in parts)
     left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
-    if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & moving:
+    if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & (moving - {"t"}):
         return None
-    return None if drag and (stiffness or damping) else Form(left, stiffness, damping, drag)
+    if drag and (stiffness or damping or depends_on(left, "t")):
+        return None
+    return _driven(Form(left, stiffness, damping, drag)) if depends_on(left, "t") else Form(left, stiffness, damping, drag)
+
+
+def _driven(form: Form) -> Form | None:
+    """The form with what swings taken out of what is constant."""
+    swinging = (atoms.atom(index) for index in form.constant.atoms())
+    rates = {derivative(Scalar(a.arg), "t") for a in swinging if a.kind in ("cos", "sin") and depends_on(Scalar(a.arg), "t")}
+    if len(rates) != 1 or depends_on(next(iter(rates)), "t"):
+        return None
+    [frequency] = rates
+    drive = short(-derivative(derivative(form.constant, "t"), "t") / frequency**2)
+    constant = short(form.constant - drive)
+    if not is_zero(derivative(constant, "t")):
+        return None
+    return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
 
 
 def _small(study: Study, name: str) -> Form | None:
@@ -163,13 +183,16 @@ def course(known: Given, case: str = "") -> Course | None:
 
 
 def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
-    """The solution for each coordinate for which there is one, in the case that is named, or of `small` oscillations.
-    Raises NotApplicable where there is none."""
+    """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
+    what is left of it at last (`steady`). Raises NotApplicable where there is none."""
     found = {}
     for name in study.system.independent:
         known = given(study, name, small=SMALL in manner)
-        one = None if known is None else course(known, next((case for case in CASES if case in manner), ""))
-        found |= {} if one is None else {name: one}
+        if known is not None and STEADY in manner and known.form.drive:
+            found[name] = Course(steady(known), case=STEADY)
+        elif known is not None and STEADY not in manner:
+            one = course(known, next((case for case in CASES if case in manner), ""))
+            found |= {} if one is None else {name: one}
     if not found:
         raise NotApplicable("the motion has no closed form as a function of the time")
     return found
@@ -184,9 +207,24 @@ def kind_of(form: Form) -> str:
     return "resisted" if form.damping else "uniform"
 
 
+def steady(known: Given) -> Scalar:
+    """The driven motion that is left when the free one has died out, or that goes on beside it: α h + β dh/dt."""
+    form = known.form
+    if not form.drive:
+        return form.rest
+    gap, drag = form.stiffness - form.frequency**2, form.damping * form.frequency
+    whole = gap * gap + drag * drag
+    if not form.damping:
+        return form.rest + form.drive / short(gap)
+    return form.rest + (form.drive * gap - derivative(form.drive, "t") * form.damping) / short(whole)
+
+
 def _free(known: Given) -> tuple[Scalar, Scalar, Scalar]:
-    """The place of rest, and the place and speed at the start relative to it."""
-    return known.form.rest, short(known.place - known.form.rest), known.speed
+    """What is left, and the place and speed at the start relative to it."""
+    left = steady(known)
+    begin = (substitute(value, {"t": NOTHING}) for value in (left, derivative(left, "t")))
+    place, speed = (short(a - b) for a, b in zip((known.place, known.speed), begin, strict=True))
+    return left, place, speed
 
 
 def _uniform(known: Given) -> Course | None:
@@ -247,6 +285,8 @@ def _critical(known: Given, gap: Scalar) -> Course | None:
 
 def _resisted(known: Given) -> Course | None:
     """The speed tends to c/b, at the rate b."""
+    if known.form.drive:
+        return None
     rate, limit = known.letter("lamda"), known.form.constant / known.form.damping
     last = known.letter("u") if limit else NOTHING
     gone = (UNITY - function("exp", -rate * TIME)) / rate

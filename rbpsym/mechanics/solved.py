@@ -1,14 +1,20 @@
-"""What is told of a motion that is known as a function of the time: its amplitude, its last speed."""
+"""What is told of a motion that is known as a function of the time: its amplitude, its last speed, when it comes somewhere."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import function
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, substitute
+from rbpsym.algebra.poly import Poly, generator
+from rbpsym.algebra.roots import with_image
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.solutions import SENSES, Given, kind_of
+from rbpsym.mechanics.solutions import Given, kind_of
+
+Letters = Mapping[str, Scalar]
 
 
 def speed_along(known: Given, name: str) -> Scalar | None:
@@ -22,24 +28,53 @@ def speed_along(known: Given, name: str) -> Scalar | None:
     if not form.constant:
         return known.speed * dies
     last = short(form.constant / form.drag)
-    push = known.speed or form.constant
-    way = SENSES.get(sign(push, known.study.assumptions).kind)  # the square tells the speed where its sense is known
     square = last + (known.speed**2 - last) * dies**2
-    return None if way is None else function("sqrt", short(square)) * way
+    return function("sqrt", short(square)) * known.sense(known.speed or form.constant)
+
+
+def sets_out(known: Given) -> tuple[Demand, ...]:
+    """What has to be positive for the sense in which a motion with a resistance sets out, where the square is known alone."""
+    push = known.speed or known.form.constant
+    is_sure = not known.form.drag or not known.form.constant or sign(push, known.study.assumptions).kind in WAYS
+    return () if is_sure else (Demand(push * known.sense(push)),)
+
+
+def _swing(known: Given) -> Scalar | None:
+    """The square of the amplitude: (q - rest)² + q̇²/s of a free oscillation; of a driven one that of what is left at last."""
+    form = known.form
+    if form.drive:
+        swing, gap, drag = resonance(known)
+        return short(swing * swing / (gap * gap + drag * drag))
+    if form.damping or form.drag or known.sense(form.stiffness) <= 0:
+        return None
+    return short((known.place - form.rest) ** 2 + known.speed**2 / form.stiffness)
+
+
+def resonance(known: Given) -> tuple[Scalar, Scalar, Scalar]:
+    """(H, a, b) with the amplitude H/√(a² + b²) of what is driven, without what stands below in the stiffness."""
+    form = known.form
+    across = derivative(form.drive, "t") / form.frequency
+    swing = known.root(form.drive * form.drive + across * across)
+    below = Scalar(form.stiffness.den) * Scalar(Poly({tuple((i, -e) for i, e in form.stiffness.num.content()[1] if e < 0): 1}))
+    parts = (swing, form.stiffness - form.frequency**2, form.damping * form.frequency)
+    return tuple(short(part * below) for part in parts)
 
 
 def _amplitude(known: Given) -> Scalar | None:
-    """Of a free oscillation: √((q - rest)² + q̇²/s)."""
-    form = known.form
-    if form.damping or form.drag or known.sense(form.stiffness) <= 0:
-        return None
-    return known.root((known.place - form.rest) ** 2 + known.speed**2 / form.stiffness)
+    square = _swing(known)
+    return None if square is None else known.root(square)
+
+
+def _fastest(known: Given) -> Scalar | None:
+    """The frequency times the amplitude."""
+    square, form = _swing(known), known.form
+    return None if square is None else known.root(square * (form.frequency**2 if form.drive else form.stiffness))
 
 
 def _terminal(known: Given) -> Scalar | None:
     """The speed at which the resistance balances what is constant."""
     form = known.form
-    if form.stiffness or not form.constant:
+    if form.stiffness or form.drive or not form.constant:
         return None
     if form.damping:
         return short(form.constant / form.damping)
@@ -51,12 +86,113 @@ def _terminal(known: Given) -> Scalar | None:
 def _total(known: Given) -> Scalar | None:
     """The way that it still makes until a resistance in proportion to the speed has stopped it."""
     form = known.form
-    return short(known.speed / form.damping) if kind_of(form) == "resisted" and not form.constant else None
+    return short(known.speed / form.damping) if kind_of(form) == "resisted" and not (form.constant or form.drive) else None
+
+
+def _lasting(known: Given) -> Scalar | None:
+    """1/b: in this time a speed falls to 1/e of what it was over its last value."""
+    return short(1 / known.form.damping) if kind_of(known.form) == "resisted" else None
 
 
 # what is asked of a coordinate -> the letter that it gets, and what finds it
 FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
     "amplitude": ("A", _amplitude),
+    "greatest speed": ("v_max", _fastest),
     "terminal speed": ("v_end", _terminal),
     "total way": ("s_end", _total),
+    "time constant": ("tau", _lasting),
 }
+
+
+# --- when it comes somewhere
+
+
+def time_to(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """The first t > 0 at which a function of the time vanishes, and what has to be positive for that; None where no formula
+    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm, or in sines and cosines of ϑt.
+    `letters` stand for their values in it, and in the time that is found."""
+    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_logarithm, _by_wave))
+    return next((one for one in found if one is not None), None)
+
+
+def _moving(gap: Scalar) -> list[int]:
+    """The atoms in which the time stands."""
+    return [index for index in gap.atoms() if "t" in atom_names(index)]
+
+
+def _linear(gap: Scalar, index: int) -> tuple[Scalar, Scalar] | None:
+    """(a, b) of a x + b, for a generator x."""
+    parts = {power: Scalar(part) for power, part in gap.num.by_power(index).items()}
+    least = min(parts)
+    parts = {power - least: part for power, part in parts.items()}
+    if set(parts) != {0, 1} or any(depends_on(part, "t") for part in parts.values()):
+        return None
+    return parts[1], parts[0]
+
+
+def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """t itself, or the one e^{λt} in it."""
+    moving = _moving(gap)
+    parts = _linear(gap, moving[0]) if len(moving) == 1 else None
+    kind = atoms.atom(moving[0]).kind if parts else ""
+    if kind not in ("symbol", "exp"):
+        return None
+    value = short(-parts[1] / parts[0])
+    whole = substitute(value, letters)
+    if kind == "symbol":
+        return value, (Demand(whole),)
+    rate = derivative(atoms.atom(moving[0]).arg, "t")
+    way = known.sense(substitute(rate, letters))
+    return function("ln", value**way) / (rate * way), (Demand(whole), Demand((whole - 1) * way))
+
+
+def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a ln f(t) + b = 0 as f(t) = e^{-b/a}."""
+    moving = _moving(gap)
+    parts = _linear(gap, moving[0]) if len(moving) == 1 and atoms.atom(moving[0]).kind == "ln" else None
+    if parts is None:
+        return None
+    return time_to(atoms.atom(moving[0]).arg - function("exp", short(-parts[1] / parts[0])), known, letters)
+
+
+def _by_wave(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a cos ϑt + b sin ϑt + c = 0, one of a, b and c being zero; what dies out like e^{-γt} is no more than a factor."""
+    dying = [index for index in _moving(gap) if atoms.atom(index).kind == "exp"]
+    for index in dying:
+        parts = gap.num.by_power(index)
+        gap = Scalar(next(iter(parts.values()))) if len(parts) == 1 else gap
+    moving = {atoms.atom(index).kind: index for index in _moving(gap)}
+    if not moving or not moving.keys() <= {"cos", "sin"} or len(moving) != len(_moving(gap)):
+        return None
+    angle = atoms.atom(next(iter(moving.values()))).arg
+    rate = derivative(Scalar(angle), "t")
+    parts = {kind: gap.num.by_power(index) for kind, index in moving.items()}
+    if any(set(powers) - {0, 1} for powers in parts.values()) or Scalar(angle) != rate * symbol("t"):
+        return None
+    a, b = (Scalar(parts[kind].get(1, Poly({}))) if kind in parts else NOTHING for kind in ("cos", "sin"))
+    c = short(gap - a * function("cos", Scalar(angle)) - b * function("sin", Scalar(angle)))
+    if depends_on(c, "t") or depends_on(a, "t") or depends_on(b, "t"):
+        return None
+    value = short(-(a if a and b else c) / (b or a))
+    whole = substitute(value, letters)
+    if not b:
+        return function("acos", value) / rate, (Demand(UNITY - whole * whole),)
+    if not a:
+        return (PI / rate, ()) if not c else (function("asin", value) / rate, (Demand(whole), Demand(UNITY - whole)))
+    if c:
+        return None
+    push = substitute(-a * b, letters)
+    way = known.sense(push)
+    return (function("atan", value) + (PI if way < 0 else NOTHING)) / rate, (Demand(push * way),)
+
+
+def without_logarithms(value: Scalar) -> Scalar:
+    """e^{n ln x} as xⁿ for whole n."""
+    for index in value.atoms():
+        found = atoms.atom(index)
+        logs = [i for i in found.arg.atoms() if atoms.atom(i).kind == "ln"] if found.kind == "exp" else []
+        power = (found.arg / Scalar(generator(logs[0]))).number() if len(logs) == 1 else None
+        if isinstance(power, int):
+            image = atoms.atom(logs[0]).arg ** power
+            value = with_image(value.num, index, image) / with_image(value.den, index, image)
+    return value

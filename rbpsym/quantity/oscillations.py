@@ -81,7 +81,12 @@ def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
     return number(found[0].at[name], "oscillations")
 
 
-OTHERWISE = {"total angle": "total way", "total change": "total way"}
+OTHERWISE = {
+    "total angle": "total way",
+    "total change": "total way",
+    "largest speed": "greatest speed",
+    "maximum speed": "greatest speed",
+}
 
 
 def of_course(world: ProblemWorld, key: str, name: str) -> Bound:

@@ -22,7 +22,7 @@ from tests.oracles.sets import drawn
 SETS, PERIODS = 20, np.linspace(0.2, 2.0, 5)
 AHEAD = 'v_0 = "speed: v_0"'
 FORCES = ("-k*x", "-k*x - b*x_dot", "k*x - b*x_dot", "-b*x_dot", "m*g - b*x_dot", "-c*x_dot**2", "m*g - c*x_dot**2",
-          "-m*g - c*x_dot**2", "-mu*m*g")  # fmt: skip
+          "-m*g - c*x_dot**2", "F*cos(Omega*t) - k*x - b*x_dot", "-mu*m*g")  # fmt: skip
 LIBRARY = {"torsion-pendulum": ("theta", 2), "plank-on-two-rollers": ("x", 0)}
 
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.solutions import Course, Given
+from rbpsym.mechanics.solutions import STEADY, Course, Given, steady
+from rbpsym.mechanics.state import State
 from rbpsym.notation import tree as t
 
 TOLD = ("amplitude", "terminal speed", "total way")
+DRIVEN = dict.fromkeys(("amplitude", "greatest speed"), (".free", ".driven"))
 
 
 def write(draft: Draft) -> None:
@@ -21,9 +25,9 @@ def write(draft: Draft) -> None:
         known = solutions.given(draft.study, name)
         if known is None or not (known.form.stiffness or known.form.damping or known.form.drag):
             continue
-        for one in solutions.courses(known):
+        for one in solutions.courses(known) if not known.form.drive else (Course(steady(known), case=STEADY),):
             told(draft, name, one)
-        for key in TOLD if known.speed or known.form.drag else ():
+        for key in TOLD if known.speed or known.form.drive or known.form.drag else ():
             feature(draft, known, name, key)
 
 
@@ -39,7 +43,10 @@ def told(draft: Draft, name: str, one: Course, law: str = "") -> str:
         f"course.{one.case or ('small' if law else 'plain')}",
         premises=draft.those(f"motion.{name}", law, *said),
         is_result=True,
-        obligations=draft.asked(one.valid), name=t.Sym(name), where=where, data={"name": name, "law": law},
+        obligations=draft.asked(one.valid),
+        name=t.Sym(name),
+        where=where,
+        data={"name": name, "law": law, "steady": one.case == STEADY},
     ).id  # fmt: skip
 
 
@@ -58,8 +65,33 @@ def _letter(draft: Draft, letter: str, value: Scalar) -> str:
     taken = draft.context.scalars.keys()
     found = letter if letter not in taken else draft.free(f"{letter}_s", taken=taken)
     draft.define(found, value)
-    draft.add(f"letter.{found}", "identity", t.equation(t.Sym(found), shown), "course.letter", letter=t.Sym(found))
+    draft.add(
+        f"letter.{found}",
+        "identity",
+        t.equation(t.Sym(found), shown),
+        "course.letter",
+        letter=t.Sym(found),
+    )
     return found
+
+
+def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: State, letters: Mapping[str, Scalar]) -> str:
+    """The id of the step that says when a coordinate or a speed has a value; the time is said in letters."""
+    named = {letter: symbol(_letter(draft, letter, value)) for letter, value in letters.items()}
+    made = draft.define(draft.free("t_1"), state.time)
+    return draft.add(
+        "moment",
+        "reached_in_time",
+        t.equation(made, draft.show(substitute(time, named), factor=True)),
+        "course.reached",
+        premises=[step.id for step in draft.steps if step.rule == "course"],
+        name=t.Sym(subject),
+        value=draft.show(value),
+        letter=made,
+        is_result=True,
+        obligations=draft.asked(state.valid),
+        data={"subject": subject, "value": value},
+    ).id
 
 
 def feature(draft: Draft, known: Given, name: str, key: str) -> None:
@@ -73,18 +105,34 @@ def feature(draft: Draft, known: Given, name: str, key: str) -> None:
     draft.add(
         f"{key.replace(' ', '_')}.{name}",
         "feature",
-        t.equation(made, draft.show(value, factor=True)),
-        f"course.{key.replace(' ', '_')}",
+        t.equation(made, _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)),
+        f"course.{key.replace(' ', '_')}{DRIVEN.get(key, ('', ''))[bool(known.form.drive)]}",
         premises=draft.those(f"motion.{name}"),
-        name=t.Sym(name), letter=made, is_result=True, data={"name": name, "key": key, "form": known.form},
-    )  # fmt: skip
+        name=t.Sym(name),
+        letter=made,
+        is_result=True,
+        data={"name": name, "key": key, "form": known.form, "steady": solutions.steady(known)},
+    )
+
+
+def _quotient(draft: Draft, known: Given) -> t.Node:
+    """The amplitude of what is driven over the root of two squares, which tell of resonance."""
+    swing, gap, drag = solved.resonance(known)
+    squares = t.add(t.Pow(t.Group(draft.show(gap)), t.TWO), *([t.Pow(t.Group(draft.show(drag)), t.TWO)] if drag else []))
+    return t.div(draft.show(swing, factor=True), t.Sqrt(squares))
 
 
 def speed(draft: Draft, name: str, value: Scalar) -> str:
     """The id of the step that says this speed as a function of the place."""
     known = solutions.given(draft.study, name)
     return draft.add(
-        f"speed_at.{name}", "speed_along", t.equation(t.Sym(f"{name}_dot"), draft.show(value)), "course.speed",
+        f"speed_at.{name}",
+        "speed_along",
+        t.equation(t.Sym(f"{name}_dot"), draft.show(value)),
+        "course.speed",
         premises=draft.those(f"motion.{name}"),
-        name=t.Sym(name), is_result=True, data={"name": name, "way": known.sense(known.speed or known.form.constant)},
-    ).id  # fmt: skip
+        name=t.Sym(name),
+        is_result=True,
+        obligations=draft.asked(solved.sets_out(known)),
+        data={"name": name, "way": known.sense(known.speed or known.form.constant)},
+    ).id
