@@ -186,7 +186,7 @@ def _compared(world: Scene, text: str) -> Wanted:
     for cut in RELATION.finditer(text):
         left, op, right = text[: cut.start()], WORDS.get(cut[1], cut[1]), text[cut.end() :]
         place = PLACE.fullmatch(right)
-        for first, second in ((left, right), *(((left + place[2], place[1]),) if place else ())):
+        for first, second in (*(((left + place[2], place[1]),) if place else ()), (left, right)):
             try:
                 both = _equal(world, first, second)
             except RbpsymError as error:
