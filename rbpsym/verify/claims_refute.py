@@ -35,7 +35,7 @@ def refutation(a: Scalar, b: Scalar, question: Question) -> Verdict:
     moves = any(depends_on(value, name) for value in (a, b) for name in question.motion.scope.rates)
     if question.motion.is_tied and (moves or any(holds_unknowns(value, question) for value in (a, b))):
         return undecided("the coordinates are tied by conditions that are not solved in closed form")
-    for find in (_at_start, _at_any_state, _along, _in_rates_at_start):
+    for find in (_at_start, _at_any_state, _along, _in_rates_at_start, _on_other_motions):
         with suppress(ZeroDivisionError, Undecided):
             found = find(a, b, question)
             if found.is_refuted:
@@ -81,6 +81,14 @@ def _at_any_state(a: Scalar, b: Scalar, question: Question) -> Verdict:
         if found.is_refuted:
             return found
     return undecided("")
+
+
+def _on_other_motions(a: Scalar, b: Scalar, question: Question) -> Verdict:
+    """Where it is demanded of all motions, and not of the one from the start alone: any position and speed."""
+    if "start" in question.depths:
+        return undecided("")
+    x, y = (question.seen(value, question.depths[-1]) for value in (a, b))
+    return undecided("") if holds_unknowns(x - y, question) else witness_of(x, y, question.motion.assumptions)
 
 
 def _in_rates_at_start(a: Scalar, b: Scalar, question: Question) -> Verdict:
