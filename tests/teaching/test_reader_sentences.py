@@ -33,10 +33,7 @@ READERS = (
         HOUSE / "notation" / f"latex_{name}.py"
         for name in ("calculus", "functions", "grammar", "names", "reader", "rows", "tokens")
     ),
-    *(
-        HOUSE / "teaching" / "grading" / f"{name}.py"
-        for name in ("integrals", "quantity", "reading", "standard", "typed")
-    ),
+    *(HOUSE / "teaching" / "grading" / f"{name}.py" for name in ("quantity", "reading", "words")),
 )
 FOREIGN = tuple(language for language in languages() if language != "en")
 SENTENCE = re.compile(r"[A-Za-z]{2,}'? [A-Za-z“{*\\0-9<(\]]|[”}] [a-z]|^[A-Z][a-z]+ ")
