@@ -39,8 +39,7 @@ def _magnitude(world: ProblemWorld, phrase: str) -> Bound:
 
 
 def _component(world: ProblemWorld, axis: str, phrase: str) -> Bound:
-    found = world.bound(phrase).vector or Space()
-    return number(dict(zip("xyz", found.components(), strict=True))[axis])
+    return number(dict(zip("xyz", world.vector(phrase).components(), strict=True))[axis])
 
 
 def _rate(world: ProblemWorld, phrase: str) -> Bound:
@@ -60,6 +59,9 @@ def _of_coordinate(order: int):
     def find(world: ProblemWorld, name: str) -> Bound:
         if name in world.study.system.bodies and name not in world.coordinates:
             return _of_point(order)(world, f"{name}.cm")
+        if name in {quantity.name for quantity in world.study.problem.parameters}:
+            hint = did_you_mean(name, [*world.coordinates, *world.study.system.bodies], "coordinates and bodies")
+            raise StatementError(f"“{name}” is a constant, and does not move", instead=hint)
         value, scope = scalar(read_infix(name, world.names)), world.motion.scope
         value = world.study.system.dependent.get(name, value)
         for _ in range(order):

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra.vector import ORIGIN, Space, Vector
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.geometry import pair, position
@@ -110,6 +110,15 @@ class ProblemWorld:
             if found:
                 return resolve(self, *found.groups())
         return self.expression(text)
+
+    def vector(self, phrase: str) -> Space:
+        """The vector that a phrase means; a force by its name alone is that on the first body on which it acts."""
+        name = phrase.removeprefix("force ")
+        acts = next((force for force in self.study.system.forces if force.name == name and force.vector), None)
+        found = self.bound(f"force {name} on {acts.on}" if acts else phrase).vector
+        if found is None:
+            raise StatementError(f"“{phrase}” is no vector", instead="name a force, a velocity, an acceleration.")
+        return found
 
     @property
     def forces_known(self) -> set[str]:

@@ -20,8 +20,8 @@ POINT = re.compile(r"\b(?:of|on) ([\w-]+(?:\.\w+)?(?:\([^()]*\))?)")
 
 
 def _vector(world: ProblemWorld, phrase: str) -> Vector:
-    found = world.bound(phrase).vector
-    if found is None or not is_zero(found.z):
+    found = world.vector(phrase)
+    if not is_zero(found.z):
         what = f"“{phrase}” is no vector in the plane of motion"
         raise StatementError(what, instead="name a force, a velocity, an acceleration.")
     return found.plane

@@ -18,6 +18,7 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
     ("rbpsym.derivation.checks_phases", "rbpsym.mechanics.friction"): "the poses as places of points",
     ("rbpsym.derivation.checks_phases", "rbpsym.mechanics.geometry"): "the direction that the statement names",
     ("rbpsym.derivation.checks_oscillations", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",
+    ("rbpsym.derivation.checks_solutions", "rbpsym.mechanics.demands"): "conditions of a step as assumptions",
     ("rbpsym.derivation.checks_places", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",
     ("rbpsym.derivation.checks_places", "rbpsym.mechanics.events"): "which forces are one-sided is the statement",
     ("rbpsym.derivation.checks_places", "rbpsym.mechanics.ways"): "how strings run and springs lie is the statement",

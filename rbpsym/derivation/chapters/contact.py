@@ -123,7 +123,7 @@ def _asks(draft: Draft, side: Side) -> None:
         t.relation(shown, ">=", t.ZERO),
         f"contact.{told}",
         premises=_told(draft, side.force),
-        is_result=is_short,  # N >= 0 alone tells nothing
+        is_result=True,
         lasts=_lasts(draft, side.force),
         data={"force": side.force},
     )
