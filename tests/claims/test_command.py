@@ -7,7 +7,8 @@ from xml.etree import ElementTree
 import click
 import pytest
 
-from rbpsym.commands.check import command, doubtful, verdicts
+from rbpsym.cli import main
+from rbpsym.commands.check import doubtful, verdicts
 from rbpsym.derivation.step import Certificate
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.errors import RbpsymError
@@ -62,7 +63,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def run(*names):
-    return command.main(list(names), standalone_mode=False)
+    return main.main(["check", *names], standalone_mode=False)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rbpsym.commands.check import command
+from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
 
 LADDER = """problem = "sliding-ladder"
@@ -37,7 +37,7 @@ def checked(folder, capsys, texts, claims, *more):
     for place, text in enumerate(claims):
         (folder / f"claims{place}.toml").write_text(text)
         names += ["--problems", f"claims{place}.toml"]
-    code = command.main([next(iter(texts)), *names, "--json", *more], standalone_mode=False)
+    code = main.main(["check", next(iter(texts)), *names, "--json", *more], standalone_mode=False)
     rows = json.loads(capsys.readouterr().out)["results"]
     return code, {row["label"] or row["number"] or row["id"]: row for row in rows}
 
@@ -71,7 +71,7 @@ def test_it_may_be_expected(folder, capsys):
 def test_nothing_decided_is_no_success(folder, capsys, text):
     assert checked(folder, capsys, {"a.tex": text}, [LADDER])[0] == 1
     (folder / "claims0.toml").write_text(LADDER)
-    command.main(["a.tex", "--problems", "claims0.toml"], standalone_mode=False)
+    main.main(["check", "a.tex", "--problems", "claims0.toml"], standalone_mode=False)
     assert "nothing was decided" in capsys.readouterr().out
 
 
@@ -82,7 +82,7 @@ def test_settings_without_claims_are_no_problem_file(folder, capsys):
     code, rows = checked(folder, capsys, {"a.tex": TRUE}, [several])
     assert code == 1 and "several settings" in rows["1"]["detail"]
     with pytest.raises(RbpsymError, match="without claims"):
-        command.main(["claims0.toml"], standalone_mode=False)
+        main.main(["check", "claims0.toml"], standalone_mode=False)
 
 
 def test_a_problem_that_cannot_be_read_is_an_error_of_the_run(folder, capsys):

@@ -4,8 +4,7 @@ import json
 
 import pytest
 
-from rbpsym.commands.grade import command as grade_command
-from rbpsym.commands.worksheet import command as worksheet_command
+from rbpsym.cli import main
 from rbpsym.errors import RbpsymError
 from rbpsym.teaching.batch import known_plan
 from rbpsym.teaching.grading.marking import grade
@@ -40,7 +39,7 @@ def folder(tmp_path, monkeypatch):
 
 def made(*more):
     names = ["rod.toml", "--students", "class.csv", "-o", "papers", "--format", "tex", "--jobs", "1"]
-    assert worksheet_command.main([*names, *more], standalone_mode=False) == 0
+    assert main.main(["worksheet", *names, *more], standalone_mode=False) == 0
 
 
 def graded(**more):
@@ -111,5 +110,5 @@ def test_papers_of_two_lists_are_kept_together(folder):
 def test_the_command_ends_with_a_sentence_and_writes_nothing(folder):
     made("--seed", "autumn")
     with pytest.raises(RbpsymError):
-        grade_command.main(["rod.toml", "answers.csv", "-o", "marks.csv"], standalone_mode=False)
+        main.main(["grade", "rod.toml", "answers.csv", "-o", "marks.csv"], standalone_mode=False)
     assert not (folder / "marks.csv").exists()
