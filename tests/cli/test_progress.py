@@ -11,6 +11,7 @@ from tests.architecture.source import ROOT
 
 CODE = """
 import time
+import rich.progress  # a busy machine takes longer to load it than the bar would be seen
 from rbpsym.commands import progress
 progress.PATIENCE = 0.1
 with progress.Progress("first", 2) as bar:
