@@ -15,6 +15,8 @@ from rbpsym.ask.seen import scene
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
+_NO_MODE = r"(?!(?:lowest|highest) frequency of )"  # that of a mode is a quantity
+_BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (rf"does (.+) depend on {_N}", special.depends),
@@ -31,8 +33,8 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (r"is (.+ (?:>=|<=|>|<) .+)", yesno.does),
     (rf"(.+) in the limit {_N} ?(?:->|→|to) ?(.+)", special.in_limit),
     (rf"(.+) (?:for|in the limit|when) {_N} ?(>>|<<) ?{_N}", special.much),
-    (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "0")),
-    (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, phrase, name: special.in_limit(w, phrase, name, "oo")),
+    (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, what, name: special.near(w, what, name, "0")),
+    (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
     (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", optima.with_equal),
     (rf"for which {_N} is (.+) {_BEST}", optima.extreme_for),
     (rf"where is (.+) {_BEST}", lambda w, phrase, best: optima.extreme_for(w, None, phrase, best)),
@@ -41,7 +43,7 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (rf"{_N} {_FOR} (.+) is {_BEST}", optima.extreme_for),
     (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
-    (rf"{_BEST} (.+?)(?: over {_N})?(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?", optima.extremum),
+    (rf"{_NO_MODE}{_BEST} (.+?)(?: over {_N})?{_BETWEEN}", optima.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 

@@ -13,7 +13,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.limits import SMALL, Leading, leading
 from rbpsym.ask.neat import neat
-from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen
+from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen, told
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import find_witness
@@ -64,8 +64,8 @@ def _constant(world: Scene, name: str) -> str:
 # --- limits
 
 
-def in_limit(world: Scene, phrase: str, name: str, text: str) -> Finding:
-    """A quantity in the limit NAME -> VALUE."""
+def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool = False) -> Finding:
+    """A quantity in the limit NAME -> VALUE; near it, its leading term (`as_term`)."""
     name, given, value = _constant(world, name), world.motion.assumptions, seen(world, phrase)
     sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
     to = None if plain in FAR else place_in(world, name, text)
@@ -73,10 +73,17 @@ def in_limit(world: Scene, phrase: str, name: str, text: str) -> Finding:
         raise StatementError(f"“{phrase}” does not depend on {name}", instead="leave the limit out.")
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
-    return _limit(value, name, to, -1 if at_top else sign_, given, phrase)
+    return _limit(value, name, to, -1 if at_top else sign_, given, phrase, as_term=as_term)
 
 
-def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str) -> Finding:
+def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
+    """The leading term of a quantity near that limit."""
+    return in_limit(world, phrase, name, text, as_term=True)
+
+
+def _limit(
+    value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool
+) -> Finding:
     found = leading(value, name, to, side)
     if found is None and is_zero(value):
         return Finding(proved("it vanishes"), values=(NOTHING,))
@@ -88,6 +95,8 @@ def _limit(value: Scalar, name: str, to: Scalar | None, side: int, given: Assump
         says = f"“{phrase}” grows beyond all bounds, as this"
         return Finding(**said, values=(neat(term, given),), relation="approaches", says=says)
     if found.order > 0:
+        if not as_term:
+            return Finding(**said, values=(NOTHING,), says=f"“{phrase}” vanishes as {told(neat(term, given))}")
         says = f"the limit is 0; “{phrase}” vanishes as this"
         return Finding(**said, values=(neat(term, given),), relation="approaches", says=says)
     return Finding(**said, values=(neat(found.coefficient, given),))

@@ -1,0 +1,60 @@
+"""Words that could be taken for others: each was once answered with the value of something else."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
+from rbpsym.ask.asking import ask
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.errors import StatementError
+from rbpsym.notation.infix import read_infix
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+
+MEANT = (
+    ("disk-with-spring", "largest speed of x", "magnitude of speed of x where x = 0"),
+    ("rod-pendulum", "x component of F at the start", "F_x at the start"),
+    ("rod-pendulum", "component of F across rod at the start", "component of force F on rod across rod at the start"),
+    ("bowling-with-overspin", "work of F on ball when rolling begins", "work of F on ball until rolling"),
+    ("ball-in-a-loop", "v_0 for which N = 0 where theta = pi", "v_0 for which N where theta = pi = 0"),
+)
+LIMITS = (
+    ("yo-yo", "acceleration of y in the limit b -> 0", "0"),
+    ("yo-yo", "acceleration of y for small b", "2*b**2*g/R**2"),
+)
+WRONG = (
+    ("double-atwood", "acceleration of m_1", "is a constant"),
+    ("rod-pendulum", "x component of M", "is no vector"),
+    ("disk-on-viscous-bearing", "largest phi", "how far phi goes"),
+)
+
+
+def answers(name: str, *questions: str):
+    return ask(load_problem(problem_files()[name]), *questions)
+
+
+@pytest.mark.parametrize(("name", "question", "other"), MEANT)
+def test_it_is_what_the_longer_words_mean(name, question, other):
+    found, same = answers(name, question, other)
+    assert found.verdict.is_proved
+    assert scalars_equal(found.value, same.value, found.study.assumptions).is_proved
+
+
+@pytest.mark.parametrize(("name", "question", "value"), LIMITS)
+def test_a_limit_is_a_value_and_what_is_near_it_a_term(name, question, value):
+    [found] = answers(name, question)
+    names = {quantity.name: quantity.name for quantity in found.study.problem.parameters}
+    assert found.verdict.is_proved and is_zero(found.value - scalar(read_infix(value, names)))
+
+
+@pytest.mark.parametrize(("name", "question", "told"), WRONG)
+def test_what_means_nothing_gets_a_sentence(name, question, told):
+    with pytest.raises(StatementError, match=told):
+        answers(name, question)
+
+
+def test_the_lowest_frequency_is_that_of_a_mode():
+    low, high = answers("double-compound-pendulum", "lowest frequency of theta_1", "highest frequency of theta_1")
+    assert low.text != high.text
