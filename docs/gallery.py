@@ -39,7 +39,9 @@ def write(pages: Path, extra: Path) -> None:
         [drawn] = drawings([(figure.scenes, notation)], "svg", 0)
         (pages / f"{entry.name}.svg").write_bytes(drawn)
         (extra / "problems" / f"{entry.name}.html").write_text(writer("html")(document), encoding="utf-8")
-        (extra / "problems" / f"{entry.name}-explorer.html").write_text(explorer((derivation.study.problem,)), encoding="utf-8")
+        if not derivation.study.at_start:
+            moving = explorer((derivation.study.problem,))
+            (extra / "problems" / f"{entry.name}-explorer.html").write_text(moving, encoding="utf-8")
         (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt)), encoding="utf-8")
     (pages / "index.md").write_text("\n".join(index(problems)), encoding="utf-8")
 
@@ -52,7 +54,8 @@ def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
     yield f"# {title}\n"
     yield f"```{{image}} {entry.name}.svg\n:alt: {' '.join(alt.split())}\n:width: 24em\n```\n"
     notes_, moves = (f"../problems/{entry.name}{end}.html" for end in ("", "-explorer"))
-    yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a> · <a href="{moves}">See it move</a></p>\n```\n'
+    see = "" if derivation.study.at_start else f' · <a href="{moves}">See it move</a>'
+    yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a>{see}</p>\n```\n'
     yield f"Source: {problem.source}.\n" if problem.source else ""
     yield "## Results\n\n```text\n" + "\n".join(told) + "\n```\n"
     yield f"## Statement\n\n```toml\n{problem.text.rstrip()}\n```\n"
@@ -62,7 +65,7 @@ def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
 def index(problems: list[Entry]) -> Iterator[str]:
     """The page that leads to all of them, by topic and from easy to hard."""
     yield "# Gallery\n"
-    yield "Every problem that ships: its figure, statement, results, its derivation, and a page in which it moves.\n"
+    yield "Every problem that ships: its figure, statement, results, its derivation, and (where the motion is known) a page in which it moves.\n"
     for topic, group in groupby(problems, key=lambda entry: entry.topic()):
         yield f"## {topic[:1].upper()}{topic[1:]}\n\n```{{toctree}}\n:maxdepth: 1\n"
         yield from (entry.name for entry in group)
