@@ -65,7 +65,8 @@ def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
 def index(problems: list[Entry]) -> Iterator[str]:
     """The page that leads to all of them, by topic and from easy to hard."""
     yield "# Gallery\n"
-    yield "Every problem that ships: its figure, statement, results, its derivation, and (where the motion is known) a page in which it moves.\n"
+    yield "Every problem that ships: its figure, statement, results, its derivation, "
+    yield "and (where the motion is known) a page in which it moves.\n"
     for topic, group in groupby(problems, key=lambda entry: entry.topic()):
         yield f"## {topic[:1].upper()}{topic[1:]}\n\n```{{toctree}}\n:maxdepth: 1\n"
         yield from (entry.name for entry in group)
