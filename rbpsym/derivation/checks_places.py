@@ -39,9 +39,11 @@ def stays(context: Context, step: Step) -> Verdict:
         return found
     [(left, _, _)] = relations(step.statement)
     value = context.along(context.value(left))
-    bounds = [context.along(symbol(until))] if until else context.study.squares.values()
+    bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
     if any(_is_kept(value, bound, context.assumptions) for bound in bounds):
         return Verdict(PROVED, how="it is more than a multiple of what is not negative")
+    if found.is_refuted and bounds:  # there, perhaps, the motion never comes
+        return Verdict(UNDECIDED, reason="whether it keeps its sign where the motion goes is not decided")
     return found
 
 

@@ -12,9 +12,11 @@ from pathlib import Path
 import pytest
 
 from rbpsym.derivation.step import Derivation, Step
+from rbpsym.derive import derive
 from rbpsym.document.notes import DETAILS, shown_steps
 from rbpsym.mechanics.events import pushes
 from rbpsym.solve import results
+from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
 from tests.golden.semantic import examples
 from tests.library.derived import derived_from
@@ -69,6 +71,46 @@ def test_the_answer_says_it_too(name: str) -> None:
                 assert item["valid_where"] and set(item["valid_where"]) <= set(answer["valid_where"])
         asked = [i for i in answer["static_friction"] if i["coefficient"] is not None and not i["enough"]]
         assert all(any(i["coefficient"] in row for row in answer["valid_where"]) for i in asked)
+
+
+def test_a_sign_is_not_refuted_where_the_motion_never_comes():
+    text = """
+[parameters]
+m = "mass"
+M = "mass"
+L = "length"
+R = "length"
+g = "acceleration"
+kappa = "torsion stiffness"
+[coordinates.y]
+dimension = "length"
+start = "0"
+[coordinates.phi]
+[bodies.w]
+shape = "particle"
+mass = "m"
+center = ["R", "-L - y"]
+[bodies.p]
+shape = "disk"
+mass = "M"
+radius = "R"
+center = "O"
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[interactions.K]
+type = "torsion-spring"
+between = ["ground", "p"]
+stiffness = "kappa"
+[constraints.A]
+type = "pivot"
+point = "p.center"
+[constraints.T]
+type = "string"
+path = ["cw p", "w.center"]
+"""
+    found = derive(load_text(text), simulation=False)
+    assert not [step.id for step in found.steps if step.certificate and step.certificate.verdict.is_refuted]
 
 
 if __name__ == "__main__":
