@@ -291,7 +291,7 @@ class SymbolicModel:
 
         >>> import rbpsym
         >>> frame, origin, bodies = rbpsym.model("rod-pendulum").rigid_bodies()
-        >>> [body.kinetic_energy(frame).simplify() for body in bodies]
+        >>> [body.kinetic_energy(frame).trigsimp().factor() for body in bodies]
         [M*ell**2*Derivative(theta(t), t)**2/6]
         """
         return space(self.study, self._written)
