@@ -40,7 +40,7 @@ def test_a_near_miss_is_named(name, latex, words):
         claim if claim.right is None else type(claim)(claim.id, claim.setting, claim.printed), Printed(latex)
     )
     assert found.outcome is Outcome.REFUTED
-    assert words in found.diagnosis and found.seconds < 3
+    assert words in found.diagnosis
 
 
 def test_what_is_far_off_is_told_what_it_is():

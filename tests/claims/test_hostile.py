@@ -1,13 +1,13 @@
 """Hostile formulas: a sentence within 0.2 s, and nothing else."""
 
 import random
-import time
 
 import pytest
 
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_model import Claim, Outcome, Printed
 from tests.claims.test_decide import LADDER, ROWS, WORLDS, Meaning, Setting
+from tests.effort import MANY, at_most
 
 SETTING = Setting("ladder", "sliding-ladder", symbols={key: Meaning(value) for key, value in LADDER.items()})
 HOSTILE = [
@@ -51,26 +51,22 @@ HOSTILE = [
 
 
 def checked(latex):
-    begun = time.process_time()
-    result = Checker(WORLDS).check_safely(Claim("a", SETTING, Printed(latex)))
-    return result, time.process_time() - begun
+    with at_most(MANY):
+        return Checker(WORLDS).check_safely(Claim("a", SETTING, Printed(latex)))
 
 
 @pytest.mark.parametrize("latex", HOSTILE, ids=[latex[:24].replace("\0", "0") for latex in HOSTILE])
 def test_a_hostile_formula_is_answered(latex):
     checked("M=M")
-    result, seconds = checked(latex)
-    assert result.outcome is not Outcome.PROVED and seconds < 0.25
+    assert checked(latex).outcome is not Outcome.PROVED
 
 
 def test_random_changes_of_formulas_never_crash():
     chance = random.Random(7)
     alphabet = r"\{}^_()[]|&=<>+-*/., dMg0129" + "θω∫"
-    slowest = 0.0
     for _ in range(600):
         latex = list(chance.choice(ROWS)[0])
         for _ in range(chance.randint(1, 4)):
             place = chance.randrange(len(latex))
             latex[place : place + chance.randint(0, 2)] = chance.choice(alphabet)
-        slowest = max(slowest, checked("".join(latex))[1])
-    assert slowest < 1
+        checked("".join(latex))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-import time
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -24,6 +23,7 @@ from rbpsym.document.writers import writer
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, find_problem
+from tests.effort import at_most
 
 NAMES = ("sliding-ladder", "rod-and-disk-free", "ball-on-incline")
 
@@ -102,16 +102,15 @@ def test_watching_writes_at_each_change_and_survives_bad_input(file: Path, capsy
     assert "half of it" in written[-1]
 
 
-def test_a_small_edit_is_written_in_well_under_a_second(file: Path) -> None:
+def test_a_small_edit_is_written_with_little_work(file: Path) -> None:
     kept = KeptDerivations(False)
     for ending in ("html", "pdf"):
         writer(ending)(notes(kept.derivation(file)))
     edit(file, "mass of the ladder", "how heavy it is")
-    begun = time.perf_counter()
-    document = notes(kept.derivation(file))
-    for ending in ("html", "pdf", "tex"):
-        writer(ending)(document)
-    assert time.perf_counter() - begun < 2.0  # 0.15 s on an idle machine
+    with at_most():
+        document = notes(kept.derivation(file))
+        for ending in ("html", "pdf", "tex"):
+            writer(ending)(document)
 
 
 def test_notes_needs_a_name_or_all() -> None:

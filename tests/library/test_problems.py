@@ -3,7 +3,6 @@
 That the claims of each file come out as expected is tests/claims/test_shipped.py.
 """
 
-import time
 import tomllib
 from functools import cache
 
@@ -14,7 +13,6 @@ from rbpsym.commands.shelf import entry
 from rbpsym.statement.library import library_folder, problem_files
 from tests.library.derived import AT_START, NAMES, derived, problem
 
-SLOWEST = 10  # seconds to derive, on two cores; benchmarks/library.py has the table
 UNDECIDED = 0.02  # of all steps
 
 by_name = pytest.mark.parametrize("name", NAMES)
@@ -63,9 +61,7 @@ def test_no_file_is_longer_than_a_page(name):
 
 @by_name
 def test_every_step_is_proved_or_says_why_not(name):
-    begun = time.perf_counter()
     found = derived(name)
-    assert time.perf_counter() - begun < 3 * SLOWEST  # others may be running beside it
     verdicts = [step.certificate.verdict for step in found.steps]
     wrong = [step.id for step in found.steps if str(step.certificate.verdict.kind) == "REFUTED"]
     assert verdicts and not wrong

@@ -1,6 +1,5 @@
 """What people type, what it means, and what is refused with a sentence."""
 
-import time
 
 import pytest
 
@@ -8,6 +7,7 @@ from rbpsym.errors import LimitError, Place, RbpsymError, ReadError
 from rbpsym.notation.infix import read_infix, read_relation, read_ways
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.tree import Abs, Fn, Group, Mul, Neg, Num, Pow, Sym, walk
+from tests.effort import at_most
 
 SYMBOLS = """m M g ell theta theta_0 theta_dot omega omega_1 E I N S Q beta gamma lambda x_dot
     varphi k R theta_1_ddot n mu1""".split()  # fmt: skip
@@ -174,10 +174,8 @@ HOSTILE = {
 
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_hostile_input_is_refused_quickly(kind):
-    begin = time.perf_counter()
-    with pytest.raises((ReadError, LimitError)) as caught:
+    with at_most(), pytest.raises((ReadError, LimitError)) as caught:
         read_infix(HOSTILE[kind], SYMBOLS)
-    assert time.perf_counter() - begin < 0.5
     assert len(caught.value.what) < 200
 
 

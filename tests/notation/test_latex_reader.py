@@ -1,6 +1,5 @@
 """What papers write, and what the LaTeX reader refuses."""
 
-import time
 
 import pytest
 
@@ -9,6 +8,7 @@ from rbpsym.notation.latex_reader import read_latex
 from rbpsym.notation.symbol_table import symbol_table
 from rbpsym.notation.text import to_text
 from rbpsym.notation.tree import Abs, BodyIntegral, Integral, Mul, Pow, Sym, Vec, Word, relation
+from tests.effort import at_most
 
 SYMBOLS = """m M g ell R theta theta_0 theta_dot theta_ddot phi omega omega_0 I_cm I_O_prime N_w r
     r_prime V_cm F_net Delta_x cal_W_T t T k x y""".split()  # fmt: skip
@@ -139,10 +139,8 @@ HOSTILE = {
 
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_hostile_input_is_refused_quickly(kind):
-    begin = time.perf_counter()
-    with pytest.raises(RbpsymError) as caught:
+    with at_most(), pytest.raises(RbpsymError) as caught:
         read_latex(HOSTILE[kind], SYMBOLS)
-    assert time.perf_counter() - begin < 1
     assert len(caught.value.what) < 200
 
 
