@@ -42,6 +42,9 @@ def stays(context: Context, step: Step) -> Verdict:
     bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
     if any(_is_kept(value, bound, context.assumptions) for bound in bounds):
         return Verdict(PROVED, how="it is more than a multiple of what is not negative")
+    begins = sign(context.start(value), context.assumptions).kind == "positive"
+    if begins and any(_is_not_met(value, bound, context.assumptions) for bound in bounds):
+        return Verdict(PROVED, how="it has the sign at the start, and the motion never comes to where it vanishes")
     if found.is_refuted and bounds:  # there, perhaps, the motion never comes
         return Verdict(UNDECIDED, reason="whether it keeps its sign where the motion goes is not decided")
     return found
@@ -55,6 +58,18 @@ def _is_kept(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
             rest = with_image(value.num, index, edge) / with_image(value.den, index, edge)
             more = (value - rest) / bound
             if sign(rest, given).kind == "positive" and sign(more, given).is_nonnegative:
+                return True
+    return False
+
+
+def _is_not_met(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
+    """Where the value vanishes the bound is negative."""
+    for index in value.num.atoms():
+        parts = value.num.by_power(index)
+        if set(parts) == {0, 1} and sign(Scalar(parts[1]), given).is_nonzero:
+            edge = -(Scalar(parts[0]) / Scalar(parts[1]))
+            there = with_image(bound.num, index, edge) / with_image(bound.den, index, edge)
+            if sign(there, given).kind == "negative":
                 return True
     return False
 
