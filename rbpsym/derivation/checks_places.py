@@ -9,7 +9,7 @@ from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import with_image, without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.checks import along_motion, relations, weakest
 from rbpsym.derivation.context import Context
@@ -26,9 +26,13 @@ from rbpsym.mechanics.ways import taken
 
 def under(context: Context, step: Step, *ops: str) -> Context:
     """The context in which the printed conditions of the step are met (those with these operators; else all)."""
-    found = [relation for node in step.obligations for relation in relations(node)]
-    demands = [Demand(context.value(left) - context.value(right), op) for left, op, right in found if op in (ops or (op,))]
+    demands = [demand for demand in _printed(context, step) if demand.op in (ops or (demand.op,))]
     return replace(context, assumed=assuming(context.assumptions, demands)) if demands else context
+
+
+def _printed(context: Context, step: Step) -> list[Demand]:
+    found = [relation for node in step.obligations for relation in relations(node)]
+    return [Demand(context.value(left) - context.value(right), op) for left, op, right in found]
 
 
 def stays(context: Context, step: Step) -> Verdict:
@@ -83,9 +87,12 @@ def has_sign_of_force(context: Context, step: Step) -> Verdict:
 
 def can_rest(context: Context, step: Step) -> Verdict:
     """The stated place exists, lies within the ranges, and no force there has the wrong sense (`data`: "at")."""
-    context = under(context, step)
+    context, printed = under(context, step), _printed(context, step)
     nothing = Verdict(PROVED, how="no range, no one-sided force and no limit of friction forbids it")
-    return weakest([nothing, *_exists(context, step), *_within(context, step), *_holds(context, step)])
+    found = weakest([nothing, *_exists(context, step, printed), *_within(context, step), *_holds(context, step, printed)])
+    if found.is_refuted and not all(IMPLIED[demand.op](sign(demand.value, context.assumptions)) for demand in printed):
+        return Verdict(UNDECIDED, reason="whether it can rest there under the conditions printed is not decided")
+    return found
 
 
 def comes_first(context: Context, step: Step) -> Verdict:
@@ -125,11 +132,22 @@ def way_to(context: Context, name: str, end: Scalar) -> tuple[list[Verdict], Ass
     return [_beyond(context, lower, upper), sets_out, goes], between
 
 
-def _exists(context: Context, step: Step) -> Iterator[Verdict]:
+def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verdict]:
     for _, _, right in relations(step.statement):
         for condition in conditions(right, context.scope):
             met = IMPLIED[condition.op](sign(condition.value, context.assumptions))
+            met = met or _follows(Demand(condition.value, condition.op), printed, context.assumptions)
             yield Verdict(PROVED) if met else Verdict(UNDECIDED, reason="whether the place exists is not decided")
+
+
+def _follows(asked: Demand, printed: list[Demand], given: Assumptions) -> bool:
+    """It is a multiple of what is printed, by a factor of which the sign is known."""
+    for demand in printed:
+        above, below = asked.value.num * demand.value.den, asked.value.den * demand.value.num
+        factor = sign(quotient(above, below), given)
+        if demand.op in (">", asked.op) and (factor.is_nonzero if asked.op == "!=" else factor.kind == "positive"):
+            return True
+    return False
 
 
 def _within(context: Context, step: Step) -> Iterator[Verdict]:
@@ -161,7 +179,7 @@ def _beyond(context: Context, low: Scalar, high: Scalar) -> Verdict:
     return found
 
 
-def _holds(context: Context, step: Step) -> Iterator[Verdict]:
+def _holds(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verdict]:
     system = context.study.system
     still = dict.fromkeys((*system.speeds, *system.accelerations), NOTHING)
 
@@ -174,7 +192,8 @@ def _holds(context: Context, step: Step) -> Iterator[Verdict]:
         yield from () if any(depends_on(there, n) for n in system.coordinates) else [compare(NOTHING, there, context.assumptions)]
     for element in system.problem.constraints:
         for name in pushes(element):
-            yield compare(NOTHING, here(name), context.assumptions, strict=False)
+            met = _follows(Demand(here(name), ">="), printed, context.assumptions)
+            yield Verdict(PROVED) if met else compare(NOTHING, here(name), context.assumptions, strict=False)
         if element.values.get("limit") is not None:
             grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
             for side in (grip, -grip):

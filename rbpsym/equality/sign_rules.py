@@ -108,15 +108,16 @@ def _on_range(study: Study, poly: Poly, index: int, limits: b.Bounds) -> int:
     parts = poly.by_power(index)
     if min(parts) < 0 or max(parts) > 8 or max(parts) < 1:
         return ANY
-    lower, upper = limits.lower, limits.upper
+    lower, upper, mask = limits.lower, limits.upper, ANY
     if lower is not None and upper is not None:
-        found = _finite(parts, lower, upper)
-        reached = (limits.lower_in, limits.upper_in)
-    elif lower is not None:
-        found, reached = _shifted(parts, lower, 1), (limits.lower_in, False)
-    else:
-        found, reached = _shifted(parts, upper, -1), (limits.upper_in, False)
-    return _common(study, found, reached)
+        mask = _common(study, _finite(parts, lower, upper), (limits.lower_in, limits.upper_in))
+        if mask in DECIDED or not names_of([lower, upper]):
+            return mask
+    if lower is not None:
+        mask &= _common(study, _shifted(parts, lower, 1), (limits.lower_in, False))
+    if upper is not None:
+        mask &= _common(study, _shifted(parts, upper, -1), (limits.upper_in, False))
+    return mask
 
 
 def _common(study: Study, coefficients: list[Scalar], reached: tuple[bool, bool]) -> int:

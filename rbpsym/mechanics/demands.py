@@ -178,14 +178,14 @@ def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
 
 
 def _squared(demand: Demand, given: Assumptions) -> list[Demand]:
-    """A > B √x for B > 0 as A > 0 and A² > B² x; A + B √x > 0 for A < 0 < B as B² x > A²; else nothing."""
+    """A > B √x for B > 0 as A > 0 and A² > B² x; A + B √x > 0 for A ≤ 0 < B as B² x > A²; else nothing."""
     for index in demand.value.num.atoms() if demand.op != "!=" else ():
         parts = {k: Scalar(part) for k, part in demand.value.num.by_power(index).items()}
-        if atoms.atom(index).kind == "root" and set(parts) == {0, 1} and demand.value.den is ONE:
-            rest, root = sign(parts[0], given), sign(parts[1], given)
-            gap = parts[0] ** 2 - parts[1] ** 2 * atoms.atom(index).arg
+        if atoms.atom(index).kind == "root" and set(parts) - {0} == {1} and demand.value.den is ONE:
+            rest, root = parts.get(0, NOTHING), sign(parts[1], given)
+            gap = rest**2 - parts[1] ** 2 * atoms.atom(index).arg
             if root.kind == "negative":
-                return [Demand(parts[0], demand.op), Demand(gap, demand.op)]
-            if root.kind == "positive" and rest.kind == "negative":
+                return [Demand(rest, demand.op), Demand(gap, demand.op)]
+            if root.kind == "positive" and sign(rest, given).kind in ("negative", "zero"):
                 return [Demand(-gap, demand.op)]
     return []

@@ -15,11 +15,11 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector, cartesian
-from rbpsym.errors import NoNumber
+from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.inertia import Inertia, tidy
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import BodyState, Pose, at_point
-from rbpsym.statement.model import Body, Line, PointRef, Problem
+from rbpsym.statement.model import Body, Element, Line, PointRef, Problem
 
 
 def local_point(body: Body, name: str, inertia: Inertia) -> tuple[Scalar, Scalar]:
@@ -131,3 +131,13 @@ def start_numbers(problem: Problem) -> dict[str, float]:
     numbers = sample(problem)
     starts = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
     return numbers | {name: number(value, numbers) for name, value in starts.items()}
+
+
+def no_direction(element: Element, first: str, second: str) -> StatementError:
+    """The refusal of what pulls along the line between two points that are always in one place."""
+    return StatementError(
+        f"the {element.kind} “{element.name}” joins “{first}” and “{second}”, which are always in one place: "
+        "its pull has no direction",
+        instead="join two points that are apart.",
+        place=element.place,
+    )

@@ -14,7 +14,7 @@ from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
-from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import BodyState, Force, rotated
 from rbpsym.statement.model import Element, PointRef
@@ -66,9 +66,11 @@ def _height_energy(element: Element, setting: Setting) -> Scalar:
 
 
 def stretch(element: Element, setting: Setting) -> tuple[Vector, Scalar]:
-    """(unit vector from the first end to the second, their distance)."""
+    """(unit vector from the first end to the second, their distance). Raises StatementError where they are one place."""
     first, second = element["between"]
     apart = (setting.where(second) - setting.where(first)).settled()
+    if not apart.parts:
+        raise no_direction(element, first.label, second.label)
     if len(apart.parts) == 1:
         [(angle, length)] = apart.parts.items()
         sign = -1 if setting.is_positive(length) is False else 1

@@ -63,6 +63,8 @@ def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     """All positions of rest, as far as closed forms go."""
     reason = _unfit(system, dynamics)
     forces = resting_forces(system, dynamics)
+    if system.implicit and all(map(is_zero, forces)):
+        return Rest((), *_everywhere(forces, given))
     if reason:
         tied = all(dynamics.ideal.values()) and system.implicit and not system.has_clock
         values = [*forces, *(condition.value for condition in system.implicit)]

@@ -16,7 +16,7 @@ from rbpsym.algebra.normal import is_rooted, is_zero
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import QUARTER, Vector, polar
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.geometry import Geometry
+from rbpsym.mechanics.geometry import Geometry, no_direction
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.model import Element, Turn
@@ -94,6 +94,9 @@ def spans(element: Element, geometry: Geometry) -> tuple[Scalar, ...]:
 
 
 def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list[Segment]:
+    for first, second in zip(run, run[1:], strict=False):
+        if not (geometry.where(second.center) - geometry.where(first.center)).settled().parts:
+            raise no_direction(element, first.center.label, second.center.label)
     try:
         return segments(run, geometry)
     except Crossing as fault:

@@ -81,6 +81,10 @@ CASES = [
     ("x**3 - x", "1 < x < ", "positive"),
     ("x**3 - x", "0 < x < 1", "negative"),
     ("(R - r)**2 + 2*r", "positive", "positive"),
+    ("2*k*L - m - M", "positive k L m; 0 < M < 2*k*L - m", "positive"),
+    ("2*k*L - m - M", "positive k L m; 0 < M < 2*k*L", None),
+    ("1 - ((m + M)/(2*k*L))**2", "positive k L m; 0 < M < 2*k*L - m", "positive"),
+    ("M - m", "positive k m; m < M < k", "positive"),
 ]
 
 

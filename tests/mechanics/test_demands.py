@@ -58,6 +58,8 @@ SETS = {
     "root": ["m - M*sqrt(k) > 0"],
     "root above": ["M*sqrt(k) - m > 0"],
     "root or equal": ["m - sqrt(M**2 + k) >= 0"],
+    "root alone": ["2*m*sqrt(M - k) > 0", "m - k > 0"],
+    "minus a root": ["-sqrt(M**2 + k) >= 0"],
     "two roots": ["m - L*sqrt(k) > 0", "m - k > 0"],
     "asin": ["asin(mu) - pi/6 > 0", "1 - mu**2 > 0"],
     "minus asin": ["pi/3 - asin(mu) > 0", "1 - mu**2 > 0"],
@@ -86,7 +88,7 @@ def test_what_is_left_says_the_same(name):
 
 def test_what_contradicts_itself_is_never_met():
     assert {name for name in SETS if settle(demands(SETS[name]), GIVEN) is None} == {
-        "against each other", "never", "never or equal", "zero", "asin never",
+        "against each other", "never", "never or equal", "zero", "asin never", "minus a root",
     }  # fmt: skip
     assert settle(demands(SETS["implied"]), GIVEN) == tuple(demands(["m - M != 0"]))
     assert settle(demands(SETS["twice"]), GIVEN) == tuple(demands(["m - M > 0"]))

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from zlib import crc32
 
 from rbpsym.derive import derive
+from rbpsym.document.notes import notes
+from rbpsym.document.writers.terminal import plain_lines
 from rbpsym.errors import LimitError, RbpsymError
 from rbpsym.statement.loader import load_text
 from tests.oracles.compare import each, findings
@@ -74,6 +76,10 @@ def _judged(text: str) -> Judged:
         found.wrong += [f"the method {name} differs"] if verdict.is_refuted else []
     if derivation.lagrange is not None and derivation.lagrange.is_refuted:
         found.wrong.append("Lagrange's equations differ")
+    try:
+        list(plain_lines(notes(derivation, detail="full")))
+    except Exception as error:
+        found.wrong.append(f"crash of the notes: {type(error).__name__}: {error}")
     report = derivation.simulation
     if report is not None and not report.max_relative_error <= CLOSE:
         worst = max(report.errors, key=lambda key: report.errors[key], default="drift")

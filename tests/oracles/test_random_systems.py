@@ -42,6 +42,8 @@ def test_each_kind_of_system_is_derived_and_compared(name):
 # seeds at which something was wrong once: what it was
 MENDED = {
     85: "a bound without a value at a sample point ended the derivation",
+    186: "an empty list of forces was printed as the condition of rest",
+    622: "a spring between points of one place ended the derivation",
     1015: "a force has a zero in closed form, and another one without, which was forgotten",
 }
 
@@ -50,6 +52,11 @@ MENDED = {
 def test_what_was_found_is_mended(number):
     found = judged(statement(random.Random(number).choice))
     assert not found.wrong, MENDED[number]
+
+
+@pytest.mark.parametrize("number", (4, 14))
+def test_a_place_exists_under_the_conditions_printed_with_it(number):
+    assert judged(statement(random.Random(number).choice)).outcome == "proved"
 
 
 def test_a_bound_without_a_value_is_no_error():

@@ -428,4 +428,30 @@ ROWS = [
         "a force that has not this size",
         "another name",
     ),
+    Wrong(
+        "spring of no length",
+        IMPACT,
+        "[constraints.F]",
+        '[interactions.S]\ntype = "spring"\nstiffness = "M*g/b"\nnatural_length = "b"\n'
+        'between = ["O", "rod.start"]\n\n[constraints.F]',
+        "always in one place",
+        "points that are apart",
+    ),
+    Wrong(
+        "damper of no length",
+        IMPACT,
+        "[constraints.F]",
+        '[interactions.S]\ntype = "damper"\ncoefficient = "M*v_0/b"\n'
+        'between = ["O", "rod.start"]\n\n[constraints.F]',
+        "always in one place",
+        "points that are apart",
+    ),
+    Wrong(
+        "string of no length",
+        IMPACT,
+        "[constraints.F]",
+        '[constraints.S]\ntype = "string"\npath = ["O", "rod.start"]\n\n[constraints.F]',
+        "always in one place",
+        "points that are apart",
+    ),
 ]
