@@ -51,7 +51,8 @@ class Ratios:
 
 def ratios(values: Iterable[Scalar | Poly], places: Mapping[int, int]) -> Ratios:
     """The table of some formulas; `places` are the rows of the atoms, and row 0 holds the number 1."""
-    factors, products, coefficients, sums = [], [], [], []
+    factors = list[tuple[int, int]]()
+    products, coefficients, sums = list[int](), list[float](), list[int]()
     for value in values:
         for poly in (value.num, value.den) if isinstance(value, Scalar) else (value, ONE):
             sums.append(len(products))
@@ -60,8 +61,8 @@ def ratios(values: Iterable[Scalar | Poly], places: Mapping[int, int]) -> Ratios
                 coefficients.append(float(coefficient))
                 factors += [(places[index], power) for index, power in monomial] or [(0, 1)]
     rows, powers = np.array(factors or [(0, 1)]).T
-    firsts = (np.array(numbers, dtype=int) for numbers in (products, sums))
-    return Ratios(rows, powers[:, None].astype(float), *firsts, np.array(coefficients, dtype=float)[:, None])
+    firsts, exponents = [np.array(numbers, dtype=int) for numbers in (products, sums)], powers[:, None].astype(float)
+    return Ratios(rows, exponents, firsts[0], firsts[1], np.array(coefficients, dtype=float)[:, None])
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,7 @@ def compiled(values: Iterable[Scalar], defined: Mapping[str, Scalar] | None = No
     for level in range(1, deepest + 1):
         here = sorted((i for i, own in depths.items() if own == level), key=lambda i: atoms.atom(i).kind)
         kinds = tuple((kind, len(list(group))) for kind, group in groupby(atoms.atom(index).kind for index in here))
-        levels.append((ratios(map(inner, here), places), kinds))
+        levels.append((ratios([value for i in here if (value := inner(i)) is not None], places), kinds))
         places |= {index: row for row, index in enumerate(here, 1 + len(places))}
     names = tuple(atoms.symbol_name(index) or f"[{index}]" for index in given)
     return Formulas(names, tuple(levels), ratios(values, places))

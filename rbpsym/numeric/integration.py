@@ -12,7 +12,7 @@ import numpy as np
 from rbpsym.errors import NotApplicable
 
 if TYPE_CHECKING:
-    from scipy.integrate import OdeSolution
+    from scipy.integrate import DenseOutput, OdeSolution
 
 Rate = Callable[[float, np.ndarray], np.ndarray]
 SMALL = 1e-9  # what counts as nothing before an event
@@ -49,10 +49,10 @@ def followed(
 
     `longest`: of a step; `tolerances`: relative and absolute. Raises NotApplicable where not a step can be taken.
     """
-    from scipy.integrate import DOP853, OdeSolution
+    from scipy.integrate import DOP853, DenseOutput, OdeSolution
 
     first, (relative, absolute) = np.array(start, dtype=float), tolerances
-    times, pieces, seen = [0.0], [], [[] for _ in events]
+    times, pieces, seen = [0.0], list[DenseOutput](), [list[float]() for _ in events]
     before = [event.value(0.0, first) for event in events]
     with np.errstate(all="ignore"):  # close to a singularity numbers overflow, and the step gets shorter
         solver = DOP853(_quiet(rate), 0.0, first, end, rtol=relative, atol=absolute, max_step=longest)
@@ -83,20 +83,22 @@ def _quiet(rate: Rate) -> Rate:
     return quiet
 
 
-def _noted(events: Sequence[Event], before, after, dense, seen: list[list[float]]) -> float:
+def _noted(
+    events: Sequence[Event], before: list[float], after: list[float], dense: DenseOutput, seen: list[list[float]]
+) -> float:
     """Notes the events of a step in their order; returns the time at which the motion ends or the step does."""
     changed = [k for k, value in enumerate(before) if abs(value) > SMALL and value * after[k] <= 0]
     for time, place in sorted((_root(events[k].value, before[k], dense), k) for k in changed):
         seen[place].append(time)
         if len(seen[place]) >= events[place].most:
             return time
-    return dense.t
+    return float(dense.t)
 
 
-def _root(value: Callable[[float, np.ndarray], float], before: float, dense) -> float:
+def _root(value: Callable[[float, np.ndarray], float], before: float, dense: DenseOutput) -> float:
     """The time at which a number changes its sign in a step; its end where rounding hides that."""
     from scipy.optimize import brentq
 
     if before * value(dense.t, dense(dense.t)) > 0:
-        return dense.t
-    return brentq(lambda time: value(time, dense(time)), dense.t_old, dense.t, xtol=1e-14, rtol=1e-14)
+        return float(dense.t)
+    return float(brentq(lambda time: value(time, dense(time)), dense.t_old, dense.t, xtol=1e-14, rtol=1e-14))
