@@ -230,12 +230,16 @@ RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {
 
 
 def _within(node: t.Integral, scope: Scope) -> Iterator[Condition]:
-    """The ends; the integrand between them, and at them."""
+    """The ends; the integrand between them, and at them. A gap that can be filled, as of θ²/θ, is none."""
+    filled = not any(depends_on(below, node.var) for below in divisors(scalar(node.integrand, scope)))
     for end in (node.lower, node.upper):
         yield from _conditions(end, scope)
-        yield from _moved(node.integrand, node.var, scalar(end, scope), scope)
+        moved = _moved(node.integrand, node.var, scalar(end, scope), scope)
+        yield from (one for one in moved if not (filled and one.op == "!="))
     ends = scalar(node.lower, scope), scalar(node.upper, scope)
     for condition in _conditions(node.integrand, scope):
+        if filled and condition.op == "!=" and depends_on(condition.value, node.var):
+            continue
         between = (node.var, *ends) if depends_on(condition.value, node.var) else condition.between
         yield replace(condition, between=between)
 

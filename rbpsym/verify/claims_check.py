@@ -16,7 +16,7 @@ from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.points import names_of
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import Kind, Verdict, all_of
+from rbpsym.equality.verdict import Kind, Verdict, all_of, refuted
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
@@ -24,7 +24,7 @@ from rbpsym.notation.text import to_text
 from rbpsym.quantity.bound import World
 from rbpsym.verify import claims_decide as d
 from rbpsym.verify.claims_ground import Glossary, Ground, Question, glossary, grounded, with_own_symbols
-from rbpsym.verify.claims_integrals import valued, with_dimensions
+from rbpsym.verify.claims_integrals import NoValueError, valued, with_dimensions
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Link, Outcome, Printed, Result, Setting, told_of, worst
 
 # what a value may not be, by the declared sign of its name
@@ -248,6 +248,8 @@ def decide(relation: t.Chain, ground: Ground, depth: str = "", *, witnesses: boo
     """The outcome of one relation; what can't be computed is said, never passed."""
     try:
         return _decided(relation, ground, Question(ground, depth, witnesses))
+    except NoValueError as error:
+        return _link(relation, refuted(error.what, error.witness))
     except (Undecided, LimitError) as error:
         return Link(relation, Outcome.UNDECIDED, detail=error.what)
     except RbpsymError as error:

@@ -22,7 +22,10 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Space, Vector
+from rbpsym.equality.domain import conditions, obligations
 from rbpsym.equality.homogeneity import faults
+from rbpsym.equality.poles import pole
+from rbpsym.equality.verdict import Witness
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.notation import tree as t
@@ -161,6 +164,7 @@ def _rate(found: Scalar | Space, ground: Ground) -> Scalar | Space:
 def _integral(node: t.Integral, ground: Ground) -> t.Node:
     scope = ground.scope
     name = ground.generator(node.var)
+    _refuse_poles(node if name is None else replace(node, var=name), ground)
     inside = scalar(node.integrand, scope)
     lower, upper = scalar(node.lower, scope), scalar(node.upper, scope)
     if name is None:
@@ -170,6 +174,24 @@ def _integral(node: t.Integral, ground: Ground) -> t.Node:
         if done is not None:
             return _injected(done, ground)
     return _injected(_along(inside, name, lower, upper, ground), ground)
+
+
+class NoValueError(Undecided):
+    """An integral through a pole: no relation with it holds. `witness` is a point at which it lies between the ends."""
+
+    def __init__(self, witness: Witness) -> None:
+        super().__init__("the integrand has a pole between the ends of the integral")
+        self.witness = witness
+
+
+def _refuse_poles(node: t.Integral, ground: Ground) -> None:
+    """Raises NoValueError where there is a pole, Undecided where it is not known that there is none."""
+    given = ground.motion.assumptions
+    within = [one for one in conditions(node, ground.scope) if one.between is not None]
+    if (witness := pole(within, given)) is not None:
+        raise NoValueError(witness)
+    if not all(duty.is_discharged for duty in obligations(within, given)):
+        raise Undecided("whether the integrand has a value everywhere between the ends is not known")
 
 
 def _over(place: Scalar, inside: Scalar, lower: Scalar, upper: Scalar, ground: Ground) -> Scalar:
