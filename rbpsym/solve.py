@@ -10,11 +10,13 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN
 from rbpsym.algebra.sympy_bridge import plain_names
+from rbpsym.derivation.step import Derivation
 from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
@@ -37,7 +39,23 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
     from rbpsym.derive import derive
 
     derivation = derive(problem, simulation=simulation)
-    return {**results(derivation.study), "verdicts": derivation.summary()}
+    answer = results(derivation.study)
+    answer["valid_where"] += _opened(answer, derivation)
+    for told, phase in zip(answer["phases"], derivation.phases, strict=False):
+        _opened(told, phase.derivation)
+    return {**answer, "verdicts": derivation.summary()}
+
+
+def _opened(told: dict[str, Any], derivation: Derivation) -> list[str]:
+    """The conditions of forces that would be told to be kept, though no step proves it: they are told to be open."""
+    found = []
+    proved = {step.id: step.certificate.verdict.is_proved for step in derivation.steps}
+    for row, side in zip(told["one_sided"], derivation.study.sides, strict=True):
+        if not proved.get(f"holds.{side.force}", True):
+            asked = _demands((Demand(side.value, ">="),), derivation.study)
+            row.update(state="open", until=None, valid_where=asked)
+            found += asked
+    return found
 
 
 def text(value: Scalar | None, study: Study | None = None) -> str | None:

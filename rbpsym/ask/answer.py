@@ -146,7 +146,7 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[S
         if any(depends_on(value, name) for value in values):
             done = work_done(power, world.motion)
             if done is None:
-                raise NoClosedForm("a work in this has no closed form", instead="ask for its power, or with numbers.")
+                raise NoClosedForm("no closed form was found for a work in this", instead="ask for its power, or with numbers.")
             found[name] = (power, done)
     return found
 
@@ -211,7 +211,7 @@ def _time(asked: Asked, question: Question) -> Found:
     moment = moment_of(asked, question.when, question)
     clock = asked.stage(moment.place).clock if moment.place else NOTHING
     if None in (moment.state.time, clock):
-        what = f"the time {question.when.text} has no closed form"
+        what = f"no closed form was found for the time {question.when.text}"
         raise NoClosedForm(what, instead=BY_NUMBERS)
     moment = replace(moment, how="time") if moment.how == "start" else moment
     value = short(clock + moment.state.time)
@@ -235,7 +235,7 @@ def _along(asked: Asked, question: Question) -> Found:
     values = tuple(short(world.motion.moved(substitute(value, closed))) for value in named)
     unsolved = next((n for value in values for n in world.motion.unsettled if depends_on(value, n)), None)
     if unsolved is not None:
-        raise NoClosedForm(f"{unsolved} has no closed form here", instead=BY_NUMBERS)
+        raise NoClosedForm(f"no closed form was found for {unsolved}", instead=BY_NUMBERS)
     if question.of == "t" and _moving(world, values) - {"t"}:
         return _in_time(asked, question, place)
     found = Found(study, named, values, "state", works=works)
@@ -308,7 +308,7 @@ def _in_time(asked: Asked, question: Question, place: int) -> Found:
     try:
         return _at_moment(asked, question, at_time(asked, place, symbol("t"), question.manner))
     except NotApplicable:
-        what = f"“{question.quantity}” has no closed form as a function of the time"
+        what = f"no closed form was found for “{question.quantity}” as a function of the time"
         raise StatementError(what, instead="ask for it “as a function of” a coordinate.") from None
 
 

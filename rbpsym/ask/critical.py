@@ -67,13 +67,15 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]
     if table.zeros.open_:
         return Finding(
-            undecided("where it vanishes has no closed form, and it is not monotone"), name, equation=table.zeros.open_[0]
+            undecided("no closed form was found for where it vanishes, and it is not monotone"),
+            name,
+            equation=table.zeros.open_[0],
         )
     if table.zeros.crossings:
         [crossing, *more] = table.zeros.crossings
         verdict = proved("it is monotone, and its signs at the ends of the range differ")
         if more or zeros:
-            verdict = undecided("there are several such values, and one of them has no closed form")
+            verdict = undecided("there are several such values, and no closed form was found for one of them")
         return Finding(verdict, name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
     if not zeros:
         found = checked("vanishes_for", value=value, name=name, places=(), given=given)

@@ -49,7 +49,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")
     first = None if known is None or names_in(gap) & study.system.scope.rates.keys() else time_to(gap, known, letters)
     if first is None:
-        raise NotApplicable(f"the time at which “{subject}” has this value has no closed form")
+        raise NotApplicable(f"no closed form was found for the time at which “{subject}” has this value")
     time, valid = first
     found_valid = tuple(demand for one in found.values() for demand in one.valid)
     asked_for = settle((*found_valid, *valid), study.assumptions)

@@ -36,7 +36,8 @@ def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -
     """The value of a quantity at a moment, and the formula that tells its dimension. Raises StatementError where the motion
     does not come there, or a contact is lost before."""
     if question.when is None or question.of:
-        raise StatementError("what has no closed form is found at one moment only", instead="say when: “… where theta = 0”.")
+        what = "without a closed form, a value is found at one moment only"
+        raise StatementError(what, instead="say when: “… where theta = 0”.")
     place = asked.named(question.phase) if question.phase else 0
     world, study = asked.world(place), asked.study(place)
     is_time = question.quantity == "time"
@@ -66,7 +67,7 @@ def _watched(world: ProblemWorld, when: When) -> Scalar:
     if when.kind in ("vanishes", "rests") and when.words:
         name = when.words[0]
         return symbol(name if when.kind == "vanishes" else f"{name}_dot")
-    raise StatementError(f"the moment “{when.text}” has no closed form", instead="ask at a place: “where theta = 0”.")
+    raise StatementError(f"no closed form was found for the moment “{when.text}”", instead="ask at a place: “where theta = 0”.")
 
 
 def _pushes(study: Study) -> list[str]:

@@ -263,7 +263,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     coordinate = _coordinate(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
     if coordinate != name:
-        raise NoClosedForm(f"the moment at which “{name}” has this value has no closed form", instead=BY_NUMBERS)
+        raise NoClosedForm(f"no closed form was found for the moment at which “{name}” has this value", instead=BY_NUMBERS)
     return _ahead(asked, "reaches", name, place, node)
 
 

@@ -135,7 +135,7 @@ def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
     if not zeros and not table.zeros.open_ and not table.zeros.crossings:
         return Finding(proved("no other value of it gives the same"), second, says=f"only {second} = {first} has the same")
     if not zeros or table.zeros.open_:
-        return Finding(undecided("it has no closed form"), second, equation=(table.zeros.open_ or (other - value,))[0])
+        return Finding(undecided("no closed form was found for it"), second, equation=(table.zeros.open_ or (other - value,))[0])
     gap = neat(other * other - value * value, given)  # both are positive, or zero together
     same = sign(value, given).is_nonnegative
     places = [*(zero.place for zero in zeros), symbol(first)]

@@ -267,7 +267,7 @@ def _phase(phase: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
 def verdict_line(verdicts: Mapping[str, Any]) -> str:
     """What was proved, in one line."""
     parts = [f"{verdicts['proved']} of {verdicts['steps']} steps proved"]
-    if verdicts["methods"]:
+    if len(verdicts["methods"]) > 1 or not verdicts["methods_agree"]:
         parts.append("methods agree" if verdicts["methods_agree"] else "METHODS DISAGREE")
     parts.append(f"Lagrange: {str(verdicts['lagrange']).lower()}")
     if verdicts["simulation"]:

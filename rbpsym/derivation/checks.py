@@ -85,7 +85,7 @@ def _by_equations_of_motion(context: Context, rest: Scalar) -> Verdict:
     for known in (*study.motion_rows, study.power_balance):
         if is_zero(rest + known) or is_zero(rest - known):
             return Verdict(PROVED, how="one of the equations of motion, or their balance of power")
-    return Verdict(UNDECIDED, reason="the accelerations of so many coupled coordinates have no closed formula here")
+    return Verdict(UNDECIDED, reason="no closed formula for the accelerations of so many coupled coordinates was found")
 
 
 def _each(context: Context, step: Step, depth: str) -> Verdict:

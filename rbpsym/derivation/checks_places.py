@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import ZERO
 from rbpsym.algebra.roots import with_image, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
@@ -17,7 +18,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.domain import IMPLIED, conditions
-from rbpsym.equality.signs import sign
+from rbpsym.equality.signs import SignResult, sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes
@@ -37,14 +38,14 @@ def _printed(context: Context, step: Step) -> list[Demand]:
 
 def stays(context: Context, step: Step) -> Verdict:
     """The stated sign, in each position; else where no square of a speed is negative, nor a force that is lost first, B:
-    the force is a B + c with a not negative and c positive (`data`: "until")."""
+    the force is a B + c with a not negative and c positive, or not negative if ≥ is stated (`data`: "until")."""
     found, until = along_motion(context, step), step.data["until"]
     if found.is_proved:
         return found
-    [(left, _, _)] = relations(step.statement)
+    [(left, op, _)] = relations(step.statement)
     value = context.along(context.value(left))
     bounds = [context.along(symbol(until))] if until else list(context.study.squares.values())
-    if any(_is_kept(value, bound, context.assumptions) for bound in bounds):
+    if any(_is_kept(value, bound, context.assumptions, IMPLIED[op]) for bound in bounds):
         return Verdict(PROVED, how="it is more than a multiple of what is not negative")
     begins = sign(context.start(value), context.assumptions).kind == "positive"
     if begins and any(_is_not_met(value, bound, context.assumptions) for bound in bounds):
@@ -54,14 +55,14 @@ def stays(context: Context, step: Step) -> Verdict:
     return found
 
 
-def _is_kept(value: Scalar, bound: Scalar, given: Assumptions) -> bool:
+def _is_kept(value: Scalar, bound: Scalar, given: Assumptions, suits: Callable[[SignResult], bool]) -> bool:
     for index in bound.num.atoms():
         parts = bound.num.by_power(index)
-        if set(parts) == {0, 1}:
-            edge = -(Scalar(parts[0]) / Scalar(parts[1]))
+        if set(parts) in ({1}, {0, 1}):
+            edge = -(Scalar(parts.get(0, ZERO)) / Scalar(parts[1]))
             rest = with_image(value.num, index, edge) / with_image(value.den, index, edge)
             more = (value - rest) / bound
-            if sign(rest, given).kind == "positive" and sign(more, given).is_nonnegative:
+            if suits(sign(rest, given)) and sign(more, given).is_nonnegative:
                 return True
     return False
 

@@ -13,7 +13,7 @@ def primitive(value: Scalar, name: str) -> Scalar:
     """An antiderivative with respect to a symbol. Raises Undecided where none is known, or its derivative is another."""
     found = antiderivative(value, name)
     if found is None:
-        raise Undecided("the integral has no closed form")
+        raise Undecided("no closed form of the integral was found")
     if not is_zero(derivative(found, name) - value):
         raise Undecided("the derivative of what is proposed as the integral is another function")
     return found

@@ -246,7 +246,7 @@ class Search:
     def _integral(self, node: t.Integral, integrand: t.Node) -> Have:
         primitive = antiderivative(scalar(integrand), node.var)
         if primitive is None:
-            raise Undecided("an integral has no closed form")
+            raise Undecided("no closed form of an integral was found")
         ends = [substitute(primitive, {node.var: scalar(end)}) for end in (node.upper, node.lower)]
         return Have("", "integral", Claim(node, tree_of(ends[0] - ends[1])), tree_of(primitive))
 

@@ -171,7 +171,7 @@ def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
     """The accelerations, if they are constants."""
     if not _are_uniform(study):
         raise NotApplicable(
-            f"the end of the phase before “{phase.name}” has no closed form: the accelerations are not constant",
+            f"no closed form was found for the end of the phase before “{phase.name}”: the accelerations are not constant",
             instead="state this phase as a problem of its own, or follow it in the simulation.",
         )
     return study.dynamics.accelerations
@@ -233,6 +233,6 @@ def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "
 
 def _no_closed_form(what: str) -> NotApplicable:
     return NotApplicable(
-        f"{what} has no closed form",
+        f"no closed form was found for {what}",
         instead="state the phase after it as a problem of its own, or follow it in the simulation.",
     )

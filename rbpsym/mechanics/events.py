@@ -196,7 +196,7 @@ def _on_way(way: Way, forces: Mapping[str, Scalar], held: list[Scalar], given: A
             if not factor_zeros(factor, way.name) and not _is_clear(factor, way, given):
                 surely = _changes_sign(way, value, factor, held, given)
                 (found if surely else open_).append(Loss(force, factor, {}, way.name))
-                reasons += [] if surely else [f"where {force} vanishes has no closed form"]
+                reasons += [] if surely else [f"no closed form was found for where {force} vanishes"]
             for place in places_ahead(factor, way, given):
                 try:
                     valid = _asked(way, place, value, held, given)

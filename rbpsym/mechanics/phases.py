@@ -42,7 +42,7 @@ def shifted(phase: Phase, begins: Scalar | None) -> Problem:
         return problem
     if begins is None:
         raise NotApplicable(
-            f"the moment at which the phase “{phase.name}” begins has no closed form, and in it something is given as "
+            f"no closed form was found for the moment at which the phase “{phase.name}” begins, and in it something is given as "
             f"a function of the time",
             instead="state this phase as a problem of its own.",
         )
@@ -131,7 +131,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     study = stage.study
     if study.at_start and phase.event != "at once":
         raise NotApplicable(
-            f"the end of the phase before “{phase.name}” has no closed form: its motion is known at its start alone",
+            f"no closed form was found for the end of the phase before “{phase.name}”: its motion is known at its start alone",
             instead="let the phase begin at once, or state it as a problem of its own.",
         )
     before = ENDINGS[phase.event](study, phase)

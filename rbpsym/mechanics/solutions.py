@@ -194,7 +194,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
             one = course(known, next((case for case in CASES if case in manner), ""))
             found |= {} if one is None else {name: one}
     if not found:
-        raise NotApplicable("the motion has no closed form as a function of the time")
+        raise NotApplicable("no closed form was found for the motion as a function of the time")
     return found
 
 

@@ -8,6 +8,7 @@ from rbpsym.algebra.calculus import depends_on, names_in, substitute
 from rbpsym.algebra.evaluate import at_start
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.draft import Draft
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.elimination import short
@@ -83,11 +84,16 @@ def _moves(draft: Draft, node: t.Node) -> bool:
     return bool(t.names(node) & set(draft.study.system.coordinates))
 
 
-def gained(draft: Draft, kinetic: Scalar) -> Scalar:
-    """How much a kinetic energy has grown since the start; what a constant speed gives to it drops out."""
+def steady(draft: Draft) -> dict[str, Scalar]:
+    """The squares of speeds that stay what they were at the start, by coordinate."""
     start, accelerations = draft.study.system.scope.start, draft.study.dynamics.accelerations or {}
-    constant = [q for q in draft.study.system.independent if is_zero(accelerations.get(f"{q}_ddot", UNITY))]
-    now = substitute(kinetic, {f"{q}_dot": start[f"{q}_dot"] for q in constant})
+    names = (q for q in draft.study.system.independent if is_zero(accelerations.get(f"{q}_ddot", UNITY)))
+    return {q: start[f"{q}_dot"] ** 2 for q in names}
+
+
+def gained(draft: Draft, kinetic: Scalar) -> Scalar:
+    """How much a kinetic energy has grown since the start; what the square of a constant speed gives to it drops out."""
+    now = with_squares(kinetic, steady(draft))
     return short(now - at_start(now, draft.study.system.scope))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters.inertia import turning_together
@@ -16,7 +17,7 @@ from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics import energy, motion
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
-from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started
+from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started, steady
 from rbpsym.notation import tree as t
 
 FAR_SHORTER = 0.5
@@ -46,6 +47,8 @@ def found(draft: Draft) -> Parts | None:
     inner = _inner(draft)
     known = {name: _known(draft, name, inner) for name in system.bodies}
     whole = {name: works for name, works in known.items() if works is not None}
+    if any(depends_on(_growth(draft, name), f"{q}_dot") for name in whole for q in steady(draft)):
+        return None  # a constant speed beside others: much to write, and nothing new
     return Parts(inner, whole) if inner and len(whole) == len(known) else None
 
 
@@ -93,8 +96,7 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
     inner, known = parts.inner, parts.known[body]
     parties = {name: {f.on for f in draft.study.system.named(name)} for name in inner}
     unknown = [n if inner[k].on == body else t.neg(n) for k, n in letters.items() if body in parties[k]]
-    state = draft.study.system.bodies[body]
-    growth = gained(draft, energy.translational_energy(state) + energy.rotational_energy(state))
+    growth = _growth(draft, body)
     acting = [k for k in letters if inner[k].on == body]
     return draft.add(
         f"alone.{body}",
@@ -111,6 +113,11 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
         level=parts.level,
         data={"known": sum(known, NOTHING), "growth": growth},
     )
+
+
+def _growth(draft: Draft, body: str) -> Scalar:
+    state = draft.study.system.bodies[body]
+    return gained(draft, energy.translational_energy(state) + energy.rotational_energy(state))
 
 
 def _shown(draft: Draft, growth: Scalar) -> t.Node:

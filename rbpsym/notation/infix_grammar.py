@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -98,13 +99,16 @@ def _begins_factor(reader: InfixReader) -> bool:
     return reader.token.kind in ("name", "number") or reader.sees("(", "√") or (reader.sees("|") and not reader.bars)
 
 
+_BELOW = "this can be read in two ways: is this factor above or below the fraction bar?"
+_HINT = "Write a/(b*c), or (a/b)*c."
+
+
 def _with_implied(reader: InfixReader, before: t.Node) -> tuple[t.Node, ...]:
     """A factor and the one that follows without a sign. Raises ReadError where this can be read in two ways."""
     below = inside = False
     if isinstance(before, t.Div) and not is_settled(before, reader):
-        what = "this can be read in two ways: is this factor above or below the fraction bar?"
-        hint, parts, half = "Write a/(b*c), or (a/b)*c.", not stands_apart(reader), number_of(before) is not None
-        below = reader.decide(what, hint, changes_value=parts, usual=half)
+        parts, half = not stands_apart(reader), number_of(before) is not None
+        below = reader.decide(_BELOW, _HINT, changes_value=parts, usual=half)
     if is_bare_call(before, reader) and not is_call(reader):
         what = "this can be read in two ways: does it belong to the function's argument?"
         inside = reader.decide(what, "Put the argument in parentheses: sin(x)*y, or sin(x*y).")
@@ -220,14 +224,22 @@ def _radicand(reader: InfixReader, head: InfixToken | None = None) -> t.Node:
     what, hint = "this can be read in two ways: does it stand under the root?", "Write sqrt(x)*y, or sqrt(x*y)."
     decided = partial(reader.decide, what, hint, changes_value=True, usual=True)
     start, closed = reader.token.start, reader.sees("(")
-    factors = [_factor(reader)]
-    while not closed and _begins_factor(reader) and not is_call(reader) and decided():
-        factors.append(_factor(reader))
-    under = _one(factors, start, reader)
+    under = _beside(reader, not closed and decided)
     if closed or not reader.sees("/") or not t.names(under) or not decided():
         return under
     reader.take()
-    return reader.spanned(t.Div(under, _factor(reader)), start)
+    below = partial(reader.decide, _BELOW, _HINT, changes_value=True, usual=True)
+    quotient = reader.spanned(t.Div(under, _beside(reader, below)), start)
+    return _beside(reader, decided, quotient)
+
+
+def _beside(reader: InfixReader, decided: Callable[[], bool] | bool, *before: t.Node) -> t.Node:
+    """A factor, and those behind it without a sign as long as it is decided so."""
+    start = before[0].span[0] if before else reader.token.start
+    factors = [*before] or [_factor(reader)]
+    while decided and _begins_factor(reader) and decided():
+        factors.append(_factor(reader))
+    return _one(factors, start, reader)
 
 
 def _bars(reader: InfixReader) -> t.Node:

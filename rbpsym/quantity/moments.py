@@ -70,7 +70,7 @@ def carried(world: ProblemWorld, value: Scalar) -> Scalar:
         if depends_on(value, name):
             done = work_done(power, motion)
             if done is None:
-                raise StatementError("a work in this phrase has no closed form")
+                raise StatementError("no closed form was found for a work in this phrase")
             images[name] = done
     return motion.moved(substitute(value, images) if images else value)
 
@@ -161,7 +161,7 @@ def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
     begin = start(world, name).scalar
     actual = motion.moved(world.bound(f"acceleration of {name}").scalar)
     if any(depends_on(actual, moving) for moving in (*motion.scope.rates, "t")):
-        raise StatementError(f"the acceleration of “{name}” is not uniform, so that this time has no closed form")
+        raise StatementError(f"the acceleration of “{name}” is not uniform, and no closed form was found for this time")
     speed, gain, way = start(world, f"speed of {name}").scalar, actual, value - begin
     if not gain:
         return number(way / speed)
@@ -199,7 +199,7 @@ def until(world: ProblemWorld, name: str) -> Bound:
     """The time from the start of the phase before to the beginning of PHASE."""
     _, stage = _stage(world, name)
     if not stage.began.before.time:
-        raise StatementError(f"the time until “{name}” has no closed form, or the phase begins at once")
+        raise StatementError(f"no closed form was found for the time until “{name}”, or the phase begins at once")
     return number(stage.began.before.time)
 
 

@@ -119,15 +119,15 @@ def test_the_library_is_answered_in_time(name: str, question: str, told: str) ->
 
 
 WRONG = [
-    ("k*x - b*x_dot", {}, "x as a function of t, underdamped", "no closed form as a function of the time"),
-    ("-k*x", {}, "x as a function of t, overdamped", "no closed form as a function of the time"),
-    ("-k*x - 3*sqrt(m*k)*x_dot", {}, "x as a function of t, underdamped", "no closed form as a function of the time"),
+    ("k*x - b*x_dot", {}, "x as a function of t, underdamped", "found for “x” as a function of the time"),
+    ("-k*x", {}, "x as a function of t, overdamped", "found for “x” as a function of the time"),
+    ("-k*x - 3*sqrt(m*k)*x_dot", {}, "x as a function of t, underdamped", "found for “x” as a function of the time"),
     ("-b*x_dot", GOES, "time until x comes to rest", "never has this value"),
     ("-b*x_dot", GOES, "terminal speed of x", "has no terminal speed"),
     ("-k*x", {}, "total way of x", "has no total way"),
     ("-k*x - b*x_dot", {}, "amplitude of x", "has no amplitude"),
-    ("-k*x", {}, "x as a function of t in the steady state", "no closed form as a function of the time"),
-    ("-k*x**3", GOES, "x as a function of t", "no closed form as a function of the time"),
+    ("-k*x", {}, "x as a function of t in the steady state", "found for “x” as a function of the time"),
+    ("-k*x**3", GOES, "x as a function of t", "found for “x” as a function of the time"),
     ("-k*x**3", GOES, "amplitude of x", "has no amplitude"),
     ("-k*x - c*x_dot**2", GOES, "speed of x as a function of x", "is no known function of x"),
 ]  # fmt: skip

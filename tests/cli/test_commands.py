@@ -8,6 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from rbpsym.cli import main
+from rbpsym.commands.solve import verdict_line
 from rbpsym.statement.library import course_files, problem_files
 
 
@@ -119,3 +120,12 @@ def test_an_error_of_the_statement_exits_2(tmp_path):
     file.write_text(text)
     done = process("solve", str(file), "--json")
     assert done.returncode == 2 and "N_f" in done.stderr and "extra" in done.stderr
+
+
+@pytest.mark.parametrize("methods", [{}, {"torque": "PROVED"}])
+def test_methods_agree_where_there_are_two(methods: dict[str, str]) -> None:
+    """One method agrees with nothing; that two do not is said however many there are."""
+    told = {"steps": 9, "proved": 9, "methods": methods, "methods_agree": True, "lagrange": "PROVED", "simulation": None}
+    assert "methods" not in verdict_line({**told, "left_out": []})
+    assert "methods agree" in verdict_line({**told, "left_out": [], "methods": {"torque": "PROVED", "energy": "PROVED"}})
+    assert "METHODS DISAGREE" in verdict_line({**told, "left_out": [], "methods_agree": False})

@@ -66,6 +66,16 @@ def test_keys_and_verdicts(name):
     assert verdicts["lagrange"] == "PROVED"
 
 
+@pytest.mark.parametrize("name", sorted(problem_files()))
+def test_forces_are_solved_and_a_damped_motion_has_no_undamped_frequency(name):
+    found = answer(name)
+    for one in (found, *found["phases"]):
+        if one.get("accelerations"):
+            assert not any("_ddot" in text for text in (one["reactions"] or {}).values())
+    for item in found["equilibria"]:
+        assert not (item["damping"] and item["frequencies_squared"])
+
+
 I1, I2 = "(m*ell**2/3 + M*ell**2 + M*R**2/2)", "(m*ell**2/3 + M*ell**2)"
 PAPER = [
     ("rod-and-disk-fixed", "accelerations/theta", f"-g*ell*(m/2 + M)*sin(theta)/{I1}"),

@@ -96,7 +96,8 @@ def _holds(draft: Draft, side: Side) -> None:
     """A force that is nowhere negative: the contact lasts, if need be up to where another is lost."""
     moving = any(depends_on(side.value, q) for q in (*draft.study.system.coordinates, "t"))
     kind = sign(side.value, draft.study.assumptions).kind
-    never = kind in ("nonnegative", "zero")
+    begun = substitute(side.value, draft.study.system.scope.start)
+    never = kind in ("nonnegative", "zero") or is_zero(begun)  # let go where it is about to go slack
     lasts = f"holds.{_manner(draft, side.force)}" if draft.study.system.independent else "stays"
     draft.add(
         f"holds.{side.force}",

@@ -122,7 +122,7 @@ class Program:
     def _call(self, found: atoms.Atom) -> str:
         if found.kind not in FUNCTIONS:
             raise StatementError(
-                "a result of this problem has no closed form that a browser can compute",
+                "no form of a result of this problem was found that a browser can compute",
                 instead="write its notes instead: rbpsym notes.",
             )
         inner = self.value(found.arg) if isinstance(found.arg, Scalar) else self._sum(found.arg)

@@ -400,4 +400,4 @@ def test_the_answer_says_which_phase_has_no_closed_form():
     )
     answer = results(Study(problem))
     assert answer["accelerations"]["theta"]
-    assert answer["phases"] == [{"name": "slipping", "reason": "the place where “N” slips has no closed form"}]
+    assert answer["phases"] == [{"name": "slipping", "reason": "no closed form was found for the place where “N” slips"}]
