@@ -36,7 +36,8 @@ class Found:
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
-    `speeds`: those that a resistance gives as functions of the place."""
+    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `since`:
+    what it was at the moment from which a change is counted."""
 
     study: Study
     named: tuple[Scalar, ...]
@@ -48,6 +49,8 @@ class Found:
     told: str = ""
     asked: tuple[Demand, ...] = ()
     speeds: Mapping[str, Scalar] = field(default_factory=dict)
+    kept: Mapping[str, Scalar] = field(default_factory=dict)
+    since: Found | None = None
 
 
 @dataclass(frozen=True)
@@ -169,12 +172,14 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
     world, study, named = asked.world(place), asked.study(place), parts(bound)
     works = _works(world, named)
     values = _at(world, named, works, moment, question)
-    if question.since is not None:
-        before = moment_of(asked, question.since, question)
-        if before.place != moment.place:
-            raise StatementError("both moments must lie in one phase", instead="ask phase by phase.")
-        values = tuple(b - a for a, b in zip(_at(world, named, works, before, question), values, strict=True))
-    return Found(study, named, values, moment=moment, works=works)
+    if question.since is None:
+        return Found(study, named, values, moment=moment, works=works)
+    before = moment_of(asked, question.since, question)
+    if before.place != moment.place:
+        raise StatementError("both moments must lie in one phase", instead="ask phase by phase.")
+    since = _at_moment(asked, replace(question, when=question.since, since=None), before)
+    gained, values = ([b - a for a, b in zip(since.values, found, strict=True)] for found in (named, values))
+    return Found(study, tuple(gained), tuple(map(short, values)), moment=moment, works=works, since=since)
 
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:
@@ -197,6 +202,8 @@ def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Quest
         name = min(moving)
         if name == "t":
             raise NoClosedForm(f"“{question.quantity}” depends on the time, which is not known there", instead=BY_NUMBERS)
+        if moment.state.places.get(name) == symbol(name):
+            raise NoClosedForm(f"“{question.quantity}” depends on {name}, which has no closed form there", instead=BY_NUMBERS)
         raise StatementError(
             f"“{question.quantity}” still depends on {name} there",
             instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."?',
@@ -246,7 +253,10 @@ def _along(asked: Asked, question: Question) -> Found:
 
 def _without_speeds(world: ProblemWorld, found: Found) -> Found:
     """The values with the speeds as functions of the position, as far as these and their senses are known."""
-    motion, ways, values, asked = world.motion, {}, found.values, []
+    motion, ways, asked = world.motion, {}, []
+    kept = world.study.kept_speeds if any(depends_on(v, speed) for v in found.values for speed in motion.speeds) else {}
+    kept = {speed: value for speed, value in kept.items() if any(depends_on(v, speed) for v in found.values)}
+    values = tuple(substitute(value, kept) for value in found.values)
     values = tuple(with_squares(value, motion.squares) for value in values)
     for name, square in motion.squares.items():
         speed = f"{name}_dot"
@@ -268,7 +278,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
     moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
     of = "position" if moves or values != found.values else "state"
     values = tuple(shortest(short(value), world.study) for value in values)
-    return replace(found, values=values, of=of, ways=ways, asked=tuple(asked), speeds=resisted)
+    return replace(found, values=values, of=of, ways=ways, asked=tuple(asked), speeds=resisted, kept=kept)
 
 
 def _resisted(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, Scalar]:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function, names_in, substitute
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask import in_time
 from rbpsym.ask.lasting import contacts_last
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question
-from rbpsym.derivation.chapters import contact, course, endings, instant, oscillations
+from rbpsym.derivation.chapters import contact, course, endings, instant, momentum, oscillations
 from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
@@ -27,6 +30,7 @@ from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.notation.machine import to_machine
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found
@@ -35,7 +39,7 @@ LETTER = "Q"
 LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
-    "course", "speed_along", "reached_in_time",
+    "course", "speed_along", "kept_speed", "reached_in_time",
 )  # fmt: skip
 
 
@@ -45,6 +49,9 @@ def certified(asked: Asked, question: Question, found: Found) -> Answer:
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
     before = tuple(_before(asked, place))
+    if found.since is not None:
+        first = certified(asked, replace(question, when=question.since, since=None), found.since)
+        before = tuple(replace(step, id=f"since.{step.id}") for step in first.steps if step not in before) + before
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     draft.chapter = "ask"
     _grounds(draft, found)
@@ -96,6 +103,8 @@ def _grounds(draft: Draft, found: Found) -> None:
                   data={"name": name, "value": study.squares[name]})  # fmt: skip
     for name, value in found.speeds.items():
         course.speed(draft, name, value)
+    if found.kept:
+        momentum.kept_speeds(draft, found.kept)
     for letter, (power, done) in found.works.items():
         draft.context.works[letter] = power
         draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
@@ -107,7 +116,8 @@ def _speeds(found: Found) -> list[str]:
     named = [*found.named, *(power for power, _ in found.works.values())]
     if found.study.at_start:
         return []
-    told = {name for value in map(found.study.on_motion, named) for name in names_in(value)}
+    on_motion = (substitute(found.study.on_motion(value), found.kept) for value in named)
+    told = {name for value in on_motion for name in names_in(value)}
     needed = found.of == "position" or bool(found.works)
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
 
@@ -120,15 +130,18 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
     rows = [t.equation(t.Sym(letter), draft.show(value, factor=True)) for letter, value in pairs]
     of = dict(zip(letters, found.named, strict=True))
     rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
+    speeds = (name.removesuffix("_dot") for name in (*found.speeds, *found.kept))
     data = {"of": of, "works": {n: f"done.{n}" for n in found.works}}
-    data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(found.speeds), **_said(draft, found)}
+    data |= {"moment": found.moment, "ways": found.ways, "speeds": tuple(speeds), **_said(draft, found)}
     for letter, value in of.items():
         draft.define(letter, value)
     if found.study.at_start:
         rule, pairs = "solution", zip(found.named, rows, strict=True)
         rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
     if data.get("told") and data["turned"] == "itself":
-        rows = [t.equation(t.Sym(letters[0]), list(t.relations(draft.context.steps[data["told"]].statement))[-1][-1])]
+        said = [row[-1] for row in t.relations(draft.context.steps[data["told"]].statement)]
+        told = next((node for node in said if is_zero(draft.context.value(node) - found.values[0])), said[-1])
+        rows = [t.equation(t.Sym(letters[0]), told)]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
@@ -175,7 +188,10 @@ def _told_by(asked: Asked, found: Found) -> Draft:
     return draft
 
 
-CHAPTERS: Mapping[str, Callable[[Draft], None]] = {"oscillations": oscillations.write, "contact": contact.write}
+CHAPTERS: Mapping[str, Callable[[Draft], None]] = {
+    "oscillations": partial(oscillations.write, where_stable=True),
+    "contact": contact.write,
+}
 
 
 def _said(draft: Draft, found: Found) -> dict[str, str]:
@@ -219,7 +235,12 @@ def _valid(draft: Draft, found: Found, steps: tuple[Step, ...]) -> tuple[t.Node,
     asked = [Demand(value, op) for rows in own for left, op, _ in rows if (value := _valued(draft, left)) is not None]
     if found.moment is not None and found.moment.watched:
         asked = [Demand(substitute(one.value, {"t": found.moment.state.time}), one.op) for one in asked]
-    left = settle((*_demands(found), *asked), found.study.assumptions) if len(asked) == len(duties) else None
+    wanted = (*_demands(found), *asked)
+    never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)
+    if never is not None:
+        what = to_machine(present(never.value))
+        raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
+    left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
     return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(_demands(found)))))
 
 

@@ -27,7 +27,7 @@ GREATEST = {"largest": 1, "greatest": 1, "highest": 1, "maximum": 1, "maximal": 
 SUPERLATIVES = LEAST | GREATEST
 
 
-OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off)?((?: (?:until|before) .+)?)")
+OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off| over)?((?: (?:until|before) .+)?)")
 KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
@@ -39,20 +39,21 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
         found = which(world, other, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
         return replace(found, relation=FLIPPED.get(found.relation, found.relation), says="", rule="")
     condition = wanted(world, text, name)
-    if not condition.equal and superlative is None and name not in world.coordinates:
-        return _region(world, name, condition, text, 0)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
-    return _region(world, name, condition, text, SUPERLATIVES[superlative])
+    found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
+    left = settle((*found.valid, *condition.asked), world.motion.assumptions)
+    return found if left is None else replace(found, valid=left)
 
 
 # --- equalities
 
 
 def _values(world: Scene, superlative: str | None, name: str, condition: Wanted, text: str) -> Finding:
-    [value], given = condition.values, condition.given
+    [value], given, asked = condition.values, condition.given, ()
     if name in world.coordinates:
-        _, given = way_to(world, name, None, given)
+        way, given = way_to(world, name, None, given)
+        asked = settle(way.asked, world.motion.assumptions) or ()
     else:
         parameter(world, name)
     free = [other for other in moving(world, (value,)) if other != name]
@@ -62,6 +63,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         )
     if not depends_on(value, name) or is_zero(derivative(value, name)):
         return _without(world, name, value, given, text)
+    given = where_met(given, world.demands)  # where the moments come about at which it is taken
     table = sign_table(value, name, given)
     zeros = [zero for zero in table.zeros.found if not zero.is_pole]
     zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]
@@ -79,7 +81,8 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         return Finding(verdict, name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
     if not zeros:
         found = checked("vanishes_for", value=value, name=name, places=(), given=given)
-        return Finding(symbol=name, says=f"there is no such {name}: “{text}” holds for none in its range", **found)
+        says = f"there is no such {name}: “{text}” holds for none in its range"
+        return Finding(symbol=name, says=says, valid=asked, **found)
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
@@ -88,7 +91,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    return Finding(symbol=name, values=places, valid=shared, asked=own, met=True, **found)
+    return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked))), asked=own, met=True, **found)
 
 
 def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:

@@ -20,11 +20,13 @@ from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, is_before
+from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, force_taken, is_before
+from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.tree import ZERO
 from rbpsym.quantities import TIME
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.model import Phase, Problem
@@ -207,13 +209,27 @@ def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
         return NoClosedForm(error.what, instead=BY_NUMBERS)
     if error is not None and "the phase “”" in error.what:
         what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
-                "no slip": "does not stop slipping", "slips": "does not begin to slip"}[event]  # fmt: skip
+                "no slip": "does not stop slipping", "slips": "does not begin to slip",
+                "takes": "does not have this value"}[event]  # fmt: skip
         return StatementError(f"“{subject}” {what} in this motion, as far as is known", instead=error.instead)
     return error or StatementError("this moment is not known")
 
 
 def _vanishes(asked: Asked, when: When, place: int | None) -> Moment:
-    return _ahead(asked, "lost", _subject(asked, when.words[0], "force"), place)
+    name = when.words[0]
+    if _is_force(asked, name, place) and not _lets_go(asked, name):
+        return _ahead(asked, "takes", name, place, ZERO)
+    return _ahead(asked, "lost", _subject(asked, name, "force"), place)
+
+
+def _is_force(asked: Asked, name: str, place: int | None) -> bool:
+    return name in asked.study(place or 0).system.unknowns
+
+
+def _lets_go(asked: Asked, name: str) -> bool:
+    """Whether a constraint of that name holds to one side only."""
+    problems = (asked.problem, *(phase.problem for phase in asked.problem.phases))
+    return any(name in pushes(element) for each in problems for element in each.constraints)
 
 
 def _rests(asked: Asked, when: When, place: int | None) -> Moment:
@@ -260,6 +276,9 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     if name == "t":
         require_dimension(node, world.dimensions, TIME, "the time")
         return in_time.at_time(asked, place or 0, scalar(node))
+    if _is_force(asked, name, place):
+        require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
+        return _ahead(asked, "takes", name, place, node)
     coordinate = _coordinate(asked, name.removesuffix("_dot"))
     require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
     if coordinate != name:
@@ -290,7 +309,7 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
 
 
 BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."
-FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest}
+FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest, "takes": force_taken}
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "start": _start,
     "begins": _begins,

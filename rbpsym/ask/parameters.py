@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 from rbpsym.ask import critical, optima, special, yesno
 from rbpsym.ask.answer import Answer
@@ -24,7 +25,7 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (rf"(?:does|do|will|when does|where does) (\w+) vanish{_UNTIL}", yesno.vanishes),
     (rf"(?:does|do|will) {_N} slip{_UNTIL}", lambda w, name, *to: yesno.does_not(w, _clause(f"{name} does not slip", *to))),
     (
-        rf"(?:does|do|will) (?:it|\w+) (?:leave|lift|let go|lose contact|tip)(?: off)?{_UNTIL}",
+        rf"(?:does|do|will) (?:it|\w+) (?:leave|lift|let go|lose contact|tip)(?: off| over)?{_UNTIL}",
         lambda w, *to: yesno.does_not(w, _clause("it stays in contact", *to)),
     ),
     (rf"(?:does|do|will) {_N} (?:reach|get to|come to) (.+)", lambda w, name, to: yesno.does(w, f"{name} reaches {to}")),
@@ -48,6 +49,9 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
 )
 
 
+WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
+
+
 def _told_after(text: str) -> str:
     """“it not slip” as “it does not slip”, “theta = 0 stable” as “theta = 0 is stable”."""
     text = re.sub(r"^(\w+) not (\w+)", r"\1 does not \2", text)
@@ -64,6 +68,9 @@ def of_parameters(asked: Asked, text: str) -> Answer | None:
     phase, place = PHASE.fullmatch(rest), None
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
+    if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in ROWS[:-1]):
+        found = of_parameters(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
+        return None if found is None else replace(found, question=replace(found.question, text=text))
     for pattern, find in ROWS:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             world = scene(asked, place)

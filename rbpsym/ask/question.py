@@ -55,7 +55,8 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("end", rf"at the end of (?:the )?(?:phase )?{_W}", "speed of x at the end of phase bowling"),
     ("over", rf"(?:over|during) (?:the )?(?:phase )?{_W}", "work of f during phase sliding"),
     ("vanishes", rf"{_AT} {_N} (?:vanishes|is lost|goes slack|leaves)", "theta where N_w vanishes"),
-    ("rests", rf"{_AT} {_N} comes to rest", "theta where theta comes to rest"),
+    ("rests", rf"{_AT} it (?:comes to rest|stops)", "time until it comes to rest"),
+    ("rests", rf"{_AT} {_N} (?:comes to rest|stops)", "theta where theta comes to rest"),
     ("rests", r"at (?:the |its )?turning point", "F_y at the turning point"),
     ("rests", rf"at (?:the |its )?turning point of {_N}", "F_y at the turning point of theta"),
     ("grips", rf"{_AT} {_N} stops slipping", "velocity of ball.cm when N stops slipping"),
@@ -65,11 +66,23 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
     ("reaches", rf"{_AT} {_N} (?:=|reaches|is) (.+?)", "omega where theta = pi/2"),
     ("until", rf"until {_W}(?: begins)?", "time until rolling"),
 )  # fmt: skip
+
+
+def _lost(said: re.Match[str]) -> str:
+    """What the opposite of the change is counted of."""
+    return f"minus {said[1]}energy" if said[1] else "minus energy of motion, weights and springs"
+
+
 # what is only another way to write something
 OTHERWISE = (
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
+    (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),
+    (r"^(?:the )?(kinetic |mechanical |)energy lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
+     lambda said: f"{_lost(said)} in phase {said[2]} from the start to the end of phase {said[2]}"),
+    (r"^(?:the )?(kinetic |mechanical |)energy lost (?:until|up to|by) (.+)",
+     lambda said: f"{_lost(said)} from the start to {said[2]}"),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
     (r"\bvertical (?:component|part) of\b", "y component of"),
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),
@@ -78,9 +91,9 @@ OTHERWISE = (
 )
 MANNERS = {
     r"(?:for|in) small (?:oscillations|displacements|angles|amplitudes)": "small",
-    r"(?:for|with|under|if|when) (?:weak damping|underdamped)|(?:if )?underdamped": "weak",
-    r"(?:for|with|under) critical damping|(?:if )?critically damped": "critical",
-    r"(?:for|with|under) strong damping|(?:if )?overdamped": "strong",
+    r"(?:for|with|under|if|when) (?:weak damping|underdamped)|(?<!is )(?:if )?underdamped": "weak",
+    r"(?:for|with|under) critical damping|(?<!is )(?:if )?critically damped": "critical",
+    r"(?:for|with|under) strong damping|(?<!is )(?:if )?overdamped": "strong",
     r"in (?:the )?steady state|at last": "steady",
 }
 PHASE = re.compile(rf"(.+?),? in (?:the )?phase (?:“|\")?{_W}(?:”|\")?( .+)?")
@@ -134,7 +147,7 @@ def _ends(first: str, second: str) -> tuple[When, When] | None:
 
 
 def _end(text: str) -> When | None:
-    for lead in ("", "at ", "where ", "at the "):
+    for lead in ("", "at ", "where ", "at the ", "until "):
         if (found := _clause(f"x {lead}{text}")) and found[0] == "x":
             return When(*found[1:])
     return None

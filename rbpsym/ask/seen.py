@@ -21,8 +21,10 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError
+from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
+from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
@@ -55,17 +57,12 @@ def scene(asked: Asked, place: int | None = None) -> Scene:
     return Scene(asked.study(place), asked=asked, place=place)
 
 
-OF_ONE = ("period", "frequency", "decay rate")  # are that of the only coordinate
-
-
 def seen(world: Scene, phrase: str) -> Scalar:
     """A quantity at a moment, or on the motion with its speeds as functions of the place as far as they are known.
 
     Raises StatementError or ReadError for what means nothing.
     """
-    free = world.study.system.independent
-    whose = f" of {free[0]}" if len(free) == 1 and phrase.removeprefix("the ") in OF_ONE else ""
-    question = read_question(phrase + whose)
+    question = read_question(phrase)
     if world.place and question.when is None and not question.phase and not is_jump(question.quantity):
         question = replace(question, phase=world.asked.names[world.place])
     found = found_of(world.asked, question)
@@ -127,12 +124,11 @@ def way_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> t
     """How a coordinate moves from its start, and its range on the way to a place (None: to where it first comes to rest, or
     to the end of its range).
 
-    Raises StatementError where the motion is not known, never comes there, or sets out in a sense that depends on parameters.
+    In which sense it sets out is told by the sample numbers where it depends on the parameters. Raises StatementError where
+    the motion is not known or never comes there.
     """
-    found = ways_to(world, name, end, given)
-    if len(found) != 1:
-        raise StatementError(f"in which sense “{name}” sets out depends on the parameters", instead=f"give {name} a start.")
-    return found[0]
+    found, numbers = ways_to(world, name, end, given), sample(world.study.problem)
+    return next((pair for pair in found if all(floating(one.value, numbers) >= 0 for one in pair[0].asked)), found[0])
 
 
 def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:

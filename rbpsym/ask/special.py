@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
@@ -21,6 +21,10 @@ from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Problem
+from rbpsym.statement.solids import put_in
 from rbpsym.statement.source import did_you_mean
 
 PAIR = re.compile(r"(\w+) ?= ?(.+)")
@@ -32,13 +36,7 @@ FAR = ("oo", "inf", "infinity", "∞")
 
 def with_values(world: Scene, phrase: str, text: str) -> Finding:
     """A quantity with values of parameters put in: “c = 2/5 and mu = 0”."""
-    pairs: dict[str, str] = {}
-    for part in re.split(r",\s*(?:and )?|\s+and\s+", text):
-        pair = PAIR.fullmatch(part)
-        if pair is None:
-            raise ReadError(f"“{part}” gives no value to a parameter", instead="write “with NAME = VALUE, NAME = VALUE”.")
-        pairs[_constant(world, pair[1])] = pair[2]
-    value, given = seen(world, phrase), world.motion.assumptions
+    pairs, value, given = _pairs(world, text), seen(world, phrase), world.motion.assumptions
     idle = [name for name in pairs if not depends_on(value, name)]
     if idle:
         raise StatementError(f"“{phrase}” does not depend on {idle[0]}", instead="leave it out.")
@@ -50,6 +48,40 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid, met=True)
     except ZeroDivisionError:
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=_by_limit(phrase, image)) from None
+
+
+def _pairs(world: Scene, text: str) -> dict[str, str]:
+    """The values by the names of parameters. Raises ReadError."""
+    pairs: dict[str, str] = {}
+    for part in re.split(r",\s*(?:and )?|\s+and\s+", text):
+        pair = PAIR.fullmatch(part)
+        if pair is None:
+            raise ReadError(f"“{part}” gives no value to a parameter", instead="write “with NAME = VALUE, NAME = VALUE”.")
+        pairs[_constant(world, pair[1])] = pair[2]
+    return pairs
+
+
+def special_problem(world: Scene, text: str) -> Problem:
+    """The problem in which parameters have these values from the beginning. Raises ReadError or StatementError."""
+    problem, pairs = world.study.problem, _pairs(world, text)
+    for name, to in pairs.items():
+        place_in(world, name, to)
+    image = {name: read_infix(to, world.names) for name, to in pairs.items()}
+    found = _put(problem, image)
+    return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in pairs))
+
+
+def _put(value: Any, image: Mapping[str, Node]) -> Any:
+    """A part of a statement with formulas in place of names."""
+    if isinstance(value, Node):
+        return put_in(value, image)
+    if isinstance(value, tuple):
+        return tuple(_put(part, image) for part in value)
+    if isinstance(value, Mapping):
+        return {key: _put(part, image) for key, part in value.items()}
+    if is_dataclass(value):
+        return replace(value, **{part.name: _put(getattr(value, part.name), image) for part in fields(value) if part.init})
+    return value
 
 
 def _by_limit(phrase: str, image: Mapping[str, Scalar]) -> str:

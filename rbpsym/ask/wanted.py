@@ -160,6 +160,20 @@ def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:
     return Wanted((-where if opposite else where,), given, closed=False, asked=item.valid)
 
 
+def _damped(world: Scene, name: str, kind: str) -> Wanted:
+    """Whether what is left to itself swings: γ² against ϑ², of small oscillations or of a linear motion that is driven."""
+    try:
+        decay, square = seen(world, f"decay rate of {name}"), seen(world, f"undamped frequency of {name}") ** 2
+    except StatementError:
+        gained = seen(world, f"acceleration of {name} as a function of the state")
+        decay, square = -derivative(gained, f"{name}_dot") / 2, -derivative(gained, name)
+    if moving(world, (decay, square)):
+        raise StatementError(f"the motion of “{name}” is not that of one mode")
+    way = -1 if kind == "underdamped" else 1
+    is_equal = kind == "critically damped"
+    return Wanted(((decay * decay - square) * way,), world.motion.assumptions, equal=is_equal, closed=False)
+
+
 def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
     return _equal(world, phrase + (place or ""), "0")
 
@@ -210,11 +224,12 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
-    (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact)s?{_UNTIL}", _touches),
+    (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over)?{_UNTIL}", _touches),
     (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
+    (rf"{_N} is (critically damped|overdamped|underdamped)", _damped),
     (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
 )
 

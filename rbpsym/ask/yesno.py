@@ -27,7 +27,8 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
-        demands = list(_demands(world, condition))
+        demands = [*_demands(world, condition)]
+        surely = settle(condition.asked, world.motion.assumptions) or ()
     except Undecided as error:
         return Finding(undecided(error.what))
     left = settle(demands, condition.given)
@@ -35,9 +36,10 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         return Finding(undecided("the conditions exclude each other, as it seems"))
     if left is None or not left:
         holds = (left is not None) != opposite
-        return Finding(proved("the sign is the same for all parameters"), says="yes" if holds else "no", holds=holds)
+        verdict = proved("the sign is the same for all parameters")
+        return Finding(verdict, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
-    return Finding(proved("the least values on the way"), valid=left, says=says)
+    return Finding(proved("the least values on the way"), valid=(*surely, *left), says=says)
 
 
 def does_not(world: Scene, text: str) -> Finding:
@@ -53,7 +55,7 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
     if loss is not None:
         [(name, place)] = loss.at.items()
         way, _ = way_to(world, name, place, world.motion.assumptions)
-        asked = [*loss.valid]
+        asked = [*loss.valid, *way.asked]
         if until is not None:
             name_, end = free_place(world, until, text)
             asked.append(Demand((end - place) * way.sense, ">="))

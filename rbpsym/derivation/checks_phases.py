@@ -10,9 +10,9 @@ from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
-from rbpsym.derivation.checks import relations, same, weakest
+from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.checks_places import UNSEEN, under, way_to
 from rbpsym.derivation.context import Context
@@ -112,6 +112,8 @@ def _gap(context: Context, phase: Phase) -> Scalar:
         return _of(context, phase.subject) - scalar(phase.value)
     if phase.event == "rests":
         return context.along(time_derivative(_of(context, phase.subject), system.scope) ** 2)
+    if phase.event == "takes":
+        return along[phase.subject] - scalar(phase.value)
     element = system.element(phase.subject)
     if phase.event == "no slip":
         return context.along(slip_at(system, element) ** 2)
@@ -139,13 +141,34 @@ def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> 
 
 
 def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
-    """By the first integral: the square of the stated speed is that of the motion at the stated place."""
+    """By the first integral: the square of the stated speed is that of the motion at the stated place; by momenta that are
+    kept, where they give it."""
     here = {n: v for n, v in ending.state.places.items() if n in context.study.system.independent}
     value = _of(context, name)
+    if f"{name}_dot" in context.study.kept_speeds:
+        return _kept(context, ending, what, name, stated)
     if what == "place":
         return same(context, substitute(value, here), stated)
     rate = time_derivative(value, context.study.system.scope)
     return same(context, substitute(context.along(rate * rate), here), stated * stated)
+
+
+def _kept(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+    """With the speeds of the state each momentum that is kept is what it was. Where all of them are zero, the way is the
+    integral of the speed, that of the coordinate which moves being 1."""
+    [mover], state, momenta = context.study.squares, ending.state, context.study.kept_momenta.values()
+    found = [agree(context, context.rate_of(momentum), NOTHING, "motion") for momentum in momenta]
+    then = {f"{n}_dot": speed for n, speed in state.speeds.items()}
+    if what == "speed":
+        gaps = (substitute(substitute(p, then), state.places) - context.start(p) for p in momenta)
+        return weakest([*found, *(same(context, gap, NOTHING) for gap in gaps), same(context, then[f"{name}_dot"], stated)])
+    one = {f"{mover}_dot": UNITY}
+    slopes = {speed: substitute(value, one) for speed, value in context.study.kept_speeds.items()}
+    zeros = (value for p in momenta for value in (context.start(p), substitute(p, slopes | one)))
+    way, ends = primitive(slopes[f"{name}_dot"], mover), (context.start(symbol(mover)), state.places[mover])
+    begin, end = (substitute(way, {mover: place}) for place in ends)
+    gone = same(context, stated - context.start(symbol(name)), end - begin)
+    return weakest([*found, *(same(context, value, NOTHING) for value in zeros), gone])
 
 
 def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]:

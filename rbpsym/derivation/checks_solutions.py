@@ -177,6 +177,18 @@ def _amplitude(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     return [*found, same(context, value * value, square), compare(NOTHING, value, context.assumptions, strict=False)]
 
 
+def _lag(context: Context, step: Step, value: Scalar) -> list[Verdict]:
+    """With p = A cos(Ωt - δ) for the drive D = H cos Ωt: p D + p' D'/Ω² = A H cos δ, and p' D - p D' = A H Ω sin δ ≥ 0."""
+    form, [_, found] = step.data["form"], _swing(context, step)
+    part = step.data["steady"] - form.constant / form.stiffness
+    rate, force, gain = derivative(part, "t"), form.drive, derivative(form.drive, "t")
+    along, across = part * force + rate * gain / form.frequency**2, (rate * force - part * gain) / form.frequency
+    cosine = function("cos", value)
+    found.append(same(context, cosine * cosine * (along * along + across * across), along * along))
+    signs = (across, cosine * along, value, PI - value)
+    return [*found, *(compare(NOTHING, one, context.assumptions, strict=False) for one in signs)]
+
+
 def _fastest(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     square, found = _swing(context, step)
     form = step.data["form"]
@@ -210,6 +222,7 @@ def _lasting(context: Context, step: Step, value: Scalar) -> list[Verdict]:
 
 FEATURES: Mapping[str, Callable[[Context, Step, Scalar], list[Verdict]]] = {
     "amplitude": _amplitude,
+    "phase lag": _lag,
     "greatest speed": _fastest,
     "terminal speed": _terminal,
     "total way": _total,

@@ -48,11 +48,22 @@ def value_along(context: Context, step: Step) -> Verdict:
     for left, _, right in relations(step.statement):
         stated = substitute(context.value(right), context.study.system.dependent)
         gap = _on_motion(context, step, step.data["of"][left.name]) - stated
+        said_so = {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
         speeds = {f"{n}_dot": root(context.along(symbol(f"{n}_dot") ** 2)) * way for n, way in step.data["ways"].items()}
-        speeds |= {f"{name}_dot": _said(context, f"speed_at.{name}") for name in step.data["speeds"]}
-        gap = substitute(gap, speeds) if speeds else gap
+        gap = substitute(substitute(gap, said_so), speeds)
         is_seen = not is_zero(gap)
         found.append(same(context, without_even_roots(context.along(gap) if is_seen else gap), NOTHING))
+    return weakest(found)
+
+
+def kept_speed(context: Context, step: Step) -> Verdict:
+    """The stated speed is one of those with which the momenta that other steps say are kept are what they were at the start
+    (`data`: "speed", "speeds", "momenta")."""
+    [(_, _, right)] = relations(step.statement)
+    found = [same(context, context.value(right), step.data["speeds"][step.data["speed"]])]
+    for id in step.data["momenta"]:
+        momentum = _said(context, id)
+        found.append(same(context, substitute(momentum, step.data["speeds"]), context.start(momentum)))
     return weakest(found)
 
 

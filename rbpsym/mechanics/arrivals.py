@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
@@ -27,7 +28,10 @@ EDGE = 1e-9
 
 
 def mover(study: Study) -> str | None:
-    """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest."""
+    """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest, or their
+    speeds follow from conserved momenta."""
+    if study.kept_speeds:
+        return next(iter(study.squares))
     start, gains = study.system.scope.start, study.dynamics.accelerations or {}
     moving = [
         name
@@ -38,13 +42,27 @@ def mover(study: Study) -> str | None:
 
 
 def state_at(study: Study, name: str, place: Scalar) -> State:
-    """All coordinates and speeds where the one that changes has a value, its speed from the first integral."""
+    """All coordinates and speeds where the one that changes has a value, its speed from the first integral; a coordinate
+    that is not known there is its own letter."""
     there = floating(place - study.system.scope.start[name], sample(study.problem))
     speed = positive_root(study, substitute(study.squares[name], {name: place})) * (-1 if there < 0 else 1)
     here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
+    for other, rate in study.kept_speeds.items():
+        here[other.removesuffix("_dot")] = substitute(_followed(study, name, other), {name: place})
+        here[other] = substitute(rate, {name: place, f"{name}_dot": speed})
     values = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], here)) for n, pair in values.items()} for k in (0, 1))
     return State(None, places, speeds)
+
+
+def _followed(study: Study, name: str, speed: str) -> Scalar:
+    """A coordinate whose speed is that of the one that changes times a function of its place; else its own letter."""
+    other, way = speed.removesuffix("_dot"), f"{name}_dot"
+    rate = short(study.kept_speeds[speed] / symbol(way))
+    gained = None
+    if not names_in(rate) & {way, *study.system.scope.rates.keys()} - {name}:
+        gained = definite(rate, name, study.system.scope.start[name], symbol(name))
+    return symbol(other) if gained is None else study.system.scope.start[other] + gained
 
 
 def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand]] | None:

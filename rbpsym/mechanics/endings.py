@@ -85,9 +85,17 @@ def value_reached(study: Study, phase: Phase) -> State:
     if _are_uniform(study):
         return _after(study, phase, at_start(study), *_time_until(study, phase, value))
     name = mover(study)
-    if name is None:
+    if name is None or f"{phase.subject}_dot" in study.kept_speeds:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
     return _met(study, phase, name, "", of_coordinate(study, phase.subject)[0] - value)
+
+
+def force_taken(study: Study, phase: Phase) -> State:
+    """The place at which an unknown force has a value."""
+    along, name = study.reactions_along_motion, mover(study)
+    if not along or name is None:
+        raise _no_closed_form(f"the place where “{phase.subject}” has this value")
+    return _met(study, phase, name, "", along[phase.subject] - scalar(phase.value))
 
 
 def grip_ends(study: Study, phase: Phase) -> State:
@@ -130,7 +138,7 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
             raise _never(study, phase, what="does not come to rest")
         return _after(study, phase, start, short(-(speed / gain)), asked)
     name = mover(study)
-    if name is None or is_zero(of_coordinate(study, phase.subject)[1]):
+    if name is None or f"{phase.subject}_dot" in study.kept_speeds or is_zero(of_coordinate(study, phase.subject)[1]):
         raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
     return _met(study, phase, name, "comes to rest", study.squares[name])
 

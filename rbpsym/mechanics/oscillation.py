@@ -14,7 +14,7 @@ coefficients are positive (Liénard and Chipart). Gantmacher, Theory of Matrices
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rbpsym.algebra import atoms
@@ -242,6 +242,14 @@ class Equilibrium:
         return {"at": self.at, "tied": self.linear.tied, "valid": self.valid}
 
 
+def where_stable(item: Equilibrium) -> Equilibrium:
+    """The same place under the condition that makes it stable, if that is open and one condition tells it."""
+    if item.stable is not None or item.where is None:
+        return item
+    proved = "asymptotic" if item.nature.conditions else "minimum"
+    return replace(item, nature=Nature(proved), where=None, valid=(*item.valid, Demand(item.where)))
+
+
 def equilibria(system: System, dynamics: Dynamics, assumptions: Assumptions, found: Rest) -> tuple[Equilibrium, ...]:
     """The positions of rest, and what is said of the motion close to them."""
     return tuple(_describe(system, dynamics, *place, assumptions) for place in found.places)
@@ -273,6 +281,14 @@ def _held(stiffness: Matrix, names, at) -> Matrix:
     """Over the coordinates that are not arbitrary."""
     kept = [k for k, n in enumerate(names) if n in at]
     return tuple(tuple(stiffness[i][j] for j in kept) for i in kept)
+
+
+def amplitude_ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
+    """The second amplitude over the first in a mode of two coordinates, by its frequency squared."""
+    rows = zip(item.stiffness, item.inertia, strict=True)
+    matrix = [[k - square * m for k, m in zip(a, b, strict=True)] for a, b in rows]
+    row = next((r for r in matrix if not is_zero(r[1])), None)
+    return None if row is None else short(-(row[0] / row[1]))
 
 
 def _slowest_first(found: list[Scalar], system: System) -> tuple[Scalar, ...]:

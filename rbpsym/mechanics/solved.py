@@ -65,6 +65,14 @@ def _amplitude(known: Given) -> Scalar | None:
     return None if square is None else known.root(square)
 
 
+def _lag(known: Given) -> Scalar | None:
+    """By which angle, from 0 to π, what is driven is behind the force at last."""
+    if not known.form.drive:
+        return None
+    _, gap, drag = resonance(known)
+    return function("acos", gap / known.root(gap * gap + drag * drag))
+
+
 def _fastest(known: Given) -> Scalar | None:
     """The frequency times the amplitude."""
     square, form = _swing(known), known.form
@@ -97,6 +105,7 @@ def _lasting(known: Given) -> Scalar | None:
 # what is asked of a coordinate -> the letter that it gets, and what finds it
 FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
     "amplitude": ("A", _amplitude),
+    "phase lag": ("delta", _lag),
     "greatest speed": ("v_max", _fastest),
     "terminal speed": ("v_end", _terminal),
     "total way": ("s_end", _total),

@@ -60,6 +60,8 @@ def massless(system: System, block: tuple[int, ...]) -> StatementError:
 
 def contradictory(system: System) -> StatementError:
     """Named are the constraints that the poses do not keep by themselves, or else all of them."""
+    if beside := _beside(system):
+        return beside
     names = asking(system) or tuple(element.name for element in system.problem.constraints)
     fixed = "" if system.independent else " (they leave nothing free to move, and the forces do not balance there)"
     return StatementError(
@@ -68,6 +70,20 @@ def contradictory(system: System) -> StatementError:
         instead="check that each constraint agrees with the poses, and that no two ask for different motions.",
         place=system.element(names[0]).place if names else None,
     )
+
+
+def _beside(system: System) -> StatementError | None:
+    """A force on a particle that does not go through it."""
+    for force in system.forces:
+        body = system.problem.body(force.on)
+        arm = force.point - system.bodies[force.on].center
+        if body.shape.kind == "particle" and not is_zero(arm.cross(force.vector)):
+            return StatementError(
+                f"the force “{force.name}” acts on “{force.on}” beside its place, and a particle bears no torque",
+                instead=f'give “{force.on}” a shape with an angle (a rectangle), and hold that by type = "slider".',
+                place=body.place,
+            )
+    return None
 
 
 def too_long(system: System) -> LimitError:
@@ -97,6 +113,8 @@ def asking(system: System) -> tuple[str, ...]:
 
 def unheld(system: System, rows: Iterable[tuple[str, str, Scalar]], images: Mapping[str, Scalar]) -> StatementError:
     """A pose that ties a body to coordinates without a force that does it; `rows`: its equations without unknowns."""
+    if beside := _beside(system):
+        return beside
     last = (system.problem.bodies[-1].name, "")
     name, way = next(((body, way) for body, way, value in rows if is_nonzero(system, value, images)), last)
     return StatementError(

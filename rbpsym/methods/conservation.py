@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.chapters import momentum
 from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
@@ -204,17 +205,7 @@ def _as_sum(draft: Draft) -> t.Node:
 
 def _speeds(draft: Draft) -> None:
     """Momenta that are kept, and squares of speeds as functions of position."""
-    for name, momentum in draft.study.kept_momenta.items():
-        draft.add(
-            f"kept.{name}",
-            "conservation",
-            t.equation(draft.define(draft.free(f"p_{name}"), momentum), draft.show(momentum)),
-            "energy.momentum",
-            is_result=True,
-            premises=draft.those(f"motion.{name}"),
-            data={"value": momentum},
-            coordinate=t.Sym(name),
-        )
+    momentum.kept(draft)
     single = len(draft.study.system.independent) == 1
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)

@@ -212,6 +212,15 @@ def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
     return number(found[force], f"phase {_stage(world, name)[0]}")
 
 
+def in_one_blow(world: ProblemWorld, said: str) -> Bound:
+    """The same of the only phase that begins with a blow. Raises StatementError."""
+    names = [stage.name for stage in world.stages if stage.began is not None and stage.began.is_blow]
+    if len(names) != 1:
+        told = " or ".join(f"“{said} when {name} begins”" for name in names)
+        raise StatementError(f"“{said}”: in which blow?", instead=f"write {told}." if names else "the problem has no blow.")
+    return world.bound(f"{said} when {names[0]} begins")
+
+
 def energy_lost(world: ProblemWorld, name: str) -> Bound:
     """Kinetic energy lost when PHASE begins."""
     place, stage = _stage(world, name)
@@ -238,6 +247,7 @@ _W = r"([\w-]+)"
 JUMPS: tuple[Phrase, ...] = (
     (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of CONTACT when PHASE begins"),
     (rf"(?:kinetic )?energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
+    (r"(impulse of \w+|(?:kinetic )?energy lost)", in_one_blow, ""),
 )
 PHRASES: tuple[Phrase, ...] = (
     *JUMPS,

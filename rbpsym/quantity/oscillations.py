@@ -6,11 +6,14 @@ from functools import cmp_to_key
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.oscillation import decaying
+from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
+from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
 from rbpsym.quantity.path import SENSES
 
@@ -20,17 +23,33 @@ if TYPE_CHECKING:
 ORDINALS = {None: None, "lowest ": 0, "second ": 1, "third ": 2, "highest ": -1}
 
 
-def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list:
-    found = [item for item in world.study.equilibria if bool(item.stable) is stable and name in item.at]
+def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list[Equilibrium]:
+    """Those that are (un)stable; else those that are stable under a condition on the parameters."""
+    known = [item for item in world.study.equilibria if name in item.at]
+    found = [item for item in known if bool(item.stable) is stable and (stable or item.where is None)]
+    found = found or [item for item in map(where_stable, known) if stable and item.stable]
     if not found:
         raise StatementError(f"no {'' if stable else 'un'}stable equilibrium of “{name}” is known")
     return found
 
 
-def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
-    """An angular frequency of small oscillations about the stable equilibrium."""
-    squares = [s for item in _equilibria(world, name, True)[:1] for s in item.frequencies_squared]
-    place = ORDINALS[ordinal]
+def _about(world: ProblemWorld, name: str, text: str | None) -> Equilibrium:
+    """The stable equilibrium about which it swings. Raises StatementError where several have unlike frequencies."""
+    found = _equilibria(world, name, True)
+    if text is not None:
+        value = scalar(read_infix(text, world.names))
+        known = [item for item in map(where_stable, world.study.equilibria) if item.stable and name in item.at]
+        found = [item for item in known if is_zero(item.at[name] - value)]
+        if not found:
+            raise StatementError(f"{name} = {text} is no stable equilibrium", instead=f"ask for “equilibrium of {name}”.")
+    if len({item.frequencies_squared for item in found}) > 1:
+        raise StatementError(f"“{name}” has {len(found)} stable equilibria", instead=f"write “… of {name} about {name} = VALUE”.")
+    return found[0]
+
+
+def _mode(world: ProblemWorld, item: Equilibrium, ordinal: str | None, name: str) -> Scalar:
+    """The square of the frequency of a mode."""
+    squares, place = item.frequencies_squared, ORDINALS[ordinal]
     if not squares:
         said = ", ".join(f"“{kind} of {name}”" for kind in OF_MODE)
         raise StatementError(f"no undamped oscillations of “{name}” are known", instead=f"of a damped motion: {said}.")
@@ -38,7 +57,23 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str) -> Bound:
         raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
     if place is not None and place >= len(squares):
         raise StatementError(f"there are only {len(squares)} frequencies")
-    return number(function("sqrt", _ordered(world, squares)[place or 0]), "oscillations")
+    return _ordered(world, squares)[place or 0]
+
+
+def frequency(world: ProblemWorld, ordinal: str | None, name: str, about: str | None = None) -> Bound:
+    """An angular frequency of small oscillations about the stable equilibrium."""
+    return number(function("sqrt", _mode(world, _about(world, name, about), ordinal, name)), "oscillations")
+
+
+def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bound:
+    """The ratio of two amplitudes in a mode of two coordinates. Raises StatementError for others."""
+    names, item = world.study.system.independent, _about(world, second, None)
+    if sorted((first, second)) != sorted(names):
+        raise StatementError("the shape of a mode is told of two coordinates", instead=f"of {' and '.join(names)}.")
+    ratio = amplitude_ratio(item, _mode(world, item, ordinal, second))
+    if ratio is None or (first == names[0] and is_zero(ratio)):
+        raise StatementError(f"“{second}” stays at rest in this mode, or nothing ties the two")
+    return number(ratio if second == names[0] else 1 / ratio, "oscillations")
 
 
 def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
@@ -55,7 +90,7 @@ def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
 
 def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
     """γ, or a frequency, of the one mode λ² + 2γλ + ϑ² about the stable equilibrium."""
-    modes = [decaying(powers) for item in _equilibria(world, name, True)[:1] for powers in item.linear.factors]
+    modes = [decaying(powers) for powers in _about(world, name, None).linear.factors]
     if len(modes) != 1 or not modes[0][1]:
         raise StatementError(f"the motion of “{name}” is not that of one mode")
     return number(OF_MODE[kind](*modes[0]), "oscillations")
@@ -68,9 +103,9 @@ OF_MODE = {
 }
 
 
-def period(world: ProblemWorld, name: str) -> Bound:
+def period(world: ProblemWorld, name: str, about: str | None = None) -> Bound:
     """The period of small oscillations."""
-    return number(PI * 2 / frequency(world, None, name).scalar, "oscillations")
+    return number(PI * 2 / frequency(world, None, name, about).scalar, "oscillations")
 
 
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
@@ -82,6 +117,8 @@ def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
 
 
 OTHERWISE = {
+    "phase": "phase lag",
+    "phase angle": "phase lag",
     "total angle": "total way",
     "total change": "total way",
     "largest speed": "greatest speed",
@@ -99,10 +136,12 @@ def of_course(world: ProblemWorld, key: str, name: str) -> Bound:
     return number(value, f"course {name} {key}")
 
 
+_ABOUT = r"(?: about \w+ = (.+))?"
 PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join((*solved.FEATURES, *OTHERWISE))}) of (\w+)", of_course, "amplitude of COORDINATE"),
-    (r"(lowest |second |third |highest )?frequency of (\w+)", frequency, "frequency of COORDINATE"),
+    (rf"(lowest |second |third |highest )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
+    (r"ratio of (\w+) to (\w+) in the (lowest |highest )mode", mode_shape, "ratio of x_1 to x_2 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
-    (r"period of (\w+)", period, "period of COORDINATE"),
+    (rf"period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip

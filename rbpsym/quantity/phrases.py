@@ -17,6 +17,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
 from rbpsym.notation.infix import read_infix
+from rbpsym.quantity.alone import NOUNS, alone
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
 from rbpsym.quantity.vectors import PHRASES as VECTORS
@@ -69,6 +70,12 @@ def _of_coordinate(order: int):
         return number(value)
 
     return find
+
+
+def _speed_of(world: ProblemWorld, noun: str, name: str) -> Bound:
+    """The rate of a coordinate, with its sign; of a body the velocity of its centre of mass, or the magnitude of that."""
+    found = _of_coordinate(1)(world, name)
+    return _magnitude(world, f"velocity of {name}.cm") if noun == "speed" and found.vector is not None else found
 
 
 def _of_point(order: int):
@@ -181,6 +188,16 @@ def _mechanical(world: ProblemWorld) -> Bound:
     return number(sum(potentials(world.study.system).values(), _kinetic(world, None, None).scalar))
 
 
+OWN = ("gravity", "spring", "torsion-spring")
+
+
+def _own_energy(world: ProblemWorld) -> Bound:
+    """Kinetic energy and that of weights and springs: what is lost by friction, drag, brakes, and what other forces give."""
+    kinds = {element.name: element.kind for element in world.study.problem.interactions}
+    held = (value for name, value in potentials(world.study.system).items() if kinds[name] in OWN)
+    return number(sum(held, _kinetic(world, None, None).scalar))
+
+
 def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
     """A force by its name alone: an unknown one as it is stated, with its sign; of a known one the magnitude."""
     if name in world.study.system.unknowns or (noun is None and name not in world.forces_known):
@@ -201,6 +218,7 @@ _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
 
 PHRASES: tuple[Phrase, ...] = (
+    (rf"({'|'.join(NOUNS)})", alone, ""),
     *MOMENTS,
     *VECTORS,
     (r"kinetic energy of (?:the )?system relative to its centre of mass", _relative,
@@ -209,7 +227,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"magnitude of (.+)", _magnitude, "magnitude of velocity of BODY.cm"),
     (r"([xyz]) component of (.+)", _component, "x component of velocity of BODY.cm"),
     (r"rate of (.+)", _rate, "rate of kinetic energy"),
-    (r"(?:speed|velocity) of ([\w]+)", _of_coordinate(1), "speed of COORDINATE"),
+    (r"(speed|velocity) of ([\w]+)", _speed_of, "speed of COORDINATE"),
     (r"acceleration of ([\w]+)", _of_coordinate(2), "acceleration of COORDINATE"),
     (rf"position of {_P}(?: from {_P})?", _of_point(0), "position of BODY.cm"),
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
@@ -235,6 +253,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"energy(, up to a constant)?", _energy, "energy"),
     (r"Lagrangian", _lagrangian, "Lagrangian"),
     (r"mechanical energy", _mechanical, "mechanical energy"),
+    (r"energy of motion, weights and springs", _own_energy, "energy of motion, weights and springs"),
     (r"dE/dt", lambda world: _rate(world, "mechanical energy"), "dE/dt"),
     (rf"d([LP])/dt(?: of {_B})?{_ABOUT}", lambda world, letter, name, about: _rate_of(world, letter, name, about), "dL/dt"),
     (r"(?:total )?momentum(?: of (.+))?", lambda world, name: _momentum(world, name or "system"), "momentum of BODY"),

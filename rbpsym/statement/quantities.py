@@ -87,9 +87,12 @@ def _parameter(name: str, section: Table) -> Quantity:
     return _quantity(item, name, _dimension(item, dimension), meaning.strip(), checked)
 
 
+_BOUND = re.compile(r"\s*([<>]=?|[≤≥])([^,]*)")  # an end that may be reached bounds the same open interval
+
+
 def _unbounded(head: str) -> str:
-    """What stands before “> a”."""
-    return re.split("[<>]", head)[0]
+    """What is left without “> a”, wherever that stands."""
+    return _BOUND.sub("", head, count=1)
 
 
 def _parameter_of_table(name: str, table: Table) -> Quantity:
@@ -119,12 +122,11 @@ def _bounded(quantity: Quantity, section: Table, scope: Scope) -> Quantity:
         lower, upper = read_range(table.item("range"), scope, f"the parameter “{quantity.name}”", quantity.dimension)
         return replace(quantity, lower=lower, upper=upper)
     item, head = section.item(quantity.name), section.data[quantity.name].partition(":")[0]
-    kept = _unbounded(head)
-    if kept == head:
+    found = _BOUND.search(head)
+    if found is None:
         return quantity
-    side = "lower" if head[len(kept)] == ">" else "upper"
-    bound = read_text(item, head[len(kept) + 1 :], scope, what, quantity.dimension, shift=len(kept) + 1)
-    return replace(quantity, **{side: bound})
+    side = "lower" if found[1] in (">", ">=", "≥") else "upper"
+    return replace(quantity, **{side: read_text(item, found[2], scope, what, quantity.dimension, shift=found.start(2))})
 
 
 def _dimension(item: SourceItem, text: str) -> Dimension:

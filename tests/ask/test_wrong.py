@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.ask.asking import answered
+from rbpsym.ask.moments import Asked
 from rbpsym.errors import RbpsymError
+from rbpsym.statement.loader import load_text
 from tests.ask.test_answers import asked
+from tests.ask.test_unseen import HERE
 
 WRONG = [
     ("rod-pendulum", "", "it is empty"),
@@ -40,6 +43,13 @@ WRONG = [
     ("sliding-ladder", "period of theta", "no stable equilibrium"),
     ("center-of-percussion", "F_y at the end of phase struck", "nothing ends this phase"),
     ("ball-slipping-to-rolling", "time until roling", "did you mean “rolling”?"),
+    ("rod-pendulum", "tension", "the problem has no tension"),
+    ("double-atwood", "tension", "which tension is meant?"),
+    ("rod-pendulum", "energy lost", "the problem has no blow"),
+    ("double-compound-pendulum", "ratio of theta_1 to phi in the lowest mode", "no stable equilibrium of “phi”"),
+    ("rod-pendulum", "period of theta about theta = pi", "no stable equilibrium"),
+    ("rod-pendulum", "F_y where F_x = 7*M*g", "does not have this value"),
+    ("cart-and-rod", "x where x comes to rest", "no closed form"),
 ]
 
 
@@ -49,3 +59,46 @@ def test_what_has_no_answer_gets_a_sentence(name: str, question: str, told: str)
         answered(asked(name), question)
     assert told in str(caught.value)
     assert caught.value.exit_code == 2
+
+
+BESIDE = """
+[parameters]
+m = "mass: block"
+M = "mass: plank"
+b = "length: place of the block"
+g = "acceleration: gravity"
+[coordinates.x]
+meaning = "place"
+dimension = "length"
+start = "0"
+[bodies.plank]
+shape = "particle"
+mass = "M"
+center = ["x", "0"]
+[bodies.block]
+shape = "particle"
+mass = "m"
+center = ["x + b", "0"]
+[interactions.W]
+type = "gravity"
+[constraints.R]
+type = "guide"
+point = "plank.center"
+line = "y = 0"
+[constraints.N]
+type = "contact"
+point = "block.center"
+of = "plank"
+line = "y = 0"
+"""
+
+
+def test_a_force_beside_a_particle_is_told() -> None:
+    with pytest.raises(RbpsymError, match="beside its place, and a particle bears no torque"):
+        answered(Asked(load_text(BESIDE, "b.toml")), "N")
+
+
+def test_a_motion_that_never_comes_about_is_not_told() -> None:
+    text = (HERE / "plate-pins.toml").read_text(encoding="utf-8").replace('side = "positive"', 'side = "negative"')
+    with pytest.raises(RbpsymError, match="never comes about"):
+        answered(Asked(load_text(text, "p.toml")), "B at the start")

@@ -59,6 +59,15 @@ def test_signs_and_tables_of_parameters() -> None:
     assert (signs["m"], signs["M"], signs["F"]) == ("positive", "nonnegative", "real")
 
 
+@pytest.mark.parametrize("said", ["length < ell, real", "length, real < ell", "length <= ell, real", "length, real ≤ ell"])
+def test_sign_and_bound_stand_in_either_order(said: str) -> None:
+    text = 'title = "t"\n[parameters]\nell = "length: a"\nd = "' + said + ': b"\nm = "mass: c"\n'
+    text += '[coordinates.x]\nmeaning = "p"\ndimension = "length"\n'
+    text += '[bodies.bob]\nshape = "particle"\nmass = "m"\ncenter = ["x", "0"]\n'
+    d = next(quantity for quantity in load_text(text).parameters if quantity.name == "d")
+    assert (d.sign, d.upper, d.lower) == ("real", Sym("ell"), None)
+
+
 def test_gravity_acts_on_all() -> None:
     assert ALL.interactions[0]["bodies"] == ("rod", "disk", "bob")
 

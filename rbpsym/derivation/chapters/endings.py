@@ -132,7 +132,7 @@ def _place(draft: Draft, ending: Ending) -> None:
     )
 
 
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "no slip": "rest", "rests": "rest"}
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "rest"}
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:
@@ -154,7 +154,7 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
         letter = name_of(draft, name, ending.number)
         known = letter in draft.context.scalars
         draft.context.scalars[letter] = value
-        if not known and not is_zero(value - begun[name]):
+        if not known and value != symbol(name) and not is_zero(value - begun[name]):
             rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True)))
             letters[letter] = name
     if rows:

@@ -16,7 +16,7 @@ from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.mechanics.elimination import determinant, short
-from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio
 from rbpsym.notation import tree as t
 
 LAMBDA = "lamda"
@@ -123,7 +123,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         premises=[f"characteristic.{place}"],
         data=item.facts,
     )
-    ratios = [_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
+    ratios = [amplitude_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
     if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
         for k, (square, ratio) in enumerate(zip(found, ratios, strict=True), 1):
             _shape(draft, item, place, k, square, ratio)
@@ -133,12 +133,6 @@ def _name(draft: Draft, letter: str, place: int, k: int) -> str:
     """ϑ_k, with the place before it if there are several stable ones."""
     several = sum(item.stable is True for item in draft.study.equilibria) > 1
     return draft.free(f"{letter}_{place}{k}" if several else f"{letter}_{k}")
-
-
-def _ratio(item: Equilibrium, square: Scalar) -> Scalar | None:
-    """The second amplitude over the first."""
-    row = next((r for r in _matrix(item, square) if not is_zero(r[1])), None)
-    return None if row is None else short(-(row[0] / row[1]))
 
 
 def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, ratio: Scalar) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.chapters.inertia import moment_of, turning_together, turns_about
@@ -112,3 +114,37 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
         point=t.Sym(label),
         data={"origin": origin, "bodies": tuple(bodies), "value": value},
     )
+
+
+def kept(draft: Draft) -> list[str]:
+    """The ids of the steps that say which momenta ∂E/∂q̇ are kept."""
+    return [
+        draft.add(
+            f"kept.{name}",
+            "conservation",
+            t.equation(draft.define(draft.free(f"p_{name}"), momentum), draft.show(momentum)),
+            "energy.momentum",
+            is_result=True,
+            premises=draft.those(f"motion.{name}"),
+            data={"value": momentum},
+            coordinate=t.Sym(name),
+        ).id
+        for name, momentum in draft.study.kept_momenta.items()
+    ]
+
+
+def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
+    """The speeds that they give from the start, those that are wanted."""
+    momenta = kept(draft)
+    for speed in wanted:
+        name = speed.removesuffix("_dot")
+        draft.add(
+            f"speed_at.{name}",
+            "kept_speed",
+            t.equation(t.Sym(speed), draft.show(draft.study.kept_speeds[speed], factor=True)),
+            "course.speed",
+            premises=momenta,
+            name=t.Sym(name),
+            is_result=True,
+            data={"speed": speed, "speeds": draft.study.kept_speeds, "momenta": tuple(momenta)},
+        )

@@ -13,17 +13,18 @@ from rbpsym.derivation.step import FULL
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium
+from rbpsym.mechanics.oscillation import where_stable as stable_form
 from rbpsym.mechanics.rest import resting_forces
 from rbpsym.notation import tree as t
 
 
-def write(draft: Draft) -> None:
-    """The chapter."""
+def write(draft: Draft, *, where_stable: bool = False) -> None:
+    """The chapter; `where_stable`: of places whose stability depends on the parameters, as they are where they are stable."""
     draft.chapter = "oscillations"
     if draft.study.equilibria:
         _rest(draft)
     for place, item in enumerate(draft.study.equilibria, 1):
-        _equilibrium(draft, item, place)
+        _equilibrium(draft, stable_form(item) if where_stable else item, place)
     if draft.study.open_balance:
         open_balance.write(draft, draft.study.open_balance)
 
