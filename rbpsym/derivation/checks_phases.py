@@ -55,7 +55,7 @@ def _at(time: Scalar, value: Scalar) -> Scalar:
 
 
 def reached_then(context: Context, step: Step) -> Verdict:
-    """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending", "time")."""
+    """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending")."""
     [(_, _, right)] = list(relations(step.statement))
     return same(context, _at(context.value(right), _left(context, step)), NOTHING)
 

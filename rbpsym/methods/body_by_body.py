@@ -36,7 +36,7 @@ def by_bodies(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> St
         equations=[StepRef(s.id) for s in steps],
         torques=names,
         count=len(names),
-        data={"terms": [(1, step) for step in steps], "row": balance.row},
+        data={"terms": [(1, step) for step in steps]},
     )
 
 

@@ -272,6 +272,5 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         source=StepRef("energy.rate"),
         known=StepRef(f"motion.{name}"),
         speed=speed,
-        data={"rows": [inner], "values": {f"{name}_ddot": value}},
     )
     return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

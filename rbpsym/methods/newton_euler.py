@@ -75,14 +75,8 @@ def _reactions(draft: Draft, steps: list) -> None:
             force=t.Sym(name),
             is_result=not draft.study.system.independent,  # where nothing is free, the forces are what was asked for
             level=FULL if draft.study.squares or length(shown) > LONGEST else STANDARD,
-            data={"rows": draft.study.newton_euler_rows, "values": _values(draft)},
             sources=[StepRef(s.id) for s in steps],
         )
-
-
-def _values(draft: Draft) -> dict[str, Scalar]:
-    dynamics = draft.study.dynamics
-    return {**dynamics.reactions, **(dynamics.accelerations or {})}
 
 
 def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
@@ -107,6 +101,5 @@ def _accelerations(draft: Draft) -> Mapping[str, Scalar] | None:
             level=FULL,
             acceleration=t.Sym(name),
             count=len(found),
-            data={"rows": draft.study.newton_euler_rows, "values": {n: solution.values[n] for n in unknowns}},
         )
     return found

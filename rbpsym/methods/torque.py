@@ -49,7 +49,6 @@ def _projected(draft: Draft) -> None:
             "torque.projected",
             coordinate=t.Sym(name),
             is_result=True,
-            data={"row": left - force},
         )
 
 
@@ -150,7 +149,7 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
         net=StepRef(net.id),
         momenta=momenta,
         variant="some" if balance.right else "zero",
-        data={"row": balance.row, "origin": balance.where},
+        data={"origin": balance.where},
     )
 
 
@@ -188,7 +187,7 @@ def _push(draft: Draft, balance: Balance) -> Step:
         bodies=_bodies(balance),
         axis=axis,
         variant="whole" if whole else "one",
-        data={"row": balance.row, "along": balance.where, "bodies": balance.bodies},
+        data={"along": balance.where, "bodies": balance.bodies},
     )
 
 
@@ -200,7 +199,6 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
         source = next((s for s, b in zip(steps, found.balances, strict=True) if b.unknowns == {name}), None)
         shown, premises = _shown(draft, found, steps, name, value, source)
         coordinate = name.removesuffix("_ddot")
-        rows, known = [b.row for b in found.balances], {n: solution.values[n] for n in found.unknowns}
         draft.add(
             f"motion.{coordinate}",
             "solution",
@@ -212,7 +210,6 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             count=len(premises),
             coordinate=t.Sym(coordinate),
             acceleration=acceleration_symbol(coordinate),
-            data={"rows": rows, "values": known},
         )
     return values
 

@@ -111,7 +111,7 @@ def _of_body(draft: Draft, body: str, parts: Parts, letters: Mapping[str, t.Sym]
         forces=[t.Vec(k) for k in acting or [k for k in letters if body in parties[k]]],
         variant={0: "other", 1: "one"}.get(len(acting), "many"),
         level=parts.level,
-        data={"known": sum(known, NOTHING), "growth": growth},
+        data={"growth": growth},
     )
 
 

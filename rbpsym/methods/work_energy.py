@@ -221,6 +221,5 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         source=StepRef("theorem.whole"),
         speed=t.Sym(f"{name}_dot"),
         level=FULL,
-        data={"rows": [row], "values": {f"{name}_ddot": value}},
     )
     return {f"{name}_ddot": value}

@@ -1,15 +1,17 @@
 """Mutants of the source, each put to the quickest tests that come through what was changed.
 
-    python -m tests.thorough.mutants COVERING.json [--count 400] [--seed 1] [--from 0] [--to 400] [--log FILE]
+    python -m tests.thorough.mutants COVERING.json [--count 400] [--seed 1] [--log FILE] [--again]
 
 Needs the table of `tests.thorough.covering`. Works in a copy of the tree; a mutant that outlasts its time of the
 processor counts as killed. `EQUIVALENT` names those that change nothing that can be seen, with the reason; they are not
-drawn.
+drawn. A log is gone on with: what is in it and still stands in the source is drawn first, and not run once more (with
+`--again` what survived is).
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
 import random
@@ -20,13 +22,15 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
 from tests.thorough.equivalent import EQUIVALENT
 from tests.thorough.sites import Site, is_sound, sites
+from tests.thorough.warm import altered, serve
 
 ROOT = Path(__file__).parents[2]
 # area: (share of the draw, patterns of its files)
@@ -52,6 +56,7 @@ MOST = 160
 LIMIT = 60  # seconds of the processor until a mutant counts as killed by time
 QUIET = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
 PLAIN = ("-o", "addopts=--import-mode=importlib")
+KILLED = ("killed", "time")
 NOT_ASKED = ("tests/architecture", "tests/thorough")  # they see that the text changed, not what it does
 
 
@@ -73,10 +78,10 @@ class Table:
             name = name.rpartition(".")[0].removesuffix(".<locals>")
         return sorted({k for key, found in self.met.items() if key.startswith(f"{site.file}::") for k in found})
 
-    def chosen(self, site: Site, source: random.Random, sick: Collection[str] = ()) -> list[str]:
-        """Some of each kind of test, the quickest first, then others at random until there are enough."""
-        every = [k for k in self.of(site) if not self.tests[k].startswith(NOT_ASKED) and self.tests[k] not in sick]
-        every.sort(key=lambda k: self.seconds[k])
+    def chosen(self, site: Site, source: random.Random, likely: Mapping[str, int]) -> list[str]:
+        """Those that killed others of the file, some of each kind of test, the quickest first, then others at random."""
+        every = [k for k in self.of(site) if not self.tests[k].startswith(NOT_ASKED)]
+        every.sort(key=lambda k: (-likely.get(self.tests[k], 0), self.seconds[k]))
         kinds: Counter[str] = Counter()
         first, rest = [], []
         for k in every:
@@ -107,18 +112,23 @@ def table(paths: list[Path]) -> Table:
     return Table(list(tests), list(tests.values()), {n: sorted(number[t] for t in found) for n, found in met.items()})
 
 
-def drawn(count: int, seed: int, home: Path = ROOT / "rbpsym") -> list[Site]:
-    """Seeded mutants of all areas in turn, equivalents left out."""
+def drawn(count: int, seed: int, known: Collection[str] = (), home: Path = ROOT / "rbpsym") -> list[Site]:
+    """Seeded mutants of all areas in turn, equivalents left out, those that are known already first; a key counts once.
+
+    A mutant's place in the draw depends on its key only, so that a draw stays much the same while the source changes.
+    """
     total, found = sum(share for share, _ in AREAS.values()), []
-    for area, (share, patterns) in AREAS.items():
+    for share, patterns in AREAS.values():
         files = sorted({path for pattern in patterns for path in home.glob(pattern)})
-        every = [site for path in files for site in sites(home, str(path.relative_to(home)))]
-        every = [site for site in every if key(site) not in EQUIVALENT]
-        random.Random(f"{seed} {area}").shuffle(every)
-        sound = (site for site in every if is_sound(home, site))
+        every = {key(site): site for path in files for site in sites(home, str(path.relative_to(home)))}
+        names = sorted(every.keys() - EQUIVALENT.keys(), key=lambda name: (name not in known, _place(seed, name)))
+        sound = (every[name] for name in names if name in known or is_sound(home, every[name]))
         found += islice(sound, -(-count * share // total))
-    random.Random(seed).shuffle(found)
-    return found[:count]
+    return sorted(found, key=lambda site: _place(seed, key(site)))[:count]
+
+
+def _place(seed: int, name: str) -> bytes:
+    return hashlib.sha256(f"{seed} {name}".encode()).digest()
 
 
 def key(site: Site) -> str:
@@ -144,14 +154,14 @@ def copied() -> Path:
     return scratch
 
 
-def outcome(scratch: Path, site: Site, tests: list[str], sick: set[str]) -> str:
-    """"killed", "survived", "time" (killed by it) or "no tests"; tests that fail without the mutant are added to `sick`."""
-    while tests := [test for test in tests if test not in sick]:
+def outcome(scratch: Path, site: Site, tests: list[str]) -> tuple[str, str]:
+    """"killed", "survived", "time" (killed by it) or "no tests", and the test that failed; it passes without the mutant."""
+    while tests:
         found, failed = _mutated(scratch, site, tests)
         if found != "killed" or not failed or _in_a_child(scratch, [failed])[0] == "survived":
-            return found
-        sick.add(failed)
-    return "no tests"
+            return found, failed
+        tests = [test for test in tests if test != failed]
+    return "no tests", ""
 
 
 def _mutated(scratch: Path, site: Site, tests: list[str]) -> tuple[str, str]:
@@ -224,8 +234,8 @@ def collected(scratch: Path) -> set[str]:
     return {line.strip() for line in told.splitlines() if "::" in line}
 
 
-def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple[Site, str]]:
-    """The outcome of each mutant, written down as it comes (a line of JSON each)."""
+def run(found: list[Site], known: Table, log: Path, seed: int) -> None:
+    """The outcome of each mutant is written down as it comes (a line of JSON each)."""
     import hypothesis  # noqa: F401  (loaded once for all children)
     import numpy  # noqa: F401
     import scipy.integrate  # noqa: F401
@@ -233,19 +243,36 @@ def run(found: list[Site], known: Table, log: Path, seed: int) -> Iterator[tuple
 
     scratch = copied()
     there = collected(scratch)
-    sick = {test for test in known.tests if test not in there}
-    print(f"{len(there)} tests, {len(sick)} of those in the table are no more", flush=True)
+    print(f"{len(found)} mutants, {len(there)} tests, {len(there & {*known.tests})} of them in the table", flush=True)
+
+    def chosen(site: Site) -> list[str]:
+        likely = Counter(row["by"] for row in rows(log) if row.get("by") and row["key"].startswith(f"{site.file} "))
+        source = random.Random(f"{seed} {key(site)}")
+        return [test for test in known.chosen(site, source, likely) if test in there]
+
+    def told(site: Site, result: str, failed: str, count: int, seconds: float) -> None:
+        row = {"mutant": str(site), "key": key(site), "outcome": result, "by": failed, "tests": count}
+        with log.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({**row, "seconds": round(seconds, 1)}) + "\n")
+        if result not in KILLED:
+            print(f"{result}: {site}", flush=True)
+
     try:
-        for site in found:
-            tests = known.chosen(site, random.Random(f"{seed} {key(site)}"), sick)
-            begun = time.perf_counter()
-            result = outcome(scratch, site, tests, sick)
-            row = {"mutant": str(site), "key": key(site), "outcome": result, "tests": len(tests)}
-            with log.open("a", encoding="utf-8") as file:
-                file.write(json.dumps({**row, "seconds": round(time.perf_counter() - begun, 1)}) + "\n")
-            yield site, result
+        cold = [site for site in found if altered(scratch / "rbpsym", site) is None]
+        warm = [site for site in found if site not in cold]
+        asked = {test for site in warm for test in known.chosen(site, random.Random(0), {})} & there
+        serve(scratch, asked, [(site, partial(chosen, site)) for site in warm], LIMIT, told, QUIET)
+        for site in cold:
+            begun, tests = time.perf_counter(), chosen(site)
+            told(site, *outcome(scratch, site, tests), len(tests), time.perf_counter() - begun)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
+
+
+def rows(log: Path) -> list[dict]:
+    """What is written down, a mutant once: the last that was told of it."""
+    lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+    return list({row["key"]: row for row in map(json.loads, lines)}.values())
 
 
 def main(arguments: list[str]) -> int:
@@ -253,18 +280,17 @@ def main(arguments: list[str]) -> int:
     reader.add_argument("covering", nargs="+", type=Path)
     reader.add_argument("--count", type=int, default=400)
     reader.add_argument("--seed", type=int, default=1)
-    reader.add_argument("--from", dest="first", type=int, default=0)
-    reader.add_argument("--to", dest="last", type=int, default=None)
     reader.add_argument("--log", type=Path, default=ROOT / "build" / "mutants.jsonl")
+    reader.add_argument("--again", action="store_true", help="what survived is run once more")
     asked = reader.parse_args(arguments)
-    found = drawn(asked.count, asked.seed)[asked.first : asked.last]
     asked.log.parent.mkdir(exist_ok=True)
-    counts: Counter[str] = Counter()
-    for site, result in run(found, table(asked.covering), asked.log, asked.seed):
-        counts[result] += 1
-        if result not in ("killed", "time"):
-            print(f"{result}: {site}", flush=True)
-    killed = counts["killed"] + counts["time"]
+    known = {row["key"]: row["outcome"] for row in rows(asked.log)}
+    found = drawn(asked.count, asked.seed, known)
+    done = {name for name, result in known.items() if result in KILLED or not asked.again}
+    run([site for site in found if key(site) not in done], table(asked.covering), asked.log, asked.seed)
+    names = {key(site) for site in found}
+    counts = Counter(row["outcome"] for row in rows(asked.log) if row["key"] in names)
+    killed = sum(counts[result] for result in KILLED)
     print(f"{killed}/{len(found)} mutants killed ({100 * killed / max(1, len(found)):.1f} %), {dict(counts)}")
     return int(killed < 0.9 * len(found))
 

@@ -1,8 +1,9 @@
 """Mutants of the source: every place at which a small change can be made, and the changed text.
 
 A site is found in the syntax tree and changed in the text, so that all else stays as it was. What is left out by rule:
-docstrings, annotations, decorators, what is raised (the words of an error), and module-level numbers in capitals
-(bounds of effort and tolerances, whose exact size is no matter of right and wrong).
+docstrings, annotations, decorators, what is raised (the words of an error), module-level numbers in capitals (bounds of
+effort and tolerances, whose exact size is no matter of right and wrong) and whether what is just as large is within them,
+and `strict=True` (an assertion, not a choice).
 """
 
 from __future__ import annotations
@@ -38,6 +39,7 @@ COMPARISONS = {
     ast.Lt: ("<=", ">="), ast.LtE: ("<", ">"), ast.Gt: (">=", "<="), ast.GtE: (">", "<"), ast.Eq: ("!=",),
     ast.NotEq: ("==",), ast.In: ("not in",), ast.NotIn: ("in",), ast.Is: ("is not",), ast.IsNot: ("is",),
 }  # fmt: skip
+ORDERS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 OPERATORS = {
     ast.Add: ("-",), ast.Sub: ("+",), ast.Mult: ("/",), ast.Div: ("*",), ast.FloorDiv: ("*",), ast.Mod: ("*",),
     ast.Pow: ("*",), ast.BitAnd: ("|",), ast.BitOr: ("&",),
@@ -113,7 +115,8 @@ class _Finder(ast.NodeVisitor):
     def visit_Compare(self, node: ast.Compare) -> None:
         for k, op in enumerate(node.ops):
             sides = [node.left, *node.comparators]
-            for new in COMPARISONS[type(op)]:
+            is_bound = any(isinstance(side, ast.Name) and side.id.isupper() for side in sides[k : k + 2])
+            for new in COMPARISONS[type(op)][is_bound and isinstance(op, ORDERS) :]:
                 signs = [new if j == k else _sign(other) for j, other in enumerate(node.ops)]
                 texts = [f"{self._source(a)} {s}" for a, s in zip(sides, signs, strict=False)]
                 self._add(node, "comparison", " ".join([*texts, self._source(sides[-1])]))
@@ -134,6 +137,10 @@ class _Finder(ast.NodeVisitor):
         if isinstance(node.op, (ast.USub, ast.Not)):
             self._add(node, "sign" if isinstance(node.op, ast.USub) else "not", f"({self._source(node.operand)})")
         self.generic_visit(node)
+
+    def visit_keyword(self, node: ast.keyword) -> None:
+        if node.arg != "strict":
+            self.visit(node.value)
 
     def visit_Constant(self, node: ast.Constant) -> None:
         if node.value is True or node.value is False:

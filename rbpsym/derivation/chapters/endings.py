@@ -106,7 +106,7 @@ def _moment(draft: Draft, ending: Ending) -> None:
         coordinate=t.Sym(ending.phase.subject or ""),
         is_result=True,
         obligations=draft.asked(ending.state.valid),
-        data={"ending": ending, "time": time},
+        data={"ending": ending},
     )
 
 

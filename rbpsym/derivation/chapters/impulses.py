@@ -163,7 +163,7 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
     found = {impulse_name(draft, name, blow): value for name, value in blow.began.impulses.items()}
     scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in {**values, **found}})
     rows = [row for step in steps for row in _equations(step.statement, scope)]
-    used = {n: v for n, v in {**values, **found}.items() if any(depends_on(row, n) for row in rows)}
+    used = {n for n in (*values, *found) if any(depends_on(row, n) for row in rows)}
     for kind, group in (("speeds", values), ("impulses", found)):
         shown = [
             t.equation(t.Sym(n), draft.show(v, factor=True)) for n, v in group.items() if n in used or kind == "speeds"
@@ -179,7 +179,6 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
                 sources=[StepRef(step.id) for step in steps],
                 count=len(shown),
                 is_result=True,
-                data={"rows": rows, "values": used},
             )
 
 
