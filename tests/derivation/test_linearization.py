@@ -237,3 +237,88 @@ def test_a_closed_loop_swings_with_what_its_conditions_allow():
     wrong = replace(step, data={**step.data, "tied": {"psi": (factor * 2,)}})
     assert certify(draft.context, step).verdict.is_proved
     assert not certify(draft.context, wrong).verdict.is_proved
+
+
+FADING = """
+title = "A rod that swings beside a disk that a rotary damper slows down"
+[parameters]
+M     = "mass"
+m     = "mass"
+ell   = "length"
+R     = "length"
+c     = "rotary damping"
+g     = "acceleration"
+[points]
+Q = ["3*ell", "0"]
+[coordinates.theta]
+start = "theta_0"
+range = ["-pi/2", "pi/2"]
+[coordinates.phi]
+start = "0"
+[bodies.rod]
+shape  = "rod"
+mass   = "M"
+length = "ell"
+start  = "O"
+angle  = "theta - pi/2"
+[bodies.disk]
+shape  = "disk"
+mass   = "m"
+radius = "R"
+center = "Q"
+angle  = "phi"
+[interactions.W]
+type = "gravity"
+[interactions.D]
+type        = "rotary-damper"
+between     = ["ground", "disk"]
+coefficient = "c"
+[constraints.F]
+type  = "pivot"
+point = "rod.start"
+[constraints.G]
+type  = "pivot"
+point = "disk.center"
+at    = "Q"
+"""
+CHARACTERISTIC = ("spring-coupled-pendulums", "linear-molecule", "rod-on-damped-cart", "rods-with-rotary-damper")
+
+
+def moved(statement, left, right):
+    """The equation with something added to each side."""
+    return t.equation(*(t.add(side, more) for side, more in zip(statement.items, (left, right), strict=True)))
+
+
+@pytest.mark.parametrize("name", CHARACTERISTIC)
+def test_a_characteristic_equation_is_told_by_both_of_its_sides(name):
+    """What is added to both sides changes nothing, what is added to one side does."""
+    draft, steps = steps_of(name, {"secular", "polynomial"})
+    for step in steps:
+        for more in (t.ONE, t.neg(t.TWO)):
+            same, other = moved(step.statement, more, more), moved(step.statement, t.ZERO, more)
+            assert certify(draft.context, replace(step, statement=same)).verdict.is_proved
+            assert not certify(draft.context, replace(step, statement=other)).verdict.is_proved
+
+
+@pytest.mark.parametrize("name", ["rod-on-damped-cart", "rods-with-rotary-damper"])
+def test_a_characteristic_equation_may_be_multiplied_by_what_does_not_vanish(name):
+    draft, steps = steps_of(name, {"polynomial"})
+    for step in steps:
+        left, right = step.statement.items
+        for factor in (t.TWO, t.Sym("c"), t.Pow(t.Sym("g"), t.TWO)):
+            times = t.equation(t.mul(factor, t.Group(left)), right)
+            assert certify(draft.context, replace(step, statement=times)).verdict.is_proved
+        [letter] = {step.slots["letter"]}
+        wrong = t.equation(t.mul(letter, t.Group(left)), right)
+        assert not certify(draft.context, replace(step, statement=wrong)).verdict.is_proved
+
+
+def test_a_rate_at_which_motion_dies_out_is_that_of_its_damper():
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.equality.decide import scalars_equal
+    from rbpsym.notation.infix import read_infix
+
+    [step] = [step for step in derive(load_text(FADING), simulation=False).steps if step.rule == "rate_of_mode"]
+    assert step.certificate.verdict.is_proved
+    told, wanted = step.statement.items[-1], read_infix("2*c/(m*R^2)", ["c", "m", "R"])
+    assert scalars_equal(scalar(told), scalar(wanted)).is_proved

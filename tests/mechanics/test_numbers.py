@@ -38,6 +38,11 @@ def test_sample_numbers_keep_what_is_declared(name):
             assert low is None or at[quantity.name] > low - 1e-12, quantity
             assert high is None or at[quantity.name] < high + 1e-12, quantity
         assert all(at[q.name] > 0 for q in stated.parameters if q.sign == "positive")
+        for coordinate in stated.coordinates:
+            begin = getattr(coordinate.start, "name", None)
+            if begin in stated.implicit:
+                low, high = bounds(coordinate, at)
+                assert (low is None or at[begin] > low) and (high is None or at[begin] < high), begin
     assert sample(stated) == next(samples(stated))
     others = list(samples(stated, 4))
     assert not stated.parameters or all(one != other for one, other in zip(others, others[1:], strict=False))
@@ -117,6 +122,13 @@ def test_the_authors_own_numbers_are_read_with_their_units(name, text, value):
 def test_an_example_says_on_which_side_it_starts(example, side):
     own = f'[example]\ntheta_0 = "{example}"\n' if example else ""
     assert sample(load_text(PENDULUM + own))["theta_0"] * side > 0
+
+
+def test_other_samples_have_other_sizes_both_ways():
+    first, *others = samples(load_text(PENDULUM))
+    for name in ("m", "ell", "g", "mu"):
+        sizes = [at[name] / first[name] for at in others]
+        assert 1 / 50 <= min(sizes) < 1 / 5 and 5 < max(sizes) <= 50, name
 
 
 TURNS = [(None, None), (0, None), (None, 1), (0, 1), (-2, 3), (Fraction(1, 2), 4)]

@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import random
+import re
 import resource
 import shutil
 import signal
@@ -25,7 +26,7 @@ from collections import Counter
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice
+from itertools import groupby, islice
 from pathlib import Path
 
 from tests.thorough.equivalent import EQUIVALENT
@@ -53,7 +54,7 @@ AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
 ENOUGH = 25.0  # seconds of tests for a mutant, as they were timed with tracing
 ALIKE = 3  # instances of one test
 MOST = 160
-LIMIT = 60  # seconds of the processor until a mutant counts as killed by time
+LIMIT = 100  # seconds of the processor until a mutant counts as killed by time
 QUIET = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
 PLAIN = ("-o", "addopts=--import-mode=importlib")
 KILLED = ("killed", "time")
@@ -245,10 +246,12 @@ def run(found: list[Site], known: Table, log: Path, seed: int) -> None:
     there = collected(scratch)
     print(f"{len(found)} mutants, {len(there)} tests, {len(there & {*known.tests})} of them in the table", flush=True)
 
+    news = newcomers(scratch, {test for test in there - {*known.tests} if not test.startswith(NOT_ASKED)})
+
     def chosen(site: Site) -> list[str]:
         likely = Counter(row["by"] for row in rows(log) if row.get("by") and row["key"].startswith(f"{site.file} "))
         source = random.Random(f"{seed} {key(site)}")
-        return [test for test in known.chosen(site, source, likely) if test in there]
+        return [*news.get(site.file, ()), *(test for test in known.chosen(site, source, likely) if test in there)]
 
     def told(site: Site, result: str, failed: str, count: int, seconds: float) -> None:
         row = {"mutant": str(site), "key": key(site), "outcome": result, "by": failed, "tests": count}
@@ -260,13 +263,26 @@ def run(found: list[Site], known: Table, log: Path, seed: int) -> None:
     try:
         cold = [site for site in found if altered(scratch / "rbpsym", site) is None]
         warm = [site for site in found if site not in cold]
-        asked = {test for site in warm for test in known.chosen(site, random.Random(0), {})} & there
+        asked = {test for site in warm for test in (*chosen(site), *known.chosen(site, random.Random(0), {}))} & there
         serve(scratch, asked, [(site, partial(chosen, site)) for site in warm], LIMIT, told, QUIET)
         for site in cold:
             begun, tests = time.perf_counter(), chosen(site)
             told(site, *outcome(scratch, site, tests), len(tests), time.perf_counter() - begun)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
+
+
+def newcomers(scratch: Path, tests: Collection[str]) -> Mapping[str, list[str]]:
+    """By changed file, tests that the table does not know in files that import it: some of each kind."""
+    found: dict[str, list[str]] = {}
+    for path, group in groupby(sorted(tests), key=lambda test: test.partition("::")[0]):
+        kinds = [list(same) for _, same in groupby(group, key=lambda test: test.partition("[")[0])]
+        text = (scratch / path).read_text(encoding="utf-8")
+        for module, names in re.findall(r"^ *from rbpsym\.?([\w.]*) import ([\w, ]+)", text, re.M):
+            for name in (module, *(f"{module}.{name.split()[0]}" for name in names.split(",") if name.strip())):
+                chosen = (test for same in kinds for test in same[:ALIKE])
+                found.setdefault(name.replace(".", "/") + ".py", []).extend(chosen)
+    return {name: list(dict.fromkeys(group))[:MOST] for name, group in found.items()}
 
 
 def rows(log: Path) -> list[dict]:
