@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 from rbpsym.equality.verdict import PROVED, Verdict
@@ -65,6 +65,7 @@ class Step(Shown):
     phrase: str
     slots: Mapping[str, Any] = field(default_factory=dict)
     premises: tuple[str, ...] = ()
+    _: KW_ONLY
     cites: tuple[str, ...] = ()
     level: int = STANDARD
     is_result: bool = False

@@ -13,7 +13,7 @@ from dataclasses import replace
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
-from rbpsym.derivation.step import STANDARD, Certificate, Lesson, Step, StepRef
+from rbpsym.derivation.step import Certificate, Lesson, Step, StepRef
 from rbpsym.derivation.theory_ground import (
     ALPHA,
     MASS,
@@ -74,8 +74,7 @@ class Writer:
             f"theory.{id}",
             {"sources": [StepRef(p) for p in premises]},
             tuple(premises),
-            STANDARD,
-            is_result,
+            is_result=is_result,
         )
         verdict = c.guarded(lambda: RULES[rule](context, step))
         self.steps.append(told(replace(step, certificate=Certificate((rule, "by_particles"), verdict))))

@@ -86,3 +86,11 @@ def test_a_derivation_makes_no_circle_of_references(name):
         assert gc.collect() == 0
     finally:
         gc.enable()
+
+
+CIRCLES = {"ball-off-sphere": 1, "cylinder-in-cylinder": 1, "hoop-on-its-rim": 0, "rod-pendulum": 0, "rod-in-bowl": 0}
+
+
+@pytest.mark.parametrize(("name", "count"), CIRCLES.items())
+def test_a_circle_is_told_of_a_centre_that_does_not_turn_with_its_body(name, count):
+    assert sum(step.id.startswith("circle.") for step in unsimulated(name).steps) == count

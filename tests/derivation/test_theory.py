@@ -2,6 +2,7 @@
 
 import pytest
 
+from rbpsym.derivation.step import STANDARD
 from rbpsym.derivation.theory import THEORIES, Writer
 from rbpsym.derivation.theory_works import potential_energy
 from rbpsym.mechanics.study import Study
@@ -22,6 +23,27 @@ def test_every_step_of_the_theory_is_proved_twice(name):
     assert {"angular_momentum", "torque", "energy", "fixed_torque", "work_energy", "ideal_pivot"} <= {
         s.id for s in lesson.steps
     }
+
+
+BOXED = {  # the theorems; what leads to them and what follows from them at once has no box
+    "turning", "angular_momentum", "torque", "euler", "energy", "steiner", "fixed_torque", "translational_work",
+    "rotational_work", "work_energy", "fixed_axis_work", "works_and_potential", "ideal_pivot",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(THEORIES))
+def test_the_theorems_are_results(name):
+    steps = THEORIES[name]().steps
+    assert {s.id for s in steps if s.is_result} == BOXED
+    assert all(s.level == STANDARD and s.cites == () for s in steps)
+
+
+def test_only_about_a_fixed_point_the_centre_moves_on_a_circle():
+    writer = Writer()
+    statement = t.equation(t.Vec("V_cm"), t.Cross(t.Vec("omega"), t.Vec("R_cm")))
+    writer.add("tried", statement)
+    writer.add("tried", statement, fixed=True)
+    assert [step.certificate.verdict.is_proved for step in writer.steps] == [False, True]
 
 
 @pytest.fixture(scope="module")

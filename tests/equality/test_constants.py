@@ -1,11 +1,14 @@
 """Only what is zero is taken for a zero among algebraic numbers, however near to it others are."""
 
+from fractions import Fraction
+
 import pytest
 
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.scalar import PI, lift
 from rbpsym.algebra.trig import cosine
 from rbpsym.equality.constants import is_zero_number
+from rbpsym.equality.denesting import _number_root
 
 
 @pytest.mark.parametrize("large", [3, 10, 10**6, 10**20])
@@ -25,3 +28,11 @@ ZEROS = [
 def test_what_is_zero_is_known_to_be(value):
     assert is_zero_number(value.num)
     assert not is_zero_number((value + lift(1) / 10**9).num)
+
+
+@pytest.mark.parametrize("found", [0, 1, 3, Fraction(1, 2), Fraction(2, 3), Fraction(7, 10**9)])
+def test_squares_of_numbers_are_known(found):
+    square = Fraction(found) ** 2
+    assert _number_root(square) == found
+    assert _number_root(square * 2) == (None if found else 0)
+    assert _number_root(-square) == (None if found else 0)

@@ -10,10 +10,12 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import PI, lift, symbol
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.events import Way
+from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import components
 from rbpsym.mechanics.numbers import NoNumber, number, sample, samples
 from rbpsym.mechanics.rest import turns_within
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.loader import load_text
@@ -129,6 +131,12 @@ def test_other_samples_have_other_sizes_both_ways():
     for name in ("m", "ell", "g", "mu"):
         sizes = [at[name] / first[name] for at in others]
         assert 1 / 50 <= min(sizes) < 1 / 5 and 5 < max(sizes) <= 50, name
+
+
+def test_the_sign_of_a_value_at_the_sample_numbers():
+    seen = geometry_of(Study(load_text(PENDULUM)).system).sign
+    assert [seen(value) for value in (symbol("ell"), -symbol("ell"), symbol("m") - symbol("m"))] == [1, -1, 0]
+    assert seen(symbol("of no problem")) == 0
 
 
 TURNS = [(None, None), (0, None), (None, 1), (0, 1), (-2, 3), (Fraction(1, 2), 4)]

@@ -1,6 +1,11 @@
 """Contacts of points and round bodies with lines and circles, guides, corners."""
 
+import pytest
+
+from rbpsym.algebra.normal import is_zero
+from rbpsym.mechanics.study import Study
 from rbpsym.statement import build as rb
+from rbpsym.statement.loader import load_text
 from tests.mechanics.constraints.closed_forms import assert_same, check, stated, work_of
 
 BEAD = "m: mass, R: length, g: acceleration"
@@ -202,3 +207,34 @@ def test_ladder_with_friction_at_both_ends():
     )
     study = check(problem, {})
     assert study.dynamics.workless == {"N_w": True, "f_N_w": False, "N_f": True, "f_N_f": False}
+
+
+ON_A_CIRCLE = """
+[parameters]
+M = "mass"
+R = "length"
+g = "acceleration"
+[coordinates.theta]
+start = "theta_0"
+range = ["-pi/2", "pi/2"]
+[bodies.disk]
+shape = "disk"
+radius = "R/4"
+mass = "M"
+center = ["{way}*R*sin(theta)", "{up}*R*cos(theta)"]
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "rolling"
+body = "disk"
+circle = "O"
+radius = "R"
+friction = "F"
+"""
+
+
+@pytest.mark.parametrize(("way", "up", "side"), [("3/4", "-3/4", "inside"), ("5/4", "5/4", "outside")])
+def test_without_a_word_it_touches_from_the_side_where_its_centre_is(way, up, side):
+    text = ON_A_CIRCLE.format(way=way, up=up)
+    silent, said = (Study(load_text(text + more)).dynamics.reactions["N"] for more in ("", f'side = "{side}"\n'))
+    assert is_zero(silent - said)
