@@ -195,12 +195,7 @@ def _as_sum(draft: Draft) -> t.Node:
     """T + U with each part in its own form."""
     total = [draft.show_brief(sum(draft.study.kinetic, NOTHING))]
     known = [v for v in energy.potentials(draft.study.system).values() if v]
-    total += (
-        [draft.show(sum(known, NOTHING), factor=True)]
-        if len(known) == 1
-        else [draft.show(v, factor=True) for v in known]
-    )
-    return t.add(*total)
+    return t.add(*total, *(draft.show(v, factor=True) for v in known))
 
 
 def _speeds(draft: Draft) -> None:

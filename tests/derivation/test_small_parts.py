@@ -1,11 +1,14 @@
 """Small parts of steps, each by what it states: no row of several is lost, no sign of a side, no word for its opposite."""
 
 import gc
+from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, symbol
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra.vector import cartesian
 from rbpsym.derivation.chapters.contact import _with_tangent
 from rbpsym.derivation.chapters.impulses import _positive
 from rbpsym.derivation.chapters.momentum import _phrase
@@ -13,6 +16,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derive import derive
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.roots import _principal
+from rbpsym.methods.balances import _crossing
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
@@ -94,3 +98,21 @@ CIRCLES = {"ball-off-sphere": 1, "cylinder-in-cylinder": 1, "hoop-on-its-rim": 0
 @pytest.mark.parametrize(("name", "count"), CIRCLES.items())
 def test_a_circle_is_told_of_a_centre_that_does_not_turn_with_its_body(name, count):
     assert sum(step.id.startswith("circle.") for step in unsimulated(name).steps) == count
+
+
+def test_steps_of_one_name_are_counted_from_two():
+    draft, known = Draft(unsimulated("rod-pendulum").study), set()
+    for wanted in ("work", "work_2", "work_3", "work_4"):
+        assert draft._unique("work", known) == wanted
+        known.add(wanted)
+
+
+LINES = [((1, 2, 3, -1), (4, -3, 1, 2)), ((0, 5, 1, 0), (7, 0, 0, 1)), ((2, 2, 1, 1), (3, 1, -2, 5))]
+
+
+@pytest.mark.parametrize(("first", "second"), LINES)
+def test_lines_of_action_cross_on_both_lines(first, second):
+    a, b = (Told(point=cartesian(*map(lift, f[:2])), vector=cartesian(*map(lift, f[2:]))) for f in (first, second))
+    place = _crossing(a, b)
+    assert all(is_zero((place - force.point).cross(force.vector)) for force in (a, b))
+    assert _crossing(a, a) is None

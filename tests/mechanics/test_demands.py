@@ -7,6 +7,7 @@ import pytest
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation.infix import read_infix
@@ -119,3 +120,15 @@ def test_a_formula_has_a_value_where_its_conditions_hold(text):
         except (ValueError, ZeroDivisionError):
             found = False
         assert hold(asked, at) == found
+
+
+SAID = [("2*x", ">", (0, None)), ("-x", ">", (None, 0)), ("6 - 2*x", ">", (None, 3)), ("x", ">=", None)]
+
+
+@pytest.mark.parametrize(("text", "op", "ends"), SAID)
+def test_what_a_condition_says_of_one_quantity_is_a_bound_of_it(text, op, ends):
+    """Ranges are without their ends: that x ≥ 0 is no range from 0 on, in which x would be positive."""
+    found = assuming(GIVEN, [Demand(scalar(read_infix(text, NAMES)), op)])
+    told = tuple(None if end is None else end.number() for end in found.range_of("x"))
+    assert told == (ends or (None, None))
+    assert (sign(scalar(read_infix("x", NAMES)), found).kind == "positive") == (ends is not None and ends[0] is not None)

@@ -6,6 +6,7 @@ defaults, decorators) cannot be changed so; `altered` says None there, and the m
 
 from __future__ import annotations
 
+import ast
 import functools
 import gc
 import importlib
@@ -32,9 +33,18 @@ def altered(home: Path, site: Site) -> PAIRS | None:
     """Each function that a mutant changes, its code before and after; None where more than functions is changed."""
     path = home / site.file
     text = path.read_text(encoding="utf-8")
+    if site.function.split(".")[0] in _called_when_loaded(ast.parse(text)):
+        return None
     old, new = (compile(source, str(path), "exec", dont_inherit=True) for source in (text, site.mutated(text)))
     found: PAIRS = []
     return found if _gathered(old, new, found) else None
+
+
+def _called_when_loaded(node: ast.AST) -> set[str]:
+    """The names that are called outside of functions: what comes of it is there before a mutant is."""
+    found = {node.func.id} if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else set()
+    inner = (c for c in ast.iter_child_nodes(node) if not isinstance(c, (ast.FunctionDef, ast.Lambda)))
+    return found.union(*map(_called_when_loaded, inner))
 
 
 def _gathered(old: CodeType, new: CodeType, found: PAIRS) -> bool:
