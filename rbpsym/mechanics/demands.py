@@ -50,16 +50,18 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
 
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
-    """Without what follows from the rest."""
+    """Without what follows from the rest; what is ≥ 0 in there may be 0, so that only the others say what is not."""
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]
-        found = sign(item.value, assuming(given, others))
+        strict = [other for other in others if other.op == ">"]
+        wide, firm = (sign(item.value, assuming(given, some)) for some in (others, strict))
+        wrong, follows = (firm, wide) if item.op == ">=" else (wide, firm)
         products = [sign(short(item.value * o.value), given) for o in others if ">" in (item.op, o.op) and o.op != "!="]
-        if found.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
+        if wrong.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
             return None
-        if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products):
+        if IMPLIED[item.op](follows) or any(p.kind == "positive" for p in products):
             demands = others
     return tuple(demands)
 

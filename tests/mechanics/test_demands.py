@@ -30,7 +30,10 @@ def samples(count: int = 60):
     source = random.Random(7)
     for _ in range(count):
         found = {name: 9 ** source.uniform(-1, 1) for name in NAMES[:-2]}
-        yield found | {"x": source.uniform(-3, 3), "theta": source.uniform(-math.pi, math.pi)}
+        found |= {"x": source.uniform(-3, 3), "theta": source.uniform(-math.pi, math.pi)}
+        yield found
+        whole = {name: math.ceil(8 * value) / 8 + 1 / 16 for name, value in found.items()}
+        yield whole | {"M": whole["m"], "x": 2.0, "theta": found["theta"]}  # where some are equal, without an error of rounding
 
 
 def hold(items, at) -> bool:
@@ -50,6 +53,11 @@ SETS = {
     "zero": ["m - m != 0"],
     "product": ["(m - M)*(k - L) > 0", "m - M > 0"],
     "both": ["m - M > 0", "m - M != 0"],
+    "or equal, but not": ["m - M >= 0", "m - M != 0"],
+    "or equal and more": ["m - M >= 0", "m*k - M*k > 0"],
+    "or equal from both sides": ["m - M >= 0", "M - m >= 0"],
+    "from a number on, but not there": ["x - 2 >= 0", "x - 2 != 0"],
+    "a number from both sides": ["x - 2 >= 0", "2 - x >= 0", "m - M > 0"],
     "or equal": ["m - M >= 0", "k - L > 0"],
     "quotient": ["(m - M)/(k + L) > 0"],
     "quotient of either sign": ["(m - M)/(k - L) > 0"],
