@@ -63,7 +63,7 @@ def _cleaned(row: Row) -> Row:
 
 def _pivot(rows: list[Row], unknowns: Sequence[str]) -> tuple[int, str] | None:
     candidates = [
-        (len(row) - 1, _size(part), order, place, name)
+        (len(row), _size(part), order, place, name)
         for place, row in enumerate(rows)
         for order, name in enumerate(unknowns)
         if (part := row.get(name)) is not None

@@ -37,6 +37,20 @@ def test_no_premise_can_be_left_out(draft):
     assert not idle
 
 
+ANSWERS = {"square", "frequency", "modes", "loss", "asks"}
+MEANS = {
+    "alone", "circle", "condition", "dissipation", "force", "free_body", "hurwitz", "kinetic", "momentum", "no_slip",
+    "position", "potential", "push", "taut", "theorem", "torque", "turning", "velocity", "work", "workless",
+}  # fmt: skip
+
+
+def test_what_was_asked_for_is_boxed_and_what_leads_to_it_is_not(draft):
+    first = {step.id: step.id.partition(".")[0] for step in draft.steps}
+    answers = [step for step in draft.steps if step.id in ("energy", "moment") or first[step.id] in ANSWERS]
+    assert all(step.is_result for step in answers)
+    assert not [step.id for step in draft.steps if first[step.id] in MEANS and step.is_result]
+
+
 def test_no_value_is_told_twice(draft):
     """Neither a = b = b, nor x ≥ 0 beside x ≠ 0, which is x > 0."""
     rows = [row for step in draft.steps for row in (getattr(step.statement, "rows", None) or [step.statement])]

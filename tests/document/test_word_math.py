@@ -33,9 +33,9 @@ def page_of(document: Document) -> str:
         return file.read("word/document.xml").decode()
 
 
-def formulas(*reasons: str) -> Document:
+def formulas(*reasons: str, numbered: bool = False) -> Document:
     node = t.relation(t.Sym("E"), "=", t.add(t.Sym("K"), t.Sym("U")))
-    shown = tuple(Display(node, numbered=False, reason=words(reason) if reason else None) for reason in reasons)
+    shown = tuple(Display(node, numbered=numbered, reason=words(reason) if reason else None) for reason in reasons)
     return Document(words("x"), (Section(words("y"), shown),))
 
 
@@ -45,6 +45,8 @@ def test_a_formula_with_its_number_fills_the_width_of_the_page():
     of_formulas = [found for found in widths if len(found) in (3, 4) and sum(found) == TEXT_WIDTH]
     assert len(of_formulas) >= 3
     assert all(found[-1] >= NUMBER for found in of_formulas)
+    beside = [found for found in of_formulas if abs(found[0] - found[-1]) > 1]
+    assert len(beside) <= 1  # a formula stands in the middle (one of these is a table of the sample)
 
 
 def test_a_short_reason_stands_where_the_number_would_a_long_one_below():
@@ -52,5 +54,7 @@ def test_a_short_reason_stands_where_the_number_would_a_long_one_below():
         cells = re.findall(r"<w:tc>.*?</w:tc>", page_of(formulas(reason)))
         return re.sub("<[^>]*>", "", cells[-1])
 
+    numbered = re.findall(r"<w:tc>.*?</w:tc>", page_of(formulas("given", numbered=True)))
+    assert re.sub("<[^>]*>", "", numbered[-1]) == "(1)"
     assert at_the_right("given") == "given"
     assert at_the_right("") == "" and at_the_right("as the energy is constant along the whole motion") == ""

@@ -78,3 +78,17 @@ def test_what_a_value_is_a_product_of(value: Scalar) -> None:
 def test_what_holds_wherever_both_have_a_value_is_proved(left: Scalar, right: Scalar, without_signs: bool) -> None:
     assert proved(left, right)
     assert scalars_equal(left, right).is_proved is without_signs
+
+
+COSINES = {
+    "asin": (root(1 - X * X), X), "acos": (X, root(1 - X * X)), "atan": (1 / root(1 + X * X), X / root(1 + X * X)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", COSINES)
+def test_waves_of_a_sum_with_an_inverse_function(kind: str) -> None:
+    cos, sin = COSINES[kind]
+    angle = generator_of(kind, X) + Y
+    assert proved(cosine(angle), cos * cosine(Y) - sin * sine(Y))
+    assert proved(sine(angle), sin * cosine(Y) + cos * sine(Y))
+    assert not proved(cosine(angle), sin * cosine(Y) - cos * sine(Y))

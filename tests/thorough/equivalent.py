@@ -1,6 +1,11 @@
 """Mutants of the source that change nothing that can be seen, by the name that `mutants.key` gives them, with the reason."""
 
 SAMPLE = "which of many sets of sample numbers is drawn; all of them are as good"
+SIGN = "a sign is its own inverse"
+ONLY_SIGN = "only its sign is asked for"
+ORDER = "what is tried first; what is found is proved and irredundant in each order"
+EFFORT = "a bound of effort or a margin, whose exact size is no matter of right and wrong"
+QUICK = "the quick look by numbers says what to try first; what is said is found by the exact way"
 NEVER_EQUAL = "a number of floating point beside a tolerance is not just equal to it"
 
 EQUIVALENT: dict[str, str] = {
@@ -21,8 +26,21 @@ EQUIVALENT: dict[str, str] = {
     "equality/points.py _pick: k > 0 -> k >= 0": SAMPLE,
     "equality/points.py points: 0 -> 1": SAMPLE,
     "algebra/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",
-    "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": "a sign is its own inverse",
-    "mechanics/endings.py _time_until: speed * sense -> (speed) / (sense)": "a sign is its own inverse",
+    "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": SIGN,
+    "mechanics/endings.py _time_until: speed * sense -> (speed) / (sense)": SIGN,
     "mechanics/phase_checks.py check_still_slipping: _at(study, slip_speed(geometry, meeting(element, geometry)), known) * "
     "sense < -CLOSE -> _at(study, slip_speed(geometry, meeting(element, geometry)), known) * sense <= -CLOSE": NEVER_EQUAL,
+    "algebra/normal.py without_inverses: 1 -> 2": "it is asked only whether it vanishes",
+    "equality/sign_rules.py _on_range: max(parts) > 8 -> max(parts) >= 8": EFFORT,
+    "equality/constants.py is_zero_number: 1 -> 2": EFFORT,
+    "equality/signs.py Study.poly: 2 -> 3": EFFORT,
+    "equality/reading.py Reading.raised: 0 -> 1": "no exponent of a monomial is 0",
+    "derivation/checks_solutions.py _terminal: other * value -> (other) / (value)": ONLY_SIGN,
+    "derivation/checks_places.py _beyond: 1 -> 2": ONLY_SIGN,
+    "derivation/binding.py _levels: op != \"=\" -> op == \"=\"": ORDER,
+    "derivation/entailment.py _image: [(index, kept)] if kept else [] -> ([]) if (kept) else ([(index, kept)])": QUICK,
+    "notation/latex_names.py _unknown: 1 -> 2": "of the names that are near only the nearest is told",
+    "mechanics/numbers.py _parameter: 0.4 * generic -> (0.4) / (generic)": SAMPLE,
+    "mechanics/numbers.py _parameter: 3 -> 4": SAMPLE,
+    "mechanics/numbers.py _side: given < 0 -> given <= 0": "0 is on neither side",
 }

@@ -1,0 +1,138 @@
+"""Small parts of mechanics, each by what it states: what is joined, what slips, what does no work, what is left of speeds."""
+
+from fractions import Fraction
+from types import SimpleNamespace as Told
+
+import pytest
+
+from rbpsym.algebra.normal import is_zero, same
+from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
+from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra.vector import cartesian
+from rbpsym.errors import LimitError
+from rbpsym.mechanics import oscillation
+from rbpsym.mechanics.contacts import slip_speed
+from rbpsym.mechanics.energy import effective_potential
+from rbpsym.mechanics.motion import from_integral
+from rbpsym.mechanics.numbers import NoNumber, number
+from rbpsym.mechanics.placing import _join_angle
+from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.study import Study
+from rbpsym.statement.loader import load_text
+from tests.library.derived import NAMES, problem
+
+m, g, x, y, u, v = (symbol(name) for name in ("m", "g", "x", "y", "x_dot", "y_dot"))
+
+
+@pytest.mark.parametrize("name", NAMES[::6])
+def test_what_is_defined_are_the_coordinates_and_speeds_that_are_not_independent(name):
+    system = Study(problem(name)).system
+    tied = {*system.coordinates, *system.dependent} - {*system.independent}
+    assert {n for n in system.defined if n.endswith("_dot")} == {f"{n}_dot" for n in tied}
+    assert system.defined.keys() - {f"{n}_dot" for n in tied} == system.dependent.keys()
+
+
+def test_a_support_that_is_driven_does_work_though_its_force_is_ideal():
+    driven = Study(problem("pendulum-on-oscillating-support"))
+    found = driven.dynamics
+    assert any(ideal and not found.workless[name] for name, ideal in found.ideal.items())
+    still = Study(problem("sliding-ladder")).dynamics
+    assert still.workless == still.ideal and all(still.ideal.values())
+
+
+def test_the_slip_is_the_speed_of_one_body_over_the_other():
+    speeds = {"block": cartesian(u, v), "plank": cartesian(symbol("w"), NOTHING)}
+    geometry = Told(velocity=lambda body, place: speeds[body])
+    for forward, slip in ((cartesian(UNITY, NOTHING), u - symbol("w")), (cartesian(NOTHING, UNITY), v)):
+        met = Told(on="block", by="plank", place=None, forward=forward)
+        assert same(slip_speed(geometry, met), slip)
+
+
+@pytest.mark.parametrize("known", ["first", "second"])
+def test_joined_angles_differ_by_the_offset_of_the_joint(known):
+    angles, join = {known: symbol("phi")}, Told(first="first", second="second", offset=symbol("beta"))
+    assert _join_angle(join, angles) and not _join_angle(join, angles)
+    assert same(angles["second"] - angles["first"], symbol("beta"))
+
+
+def test_a_speed_that_is_known_leaves_the_first_integral():
+    """½ m (ẋ² + ẏ²) + m g y with ẋ² = w, which is known."""
+    system = Told(scope=Told(start={"x": NOTHING, "y": NOTHING, "x_dot": symbol("c"), "y_dot": NOTHING}), coordinates=("x", "y"))
+    energy = m * (u * u + v * v) / 2 + m * g * y
+    found = from_integral(system, energy, "y", {"x": symbol("c") ** 2})
+    assert same(found, -2 * g * y)
+
+
+def test_a_resistance_has_no_potential():
+    system = Told(independent=("x",), implicit=())
+    for force, potential in ((-m * g, m * g * x), (-m * g - symbol("b") * u, None), (-m * g * symbol("t"), None)):
+        dynamics = Told(ideal={}, forcing=(force,), mass_matrix=((m,),))
+        found = effective_potential(system, dynamics)
+        assert (found is None) if potential is None else same(found, potential)
+
+
+def is_real(place) -> bool:
+    try:
+        number(place, {})
+    except NoNumber:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("constant", [Fraction(-5, 2), Fraction(-9, 4), -2, Fraction(-7, 2)])
+def test_zeros_where_both_waves_stand_in_squares(constant):
+    """3 cos² θ + 2 sin² θ + 2 cos θ + c = (cos θ + 1)² + 1 + c, and the same with the waves exchanged."""
+    theta = symbol("theta")
+    for first, second in ((cosine(theta), sine(theta)), (sine(theta), cosine(theta))):
+        value = 3 * first**2 + 2 * second**2 + 2 * first + constant
+        seen = [number(place, {}) for place in zeros(value, "theta") if is_real(place)]
+        assert len({round(place, 9) for place in seen}) == 2
+        assert all(abs(number(value, {"theta": place})) < 1e-9 for place in seen)
+
+
+PINNED = """
+[parameters]
+M = "mass"
+ell = "length"
+g = "acceleration"
+[coordinates.theta]
+start = "theta_0"
+[coordinates.phi]
+start = "phi_0"
+[bodies.upper]
+shape = "rod"
+mass = "M"
+length = "ell"
+start = "O"
+angle = "theta - pi/2"
+[bodies.lower]
+shape = "rod"
+mass = "M"
+length = "ell"
+angle = "phi - pi/2"
+{place}
+[interactions.W]
+type = "gravity"
+[constraints.A]
+type = "pivot"
+point = "upper.start"
+[constraints.B]
+type = "pin"
+points = ["upper.end", "lower.start"]
+"""
+
+
+def test_a_body_is_where_its_pin_is():
+    silent, said = (
+        Study(load_text(PINNED.format(place=place))).system.bodies["lower"].center
+        for place in ("", 'start = ["ell*sin(theta)", "-ell*cos(theta)"]')
+    )
+    assert is_zero((silent - said).x) and is_zero((silent - said).y)
+
+
+def test_where_a_determinant_is_too_long_nothing_is_said_of_its_factors(monkeypatch):
+    def too_long(matrix):
+        raise LimitError("too long")
+
+    monkeypatch.setattr(oscillation, "determinant", too_long)
+    assert oscillation._factors(((m,),), ((NOTHING,),), ((g,),), None) == ((), 0)
