@@ -14,6 +14,7 @@ from rbpsym.derivation.facts import MOTION
 from rbpsym.derivation.letters import fixed, introducers
 from rbpsym.derivation.rules import examined
 from rbpsym.derivation.step import Step
+from rbpsym.equality.decide import proofs_alone
 from rbpsym.notation import tree as t
 
 TELLS_MOTION = ("solution", "first_integral", "substitution")  # rules of steps that say what the motion is
@@ -24,11 +25,13 @@ MOST_LAWS = 6  # of so many single laws it is tried whether they do
 def bound(context: Context, step: Step, named: Iterable[str]) -> Step:
     """The step with its premises, what else its author cites, and its certificate."""
     named = tuple(dict.fromkeys(named))
-    found, used, kept = None, set(), _needed(context, step, named, hasty=True)
+    with proofs_alone():
+        found, used, kept = None, set(), _needed(context, step, named, hasty=True)
     if kept is not None:
         found, used = examined(context, step, kept)
     if kept is None or not found.verdict.is_proved or set(kept) - used:  # numbers mislead: the long way
-        kept = _needed(context, step, named, hasty=False)
+        with proofs_alone():
+            kept = _needed(context, step, named, hasty=False)
         found = None if kept is None else examined(context, step, kept)[0]
     if kept is None:
         kept, (found, _) = named, examined(context, step, _widest(context, step, named))

@@ -8,7 +8,9 @@ satisfies the assumptions, at which both sides are computed rigorously.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from fractions import Fraction
 from typing import Protocol
 
@@ -65,14 +67,29 @@ def scalars_equal(a: Scalar, b: Scalar, assumptions: Assumptions = NONE) -> Verd
 
 def compare(a: Scalar, b: Scalar, assumptions: Assumptions = NONE, *, strict: bool = True) -> Verdict:
     """Whether a < b (or a <= b) for all quantities that satisfy the assumptions."""
-    return _guarded(lambda: _compare(a, b, assumptions, strict))
+    return _guarded(lambda: _compare(a, b, assumptions, strict, _refuting.get()))
+
+
+_refuting: ContextVar[bool] = ContextVar("whether points are looked for at which a relation fails", default=True)
+
+
+@contextmanager
+def proofs_alone() -> Iterator[None]:
+    """Within it, a relation that is not proved is UNDECIDED; nobody asks where it fails."""
+    token = _refuting.set(False)
+    try:
+        yield
+    finally:
+        _refuting.reset(token)
 
 
 @remembered
-def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool) -> Verdict:
+def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool, refuting: bool) -> Verdict:
     found = sign(b - a, assumptions)
     if found.kind == "positive" or (not strict and found.is_nonnegative):
         return proved(f"right - left is {found.kind}: {found.certificate}")
+    if not refuting:
+        return undecided("it is not proved")
     failing = (0, 1) if strict else (1,)
     witness = find_witness(a, b, assumptions, (), lambda x, y: enclosure.sign_of(x - y) in failing)
     if witness is not None:
