@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -43,7 +43,7 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
     answer["valid_where"] += _opened(answer, derivation)
     for told, phase in zip(answer["phases"], derivation.phases, strict=False):
         _opened(told, phase.derivation)
-    return {**answer, "verdicts": derivation.summary()}
+    return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
 
 
 def _opened(told: dict[str, Any], derivation: Derivation) -> list[str]:
@@ -56,6 +56,15 @@ def _opened(told: dict[str, Any], derivation: Derivation) -> list[str]:
             row.update(state="open", until=None, valid_where=asked)
             found += asked
     return found
+
+
+def _questions(study: Study) -> Iterator[dict[str, Any]]:
+    """What the problem itself asks, each as `rbpsym ask --json` tells it."""
+    from rbpsym.ask.asking import Refused, own_answers
+    from rbpsym.ask.telling import record, unanswered
+
+    for found in own_answers(study):
+        yield unanswered(found.text, found.reason) if isinstance(found, Refused) else record(found)
 
 
 def text(value: Scalar | None, study: Study | None = None) -> str | None:

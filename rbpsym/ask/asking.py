@@ -3,17 +3,38 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 
 from rbpsym.ask.answer import Answer, answer
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import of_parameters
 from rbpsym.ask.question import MANNERS, read_question
-from rbpsym.errors import StatementError
+from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 
 # what a motion as a function of the time tells, and is no question about parameters
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """A question of a problem file without an answer, and the sentence that says why."""
+
+    text: str
+    reason: str
+
+
+def own_answers(study: Study) -> Iterator[Answer | Refused]:
+    """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
+    asked = Asked(study.problem, study)
+    for text in study.problem.questions:
+        try:
+            yield answered(asked, text)
+        except RbpsymError as error:
+            yield Refused(text, error.what)
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:

@@ -148,8 +148,9 @@ def _last(draft: Draft, question: Question, found: Found) -> Step:
         held = {name for value in found.named for name in names_in(value)}
         told = [id for id in told if draft.context.steps[id].slots["quantity"].name in held]
     named = draft.those(*([data["told"]] if found.told else told), "law.motion")
-    return draft.add("answer", rule, statement, "ask.answer", premises=named, is_result=True, data=data,
-                     obligations=draft.asked(found.asked))  # fmt: skip
+    phrase = "ask.there" if found.study.at_start else "ask.answer"
+    return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
+                     obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
 
 
 def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tuple[Scalar]]:
@@ -167,7 +168,7 @@ def _direction(draft: Draft, question: Question, found: Found) -> tuple[Step, tu
         way = {"positive": 1, "negative": -1}.get(kind) or (1 if number(x, sample(draft.study.problem)) > 0 else -1)
         angle, asked = function("atan", y / x) + (NOTHING if way > 0 else PI), (Demand(x * way),)
     letter = draft.define(draft.free("varphi"), angle)
-    step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.answer", premises=["answer"],
+    step = draft.add("direction", "direction", t.equation(letter, draft.show(angle)), "ask.there", premises=["answer"],
                      is_result=True, data={"of": "answer"}, obligations=draft.asked(asked))  # fmt: skip
     return step, (angle,)
 

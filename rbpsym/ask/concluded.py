@@ -60,7 +60,7 @@ def _steps(grounds: list[Answer]) -> Iterator[Step]:
             if step.id != "answer" and step.statement not in seen:
                 yield step
             if step.id == "answer":
-                yield replace(step, id=f"quantity.{number}")
+                yield replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
             seen.add(step.statement)
 
 

@@ -54,9 +54,10 @@ class Moment:
 
 @dataclass(frozen=True)
 class Asked:
-    """A problem that is asked, its phases worked out when a question needs them."""
+    """A problem that is asked, its phases worked out when a question needs them; `known`: the mechanics, if it was made."""
 
     problem: Problem
+    known: Study | None = None
 
     @cached_property
     def _known(self) -> tuple[tuple[Stage, ...], NotApplicable | None]:
@@ -65,7 +66,9 @@ class Asked:
     @cached_property
     def first(self) -> Study:
         """The mechanics of the first phase."""
-        return study_of(replace(self.problem, phases=()) if self.problem.phases else self.problem)
+        if self.problem.phases:
+            return study_of(replace(self.problem, phases=()))
+        return self.known or study_of(self.problem)
 
     @property
     def names(self) -> list[str]:

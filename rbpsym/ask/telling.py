@@ -74,18 +74,13 @@ def record_integrated(asked: Asked, question: Question, given: Given) -> dict[st
     """The record of what has no closed form: its value alone."""
     rows = [integrated(asked, question, row) for row in given.rows()]
     values = [value[0] if len(value) == 1 else list(value) for value, _ in rows]
-    return {
-        "question": question.text,
-        "answer": None,
-        "latex": None,
-        "verdict": "UNDECIDED",
-        "reason": HOW,
-        "function_of": None,
-        "valid_where": [],
-        "steps": [],
-        "symbols": {},
-        **_valued(given, values, unit_for(rows[0][1], asked.first)),
-    }
+    return {**unanswered(question.text, HOW), **_valued(given, values, unit_for(rows[0][1], asked.first))}
+
+
+def unanswered(question: str, reason: str) -> dict[str, Any]:
+    """The record of a question without an answer, and why there is none."""
+    told = {"question": question, "answer": None, "latex": None, "verdict": "UNDECIDED", "reason": reason}
+    return {**told, "function_of": None, "valid_where": [], "steps": [], "symbols": {}}
 
 
 def latex_of(found: Answer) -> str:

@@ -45,7 +45,8 @@ def command(name: str, as_json: bool, simulation: bool) -> int:
         click.echo(json.dumps(answer, indent=2, ensure_ascii=False))
     else:
         click.echo("\n".join(lines(answer, problem)))
-    return exit_code(answer["verdicts"])
+    is_answered = all(item["verdict"] == "PROVED" for item in answer["questions"])
+    return exit_code(answer["verdicts"]) if is_answered else DOUBTFUL
 
 
 def _answer(name: str, simulation: bool) -> tuple[Problem, dict[str, Any]]:
@@ -78,6 +79,7 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
     """The results in short, as a textbook prints them."""
     drawn = InLetters(problem)
     yield click.style(drawn.title, bold=True)
+    yield from _asked(answer["questions"], drawn)
     speeds = {f"{name}_dot**2": value for name, value in (answer["speed_squared"] or {}).items()}
     accelerations = _dotted(answer["accelerations"], 2)
     energies = {"K": answer["kinetic_energy"]["total"], "U": answer["potential_energy"]}
@@ -101,6 +103,20 @@ def lines(answer: Mapping[str, Any], problem: Problem) -> Iterator[str]:
         yield from _phase(phase, drawn)
     yield ""
     yield verdict_line(answer["verdicts"])
+
+
+def _asked(questions: list[Mapping[str, Any]], drawn: InLetters) -> Iterator[str]:
+    """What the problem asks, with the answers: a value, yes or no, a sentence; the verdict where it is not proved."""
+    if questions:
+        yield click.style("what is asked", dim=True)
+    for item in questions:
+        said = YES.get(item["answer"]) or item.get("says") or item["reason"]
+        value = None if item["answer"] in (None, *YES) else drawn.formula(item["answer"])
+        doubt = "" if item["verdict"] == "PROVED" else f" ({item['verdict']})"
+        yield f"  {item['question']}: {value or said}{_valid(item, drawn)}{doubt}"
+
+
+YES = {"True": "yes", "False": "no"}
 
 
 def _there(told: Mapping[str, Any]) -> str:
@@ -134,17 +150,18 @@ class InLetters:
         return to_text(t.Pow(t.Sym(name), t.TWO) if square else t.Sym(name), Notation(self.problem.notation))
 
     def formula(self, text: str) -> str:
-        """A formula in Unicode; text that our reader does not know stays as it is, what nobody reads is left out."""
+        """A formula or relation in Unicode; text that our reader does not know stays as it is, what nobody reads is left out."""
         from rbpsym.errors import RbpsymError
         from rbpsym.notation.glyphs import Notation
-        from rbpsym.notation.infix import read_infix
+        from rbpsym.notation.infix import read_infix, read_relation
         from rbpsym.notation.text import to_text
 
         if len(text) > LONGEST:
             return f"a formula of {len(text)} characters: see --json"
         words = set(re.findall(r"[A-Za-z]\w*", text)) - FUNCTIONS
+        read = read_relation if re.search("[<>=]", text) else read_infix
         try:
-            return to_text(read_infix(text, dict.fromkeys(words)), Notation(self.problem.notation))
+            return to_text(read(text, dict.fromkeys(words)), Notation(self.problem.notation))
         except RbpsymError:
             return text
 
@@ -163,7 +180,6 @@ def _places(values: Mapping[str, str], drawn: InLetters) -> str:
 
 
 LONGEST = 800
-SIGNS = {">": ">", ">=": "≥", "!=": "≠"}
 STABLE = {True: "stable", False: "unstable", None: "stability undecided"}
 
 
@@ -190,8 +206,7 @@ def _equilibria(answer: Mapping[str, Any], drawn: InLetters) -> Iterator[str]:
 
 def _valid(item: Mapping[str, Any], drawn: InLetters) -> str:
     """The conditions under which something is said."""
-    relations = (text.rsplit(" ", 2) for text in item["valid_where"])  # left, sign, 0
-    told = ", ".join(f"{drawn.formula(left)} {SIGNS[sign]} 0" for left, sign, _ in relations)
+    told = ", ".join(map(drawn.formula, item["valid_where"]))
     return f" (where {told})" if told else ""
 
 

@@ -61,7 +61,7 @@ def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[
     """
     shown, first, found = set(shown), {}, {}
     for step in (step for name in ORDER for step in derivation.chapter(name) if step.id in shown):
-        asserted = _ends(step.statement)
+        asserted = ends(step.statement)
         if asserted not in first:
             first[asserted] = step.id
         elif said.has(f"{step.phrase}_known"):
@@ -69,7 +69,7 @@ def repeated(derivation: Derivation, shown: Iterable[str], said: Words) -> dict[
     return found
 
 
-def _ends(statement: t.Node) -> t.Node:
+def ends(statement: t.Node) -> t.Node:
     """What a chain comes to: its first and its last item."""
     if isinstance(statement, t.Chain) and set(statement.ops) == {"="}:
         return t.equation(statement.items[0], statement.items[-1])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
+from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.step import Derivation, DerivedCourse, Lesson, Step
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, chapter_title, repeated
 from rbpsym.document.language import common_notation, problem_notation
@@ -15,6 +16,7 @@ from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label,
 from rbpsym.document.notes_lessons import lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
 from rbpsym.document.notes_plots import plots_section
+from rbpsym.document.notes_question import answer_section, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
@@ -137,12 +139,16 @@ def problem_sections(
     said = replace(words_of(derivation, shown_steps(derivation, detail), language, prefix), is_brief=is_brief)
     speaker = phase_words(detail, language)
     drawn = plots_section(derivation, said, level) if plots else None
+    answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))
+    told = ((said, derivation.steps), *later)
     return [
+        *([question_section(answers, said, level)] if answers else []),
         statement_section(derivation, said, level),
         *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
         *phase_sections(derivation, said, level, speaker),
         *([drawn] if drawn else []),
-        *(() if is_brief else [results_section(derivation, said, level, phase_results(derivation, said, speaker))]),
+        *([answer_section(answers, told, said, level)] if answers else []),
+        *(() if is_brief else [results_section(derivation, said, level, later)]),
         checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]
 

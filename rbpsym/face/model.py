@@ -250,6 +250,11 @@ class SymbolicModel:
         """
         return in_sympy(answered(self._asked, question))
 
+    @property
+    def answers(self) -> tuple[SymbolicAnswer, ...]:
+        """The answers to the questions that the problem itself asks. Raises StatementError for one without."""
+        return tuple(map(self.ask, self.study.problem.questions))
+
     # --- numbers
 
     def lambdify(self, values: Numbers | None = None, of: Any = None) -> Callable[..., Any]:

@@ -100,7 +100,7 @@ def _about(table: Table, name: str) -> dict[str, object]:
         "names": _translations(table, "names", "rod"),
         "example": _values(table, "example"),
         "claims": _claims(table),
-        "questions": tuple(_questions(table)),
+        "questions": dict(_questions(table)),
         "file": table.source.file,
     }
 
@@ -143,9 +143,10 @@ def _claims(table: Table) -> tuple[Mapping[str, object], ...]:
     return tuple(dict(row.data) for row in table.rows("claims", "“claims”"))
 
 
-def _questions(table: Table) -> Iterator[str]:
-    """What is asked in [[ask]]."""
+def _questions(table: Table) -> Iterator[tuple[str, Mapping[str, str]]]:
+    """What is asked in [[ask]], with its words in other languages."""
     for row in table.rows("ask", "“ask”"):
-        row.check_keys(("question",), "a question")
+        row.check_keys(("question", "said"), "a question")
         row.require("question", "a question", 'add question = "N at the start".')
-        yield row.string("question")
+        check_languages(row.table("said", "“said”"), 'write said = { es = "`N` al principio" }')
+        yield row.string("question"), strings(row, "said")

@@ -210,7 +210,8 @@ class Problem(Shown):
 
     `points` are the author's fixed points with O, `origins` those about which momenta are
     wanted. `meanings` and `names` hold translations, by language and name; `example` values with units,
-    by parameter; `claims` what a source says, as data; `questions` what is asked. `implicit` names the constants that no
+    by parameter; `claims` what a source says, as data; `questions` what is asked, with its words by
+    language. `implicit` names the constants that no
     one declared: a coordinate starts at them. `text` is the source that it was read from, if it was.
     """
 
@@ -225,7 +226,7 @@ class Problem(Shown):
     notation: Mapping[str, str] = field(default_factory=dict)
     origins: Mapping[str, PointRef] = field(default_factory=dict)
     claims: tuple[Mapping[str, object], ...] = ()
-    questions: tuple[str, ...] = ()
+    questions: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     points: Mapping[str, Pair] = field(default_factory=dict)
     meanings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
