@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 
-from rbpsym.ask.answer import Answer, answer
+from rbpsym.ask.answer import Answer, Found, answer, found_of
+from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.parameters import of_parameters
+from rbpsym.ask.parameters import finding, of_parameters
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.study import Study
@@ -37,6 +38,17 @@ def own_answers(study: Study) -> Iterator[Answer | Refused]:
             yield Refused(text, error.what)
 
 
+def found_in(study: Study, text: str) -> Found | Finding:
+    """What is found in a study for a question of its problem, without steps. Raises RbpsymError."""
+    asked, plain = Asked(study.problem, study), _plain(text)
+    about = finding(asked, plain)
+    return about[1] if about else found_of(asked, read_question(plain))
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.split()).rstrip(" ?.")
+
+
 def ask(problem: Problem, *questions: str) -> list[Answer]:
     """The answers to questions about a problem, to its own ones if none are given. Raises StatementError for one that has none.
 
@@ -51,7 +63,7 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 
 def answered(asked: Asked, text: str) -> Answer:
     """The answer to one question."""
-    plain = " ".join(text.split()).rstrip(" ?.")
+    plain = _plain(text)
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
         return answer(asked, in_time)

@@ -12,7 +12,7 @@ from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
-from rbpsym.ask.seen import scene
+from rbpsym.ask.seen import Scene, scene
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
@@ -64,6 +64,12 @@ def _clause(text: str, until: str | None, place: str | None) -> str:
 
 def of_parameters(asked: Asked, text: str) -> Answer | None:
     """The answer to a question about parameters; None if it is none. Raises StatementError or ReadError."""
+    found = finding(asked, text)
+    return None if found is None else concluded(found[0], text, found[1])
+
+
+def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:
+    """What is found for a question about parameters, not concluded yet. Raises as `of_parameters`."""
     rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
     phase, place = PHASE.fullmatch(rest), None
     if phase is not None:
@@ -74,5 +80,5 @@ def of_parameters(asked: Asked, text: str) -> Answer | None:
     for pattern, find in ROWS:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             world = scene(asked, place)
-            return concluded(world, text, find(world, *words.groups()))
+            return world, find(world, *words.groups())
     return None

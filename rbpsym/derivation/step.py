@@ -32,6 +32,13 @@ class BodyRef:
 
 
 @dataclass(frozen=True, slots=True)
+class QuestionRef:
+    """A mention of a question that the problem asks, as an argument of a phrase."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class PhraseRef:
     """A phrase as an argument of another phrase."""
 

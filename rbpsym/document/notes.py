@@ -140,14 +140,14 @@ def problem_sections(
     speaker = phase_words(detail, language)
     drawn = plots_section(derivation, said, level) if plots else None
     answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))
-    told = ((said, derivation.steps), *later)
+    answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
     return [
         *([question_section(answers, said, level)] if answers else []),
         statement_section(derivation, said, level),
         *(brief_sections if is_brief else chapter_sections)(derivation, said, level),
         *phase_sections(derivation, said, level, speaker),
         *([drawn] if drawn else []),
-        *([answer_section(answers, told, said, level)] if answers else []),
+        *([answered] if answered else []),
         *(() if is_brief else [results_section(derivation, said, level, later)]),
         checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]

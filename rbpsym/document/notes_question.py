@@ -10,64 +10,15 @@ from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
-from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Math, Paragraph, Ref, Section, Text
-from rbpsym.document.phrases import merged
+from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
+from rbpsym.document.questions import question
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words, sentences
-from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.infix import RELATION_SIGNS, read_infix, read_relation
-from rbpsym.statement.letters import letters_of
+from rbpsym.notation.infix import RELATION_SIGNS
 
 Found = Answer | Refused
 Told = tuple[Words, tuple[Step, ...]]
-MOST_WORDS = 9  # of a formula in a question
-MARK = "`"  # stands around the formulas of a question in another language
-
-
-# --- a question with its formulas
-
-
-def question(text: str, said: Words) -> Inlines:
-    """The question in the language of the notes if the file tells it so, with names and formulas set as such."""
-    told = said.problem.questions.get(text, {}).get(said.language, "")
-    return merged(_marked(told, said) if told else _spoken(text, said))
-
-
-def _marked(text: str, said: Words) -> Iterator[Inline]:
-    for place, part in enumerate(text.split(MARK)):
-        yield (_formula(part, said) or Text(part)) if place % 2 else Text(part)
-
-
-def _spoken(text: str, said: Words) -> Iterator[Inline]:
-    """The words of the grammar; the longest runs that are formulas as formulas, bodies and their points by their names."""
-    words, start = text.split(), 0
-    while start < len(words):
-        ways = range(min(len(words), start + MOST_WORDS), start, -1)
-        found = next(((end, node) for end in ways if (node := _formula(" ".join(words[start:end]), said))), None)
-        yield Text(" " if start else "")
-        yield from (found[1],) if found else _thing(words[start], said)
-        start = found[0] if found else start + 1
-
-
-def _formula(text: str, said: Words) -> Math | None:
-    read = read_relation if any(sign in text for sign in RELATION_SIGNS) else read_infix
-    try:
-        return Math(read(text, letters_of(said.problem).names))
-    except RbpsymError:
-        return None
-
-
-def _thing(word: str, said: Words) -> Inlines:
-    """A body, or a point of one, as the notes call it."""
-    body, dot, _ = word.partition(".")
-    if body not in said.problem.body_names:
-        return (Text(word),)
-    return said.label(word) if dot else said.the(body)
-
-
-# --- the sections
-
 
 def question_section(answers: Iterable[Found], said: Words, level: int) -> Section:
     """What is asked; in brief notes with the answers."""
@@ -80,17 +31,18 @@ def question_section(answers: Iterable[Found], said: Words, level: int) -> Secti
     return Section(said.say("section.question"), tuple(blocks), said.prefix + "section.question", level)
 
 
-def answer_section(answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int) -> Section:
+def answer_section(answers: tuple[Found, ...], told: Iterable[Told], said: Words, level: int) -> Section | None:
     """Each answer with the steps that are not among those `told` before: what is shown is referred to, and what this level
-    of detail leaves out there is left out here."""
+    of detail leaves out there is left out here. None if brief notes, which begin with the answers, need no further step."""
     shown = {ends(step.statement): words.step(step.id)[0] for words, steps in told for step in steps}
     blocks: list[Block] = []
     for number, found in enumerate(answers, 1):
-        if len(answers) > 1:
-            blocks.append(Paragraph((Emph(question(text_of(found), said)),)))
         own = replace(said, prefix=f"{said.prefix}ask{number}.", same={}, owed={}, shown=frozenset())
-        blocks += _outcome(found, said, ()) if isinstance(found, Refused) else _road(found, shown, own)
-    return Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level)
+        road = [] if isinstance(found, Refused) else list(_road(found, shown, own))
+        road += () if said.is_brief else _outcome(found, said, () if _states(found) else _box(found))
+        head = [Paragraph((Emph(question(text_of(found), said)),))] if road and len(answers) > 1 else []
+        blocks += [*head, *road]
+    return None if not blocks else Section(said.say("section.answer"), tuple(blocks), said.prefix + "section.answer", level)
 
 
 def text_of(found: Found) -> str:
@@ -99,24 +51,23 @@ def text_of(found: Found) -> str:
 
 
 def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[Block]:
-    """The steps beyond what is told, and the outcome; adds to what is shown."""
+    """The steps beyond what is told; adds to what is shown."""
     last = found.steps[-1:] if _states(found) else ()
     before = [replace(step, is_result=False) for step in found.steps[: len(found.steps) - len(last)]]
     known = {step.id: shown[ends(step.statement)] for step in before if ends(step.statement) in shown}
-    new = [*(step for step in before if step.id not in known), *last]
+    new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
     needed = {id for step in new for id in step.reasons} & seen.keys() or seen.keys()
-    if seen:
+    if seen and new:
         yield Paragraph(said.say("question.given", steps=[StepRef(id) for id in seen if id in needed]))
     yield from Teller(said).steps(new)
     shown |= {ends(step.statement): Ref(said.prefix + step.id) for step in new if step not in last}
-    yield from _outcome(found, said, () if last else _box(found))
 
 
-def _states(found: Answer) -> bool:
+def _states(found: Found) -> bool:
     """Is the last step what was asked?"""
-    return bool(found.steps) and found.steps[-1].is_result
+    return isinstance(found, Answer) and bool(found.steps) and found.steps[-1].is_result
 
 
 def _box(found: Found) -> tuple[Display, ...]:
@@ -125,7 +76,8 @@ def _box(found: Found) -> tuple[Display, ...]:
         return ()
     if _states(found):
         return (Display(found.steps[-1].statement, numbered=False, boxed=True),)
-    nodes = found.nodes if found.symbol == "" else [t.equation(t.Sym(found.symbol), node) for node in found.nodes]
+    op = found.relation if found.relation in RELATION_SIGNS else "="
+    nodes = [t.relation(t.Sym(found.symbol), op, node) for node in found.nodes] if found.symbol else found.nodes
     return tuple(Display(node, numbered=False, boxed=True) for node in nodes)
 
 
@@ -150,7 +102,7 @@ def _beside(found: Answer, said: Words) -> Iterator[Inlines]:
     if found.holds_so is not None:
         yield said.say("question.yes" if found.holds_so else "question.no")
     elif found.says:
-        yield (Text(f"{found.says[0].upper()}{found.says[1:]}."),)
+        yield (Text(f"{found.says[0].upper()}{found.says[1:].rstrip('.')}."),)
     if found.equation is not None:
         yield said.say("question.solves", name=t.Sym(found.symbol), equation=t.equation(found.equation, t.ZERO))
     if found.at is not None and found.at[0] != found.symbol:

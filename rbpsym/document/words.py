@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.assertions import Said, on_page
-from rbpsym.derivation.step import BodyRef, PhraseRef, StepRef
+from rbpsym.derivation.step import BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
+from rbpsym.document.questions import question
 from rbpsym.notation.glyphs import Notation, spaced
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
@@ -73,6 +74,8 @@ class Words:
             return self.the(value.name)
         if isinstance(value, StepRef):
             return self.step(value.id)
+        if isinstance(value, QuestionRef):
+            return question(value.text, self)
         if isinstance(value, PhraseRef):
             return self.say(value.key, **value.slots) or (Text(""),)
         if isinstance(value, Mapping):

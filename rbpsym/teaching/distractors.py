@@ -31,6 +31,7 @@ from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
+ANY = "question"  # a target that may be about all that misconceptions change
 SPECIFIC = 4  # a misconception about so few kinds of quantities comes before general ones
 MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's greatest takes a twentieth of it
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
@@ -166,7 +167,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     own, moving = size(shown(right, study)), speeds_in(right)
     seen: dict[str, int] = {}
     for place, wrong in enumerate(pool.wrongs):
-        if target.kind not in wrong.misconception.about:
+        if target.kind not in (*wrong.misconception.about, ANY):
             continue
         value = bounded(pool, place, lambda wrong=wrong: target.value(wrong.study))
         if value is None or speeds_in(value) - moving:

@@ -32,7 +32,8 @@ LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
     ("find-the-slip", ("acceleration.*", "speed.*", "momentum.*", "work.*", "reaction.*"), 1),
     ("number", ("speed.*", "acceleration.*"), 2),
     ("number", ("reaction.*", "frequency.*", "work.*"), 2),
-    ("formula", ("reaction.*", "acceleration.*", "speed.*"), 2),
+    ("choose", ("question.*",), 2),
+    ("formula", ("question.*", "reaction.*", "acceleration.*", "speed.*"), 2),
     ("compare", ("frequency.*", "acceleration.*", "speed.*"), 2),
     ("explain", ("workless", "work_energy", "combination", ""), 3),
 )

@@ -15,8 +15,11 @@ from typing import Any
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.derivation.step import BodyRef, Derivation
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.ask.asking import found_in
+from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef
+from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
@@ -327,6 +330,32 @@ def _lost(study: Study, force: str, coordinate: str) -> Scalar | None:
     return next((x.at.get(coordinate) for x in study.losses if x.force == force), None)
 
 
+def _questions(derivation: Derivation) -> Iterator[Target]:
+    """What the problem itself asks, where the answer is one value."""
+    study = derivation.study
+    for number, text in enumerate(study.problem.questions, 1):
+        target = Target(f"question.{number}", t.Sym(study.letters.free("Q")), partial(_answer, text=text), NUMBER,
+                        slots={"question": QuestionRef(text)})  # fmt: skip
+        if value := target.value(study):
+            dimension = dimension_of(present(value, study.style), study.problem.dimensions)
+            name = _own_name(study, text)
+            left, unit = t.Sym(name) if name else target.left, "angle" if name in study.system.coordinates else ""
+            yield replace(target, left=left, dimension=dimension, unit_name="" if dimension != NUMBER else unit)
+
+
+def _answer(study: Study, text: str) -> Scalar | None:
+    values = found_in(study, text).values
+    return values[0] if len(values) == 1 else None
+
+
+def _own_name(study: Study, text: str) -> str:
+    """The name of what is asked for, if it has one: a force, a coordinate, its rates."""
+    named = getattr(found_in(study, text), "named", ())
+    system = study.system
+    names = (*system.unknowns, *system.accelerations, *(f"{c}{rate}" for c in system.coordinates for rate in ("", "_dot")))
+    return next((name for name in names if named == (symbol(name),)), "")
+
+
 KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {
     "moment": _moments,
     "momentum": _momenta,
@@ -338,4 +367,5 @@ KINDS: Mapping[str, Callable[[Derivation], Iterator[Target]]] = {
     "frequency": _frequencies,
     "friction": _frictions,
     "loss": _losses,
+    "question": _questions,
 }

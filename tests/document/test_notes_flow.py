@@ -130,7 +130,7 @@ def test_brief_notes_are_short_and_keep_all_results(name: str) -> None:
 @pytest.mark.parametrize("name", ["yo-yo", "sliding-ladder"])
 def test_brief_notes_say_what_every_letter_of_the_statement_means(name: str) -> None:
     problem = derived(name).study.problem
-    first = page(name, "brief").sections[0]
+    first = next(found for found in page(name, "brief").sections if found.label == "section.statement")
     paragraphs = [block for block in first.blocks if isinstance(block, Paragraph)]
     told = {n for p in paragraphs for part in p.inlines if isinstance(part, Math) for n in t.names(part.node)}
     assert {q.name for q in problem.parameters} - set(problem.implicit) <= told

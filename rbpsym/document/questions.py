@@ -1,0 +1,56 @@
+"""A question in the problem's words as a sentence: its names and formulas are set as such, bodies called by their names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from rbpsym.document.model import Inline, Inlines, Math, Text
+from rbpsym.document.phrases import merged
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.infix import RELATION_SIGNS, read_infix, read_relation
+from rbpsym.statement.letters import letters_of
+
+if TYPE_CHECKING:
+    from rbpsym.document.words import Words
+
+MOST_WORDS = 9  # of a formula in a question
+MARK = "`"  # stands around the formulas of a question in another language
+
+
+def question(text: str, said: Words) -> Inlines:
+    """The question in the language of the page if the file tells it so, else as it is asked."""
+    told = said.problem.questions.get(text, {}).get(said.language, "")
+    return merged(_marked(told, said) if told else _spoken(text, said))
+
+
+def _marked(text: str, said: Words) -> Iterator[Inline]:
+    for place, part in enumerate(text.split(MARK)):
+        yield (_formula(part, said) or Text(part)) if place % 2 else Text(part)
+
+
+def _spoken(text: str, said: Words) -> Iterator[Inline]:
+    """The words of the grammar; the longest runs that are formulas as formulas."""
+    words, start = text.split(), 0
+    while start < len(words):
+        ways = range(min(len(words), start + MOST_WORDS), start, -1)
+        found = next(((end, node) for end in ways if (node := _formula(" ".join(words[start:end]), said))), None)
+        yield Text(" " if start else "")
+        yield from (found[1],) if found else _thing(words[start], said)
+        start = found[0] if found else start + 1
+
+
+def _formula(text: str, said: Words) -> Math | None:
+    read = read_relation if any(sign in text for sign in RELATION_SIGNS) else read_infix
+    try:
+        return Math(read(text, letters_of(said.problem).names))
+    except RbpsymError:
+        return None
+
+
+def _thing(word: str, said: Words) -> Inlines:
+    """A body, or a point of one, as the page calls it."""
+    body, dot, _ = word.partition(".")
+    if body not in said.problem.body_names:
+        return (Text(word),)
+    return said.label(word) if dot else said.the(body)
