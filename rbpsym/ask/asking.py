@@ -14,6 +14,7 @@ from rbpsym.ask.parameters import finding, of_parameters
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.study import Study
+from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
 # what a motion as a function of the time tells, and is no question about parameters
@@ -43,6 +44,14 @@ def found_in(study: Study, text: str) -> Found | Finding:
     asked, plain = Asked(study.problem, study), _plain(text)
     about = finding(asked, plain)
     return about[1] if about else found_of(asked, read_question(plain))
+
+
+def meant_by(study: Study, text: str) -> Bound | None:
+    """What a claim calls by a question: the one value that is proved to answer it; None where there is none."""
+    with suppress(RbpsymError):
+        found = answered(Asked(study.problem, study), text)
+        return number(found.value) if found.verdict.is_proved and found.values else None
+    return None
 
 
 def _plain(text: str) -> str:

@@ -37,10 +37,11 @@ KINDS = {"a constant": "constant", "unknown": "unknown", "defined here": "define
 
 @dataclass(frozen=True)
 class ProblemWorld:
-    """A problem, its phrases resolved."""
+    """A problem, its phrases resolved; `answers`: what is found for a phrase that is none of its own, a question."""
 
     study: Study
     others: Callable[[str], ProblemWorld] | None = None
+    answers: Callable[[Study, str], Bound | None] | None = None
 
     @cached_property
     def stages(self) -> tuple[Stage, ...]:
@@ -56,7 +57,7 @@ class ProblemWorld:
     def phase(self, place: int) -> ProblemWorld:
         """The world of a phase."""
         if place not in self._phases:
-            self._phases[place] = ProblemWorld(self.stages[place].study, self.others)
+            self._phases[place] = ProblemWorld(self.stages[place].study, self.others, self.answers)
         return self._phases[place]
 
     @property
@@ -131,6 +132,8 @@ class ProblemWorld:
         try:
             return number(substitute(scalar(read_infix(text, names), self.study.system.scope), self.dependent))
         except RbpsymError:
+            if self.answers is not None and (found := self.answers(self.study, text)):
+                return found
             hint = did_you_mean(text, [*names, *self.offered], "")
             known = f"write a name ({', '.join(names)}), an expression, or a phrase of docs/ask.md such as “{self.offered[-1]}”."
             raise StatementError(

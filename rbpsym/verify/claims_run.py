@@ -180,12 +180,13 @@ class Worlds:
     def problem(self, name: str, setting: Setting | None = None) -> World:
         """A problem by its name in the library or the path of its file, from the claims file's folder."""
         if name not in self.problems:
+            from rbpsym.ask.asking import meant_by
             from rbpsym.mechanics.at_start import study_of
             from rbpsym.quantity.problem import ProblemWorld
             from rbpsym.statement.loader import load_problem
 
             path = problem_path(name, self.folder, setting)
-            self.problems[name] = ProblemWorld(study_of(load_problem(path)), self.problem)
+            self.problems[name] = ProblemWorld(study_of(load_problem(path)), self.problem, meant_by)
         return self.problems[name]
 
 
