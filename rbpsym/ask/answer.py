@@ -10,7 +10,7 @@ from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
-from rbpsym.ask.certified import certified
+from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, shortest
 from rbpsym.ask.in_time import at_time
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
@@ -98,9 +98,12 @@ class Answer:
         return self.question.is_direction or self.question.quantity in {c.name for c in self.study.problem.coordinates}
 
 
-def answer(asked: Asked, question: Question) -> Answer:
-    """The answer about a quantity. Raises StatementError for what means nothing, never happens or has no closed form."""
-    made = certified(asked, question, found_of(asked, question))
+def answer(asked: Asked, question: Question, letter: str = LETTER) -> Answer:
+    """The answer about a quantity, called by the letter.
+
+    Raises StatementError for what means nothing, never happens or has no closed form.
+    """
+    made = certified(asked, question, found_of(asked, question), letter)
     if made.verdict.is_refuted:
         raise Undecided(f"what was found for “{question.text}” is refuted by its own check, and is not told")
     return made

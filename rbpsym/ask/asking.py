@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from rbpsym.ask.answer import Answer, Found, answer, found_of
+from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding, of_parameters
@@ -31,10 +32,10 @@ class Refused:
 
 def own_answers(study: Study) -> Iterator[Answer | Refused]:
     """What the problem of a study asks itself, each with its answer or with the sentence why there is none."""
-    asked = Asked(study.problem, study)
-    for text in study.problem.questions:
+    asked, questions = Asked(study.problem, study), study.problem.questions
+    for place, text in enumerate(questions, 1):
         try:
-            yield answered(asked, text)
+            yield answered(asked, text, LETTER if len(questions) == 1 else f"{LETTER}_{place}")
         except RbpsymError as error:
             yield Refused(text, error.what)
 
@@ -70,13 +71,13 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
     return [answered(asked, text) for text in questions or problem.questions]
 
 
-def answered(asked: Asked, text: str) -> Answer:
-    """The answer to one question."""
+def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
+    """The answer to one question, called by the letter."""
     plain = _plain(text)
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
-        return answer(asked, in_time)
+        return answer(asked, in_time, letter)
     if in_time is not None:
         with suppress(StatementError):
-            return answer(asked, in_time)
-    return of_parameters(asked, plain) or answer(asked, read_question(plain))
+            return answer(asked, in_time, letter)
+    return of_parameters(asked, plain, letter) or answer(asked, read_question(plain), letter)

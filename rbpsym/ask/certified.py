@@ -43,8 +43,8 @@ TOLD = (
 )  # fmt: skip
 
 
-def certified(asked: Asked, question: Question, found: Found) -> Answer:
-    """The answer with its steps and its verdict."""
+def certified(asked: Asked, question: Question, found: Found, letter: str = LETTER) -> Answer:
+    """The answer, which is given the letter, with its steps and its verdict."""
     from rbpsym.ask.answer import Answer
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
@@ -60,7 +60,7 @@ def certified(asked: Asked, question: Question, found: Found) -> Answer:
     if found.moment is not None and found.moment.courses:
         in_time.write(draft, found.moment)
         draft.chapter = "ask"
-    last, values = _last(draft, question, found), found.values
+    last, values = _last(draft, found, letter), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
     steps = needed(draft.steps, last)
@@ -122,9 +122,10 @@ def _speeds(found: Found) -> list[str]:
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
 
 
-def _last(draft: Draft, question: Question, found: Found) -> Step:
+def _last(draft: Draft, found: Found, name: str) -> Step:
     """The step that states the answer."""
-    letters = [LETTER] if len(found.values) == 1 else [f"{LETTER}_x", f"{LETTER}_y"]
+    parted = f"{name}_" if "_" not in name else name
+    letters = [name] if len(found.values) == 1 else [f"{parted}x", f"{parted}y"]
     letters = [draft.free(letter) for letter in letters]
     pairs = zip(letters, found.values, strict=True)
     rows = [t.equation(t.Sym(letter), draft.show(value, factor=True)) for letter, value in pairs]

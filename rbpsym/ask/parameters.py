@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from rbpsym.ask import critical, optima, special, yesno
 from rbpsym.ask.answer import Answer
+from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
@@ -62,10 +63,10 @@ def _clause(text: str, until: str | None, place: str | None) -> str:
     return f"{text} until {until} = {place}" if until else text
 
 
-def of_parameters(asked: Asked, text: str) -> Answer | None:
+def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
     """The answer to a question about parameters; None if it is none. Raises StatementError or ReadError."""
     found = finding(asked, text)
-    return None if found is None else concluded(found[0], text, found[1])
+    return None if found is None else concluded(found[0], text, found[1], letter)
 
 
 def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:

@@ -27,5 +27,5 @@ latex = '''\mu_0 = \frac12\tan\beta'''
 def test_a_claim_may_speak_of_what_is_asked(tmp_path: Path) -> None:
     path = tmp_path / "drum.toml"
     path.write_text(FILE, encoding="utf-8")
-    found = {result.claim.id: str(result.verdict.kind) for result in check_claims(load_claims(path), Certificates(None))}
+    found = {result.id: str(result.outcome) for result in check_claims(load_claims(path), Certificates(None))}
     assert found == {"mu": "PROVED", "v": "PROVED", "wrong": "REFUTED"}
