@@ -51,6 +51,7 @@ def test_ladder_by_functions() -> None:
         notation=dict(file.notation),
         meanings=dict(file.meanings),
         example=dict(file.example),
+        ask=[{"question": text, "said": dict(said)} for text, said in file.questions.items()],
     )
     assert built == file
 
