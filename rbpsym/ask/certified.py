@@ -21,7 +21,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of
+from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.errors import LimitError, RbpsymError, StatementError
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found
 
 LETTER = "Q"
+COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, where no formula tells")
 LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
@@ -55,7 +56,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     draft.chapter = "ask"
     _grounds(draft, found)
-    if found.moment is not None and found.moment.how == "event" and found.moment.phase.event != "at once":
+    if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
         endings.write(draft, endings.Ending(found.moment.phase, place + 1, found.moment.state))
     if found.moment is not None and found.moment.courses:
         in_time.write(draft, found.moment)
@@ -65,7 +66,8 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
         last, values = _direction(draft, question, found)
     steps = needed(draft.steps, last)
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
-    verdict = all_of(step.certificate.verdict for step in (*before, *steps) if step.certificate)
+    comes = [COMES] if found.moment is not None and found.moment.is_open else []
+    verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
     valid = _valid(draft, found, (*before, *steps))
     return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps))

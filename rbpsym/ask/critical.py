@@ -10,7 +10,7 @@ from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.finding import Finding, checked
-from rbpsym.ask.neat import neat
+from rbpsym.ask.forms import neat
 from rbpsym.ask.regions import Region, alone, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
@@ -28,6 +28,7 @@ SUPERLATIVES = LEAST | GREATEST
 
 
 OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off| over)?((?: (?:until|before) .+)?)")
+NEVER = re.compile(r"(\w+) (?:does not|never) (?:reach(?:es)?|gets? to|comes? to) (.+)")
 KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
@@ -35,15 +36,26 @@ FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 def which(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
     """SYMBOL for which a condition is met, or its opposite; the smallest or largest of them."""
     if opposite := OPPOSITE.fullmatch(text):
-        other = superlative and ("largest" if SUPERLATIVES[superlative] < 0 else "smallest")
-        found = which(world, other, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
-        return replace(found, relation=FLIPPED.get(found.relation, found.relation), says="", rule="")
+        return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
+    if never := NEVER.fullmatch(text):
+        return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
     condition = wanted(world, text, name)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
     found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
+    if any(depends_on(demand.value, name) for demand in found.valid):
+        found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     left = settle((*found.valid, *condition.asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
+
+
+def _opposite(world: Scene, superlative: str | None, name: str, text: str) -> Finding:
+    """The same for the opposite of a condition."""
+    turned = superlative and ("largest" if SUPERLATIVES[superlative] < 0 else "smallest")
+    found = which(world, turned, name, text)
+    relation = FLIPPED.get(found.relation, found.relation)
+    says = f"every such {name} does" if superlative and relation != "=" else ""
+    return replace(found, relation=relation, says=says, rule="") if found.values else found
 
 
 # --- equalities
@@ -63,7 +75,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         )
     if not depends_on(value, name) or is_zero(derivative(value, name)):
         return _without(world, name, value, given, text)
-    given = where_met(given, world.demands)  # where the moments come about at which it is taken
+    given = where_met(given, [demand for demand in world.demands if demand.op == ">"])  # ends that may be reached stay within
     table = sign_table(value, name, given)
     zeros = [zero for zero in table.zeros.found if not zero.is_pole]
     zeros = [replace(zero, asked=left) for zero in zeros if (left := _met(world, name, zero, given)) is not None]

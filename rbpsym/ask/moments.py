@@ -12,6 +12,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -19,7 +20,9 @@ from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import study_of
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.phases import Stage, known_stages
@@ -41,7 +44,8 @@ class NoClosedForm(StatementError):
 class Moment:
     """A state in a phase: its place among the phases, what is true there, how it is met: at the "start", at the "event" with
     which `phase` would begin, at "rest", at a "time"; the `courses` of the coordinates that lead there,
-    those of `is_small` oscillations or of the motion; what is `watched` there, its value, and the time in letters."""
+    those of `is_small` oscillations or of the motion; whether it `is_open` that
+    the motion comes there; what is `watched` there, its value, and the time in letters."""
 
     place: int
     state: State
@@ -49,6 +53,7 @@ class Moment:
     phase: Phase | None = None
     courses: Mapping[str, Course] = field(default_factory=dict)
     is_small: bool = False
+    is_open: bool = False
     watched: tuple[str, Scalar, Scalar] | None = None
 
 
@@ -180,6 +185,10 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             state = FINDERS[event](study, phase)
         except (NotApplicable, StatementError) as error:
             refused = refused or error
+            if isinstance(error, NotApplicable) and event == "reaches" and subject == mover(study):
+                there = Demand(substitute(study.squares[subject], {subject: scalar(value)}), ">=")
+                state = replace(state_at(study, subject, scalar(value)), valid=settle([there], study.assumptions) or ())
+                return Moment(number, state, "event", is_open=True)
             continue
         except ZeroDivisionError:
             refused = refused or StatementError("a speed has no value there: something is divided by zero")
@@ -244,12 +253,12 @@ def _rests(asked: Asked, when: When, place: int | None) -> Moment:
     return _ahead(asked, "rests", _coordinate(asked, name), place)
 
 
-def _grips(asked: Asked, when: When, place: int | None) -> Moment:
-    return _ahead(asked, "no slip", _subject(asked, when.words[0], "contact"), place)
+def _of_contact(event: str) -> Callable[[Asked, When, int | None], Moment]:
+    return lambda asked, when, place: _ahead(asked, event, _subject(asked, when.words[0], "contact"), place)
 
 
-def _slips(asked: Asked, when: When, place: int | None) -> Moment:
-    return _ahead(asked, "slips", _subject(asked, when.words[0], "contact"), place)
+def _begun_before(asked: Asked, when: When, place: int | None) -> Moment:
+    return _before(asked, asked.named(when.words[0]))
 
 
 def _subject(asked: Asked, name: str, what: str) -> str:
@@ -289,14 +298,6 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     return _ahead(asked, "reaches", name, place, node)
 
 
-def _until(asked: Asked, when: When, place: int | None) -> Moment:
-    return _before(asked, asked.named(when.words[0]))
-
-
-def _over(asked: Asked, when: When, place: int | None) -> Moment:
-    return _before(asked, asked.named(when.words[0]) + 1)
-
-
 def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     def find(asked: Asked, when: When, place: int | None) -> Moment:
         study = asked.study(place or 0)
@@ -316,14 +317,14 @@ FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": co
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
     "start": _start,
     "begins": _begins,
-    "before": lambda asked, when, place: _before(asked, asked.named(when.words[0])),
+    "before": _begun_before,
     "end": _ends,
-    "over": _over,
-    "until": _until,
+    "over": _ends,
+    "until": _begun_before,
     "vanishes": _vanishes,
     "rests": _rests,
-    "grips": _grips,
-    "slips": _slips,
+    "grips": _of_contact("no slip"),
+    "slips": _of_contact("slips"),
     "reaches": _reaches,
     "rest": _in_rest(True),
     "unstable": _in_rest(False),

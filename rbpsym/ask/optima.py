@@ -11,7 +11,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
-from rbpsym.ask.neat import neat
+from rbpsym.ask.forms import neat
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
 from rbpsym.ask.zeros import precedes, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions

@@ -12,8 +12,8 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
+from rbpsym.ask.forms import neat
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.neat import neat
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
 from rbpsym.equality.assumptions import Assumptions

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.finding import Finding, checked
+from rbpsym.ask.forms import neat
 from rbpsym.ask.limits import SMALL, Leading, leading
-from rbpsym.ask.neat import neat
 from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen, told
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
@@ -22,9 +22,8 @@ from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.notation.infix import read_infix
-from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Problem
-from rbpsym.statement.solids import put_in
+from rbpsym.statement.solids import put_into
 from rbpsym.statement.source import did_you_mean
 
 PAIR = re.compile(r"(\w+) ?= ?(.+)")
@@ -67,21 +66,8 @@ def special_problem(world: Scene, text: str) -> Problem:
     for name, to in pairs.items():
         place_in(world, name, to)
     image = {name: read_infix(to, world.names) for name, to in pairs.items()}
-    found = _put(problem, image)
+    found = put_into(problem, image)
     return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in pairs))
-
-
-def _put(value: Any, image: Mapping[str, Node]) -> Any:
-    """A part of a statement with formulas in place of names."""
-    if isinstance(value, Node):
-        return put_in(value, image)
-    if isinstance(value, tuple):
-        return tuple(_put(part, image) for part in value)
-    if isinstance(value, Mapping):
-        return {key: _put(part, image) for key, part in value.items()}
-    if is_dataclass(value):
-        return replace(value, **{part.name: _put(getattr(value, part.name), image) for part in fields(value) if part.init})
-    return value
 
 
 def _by_limit(phrase: str, image: Mapping[str, Scalar]) -> str:

@@ -207,10 +207,12 @@ def _terminal(context: Context, step: Step, value: Scalar) -> list[Verdict]:
 
 
 def _total(context: Context, step: Step, value: Scalar) -> list[Verdict]:
-    """q + q̇/b is kept, and q̇ dies out."""
-    form = step.data["form"]
-    others = [same(context, part, NOTHING) for part in (form.constant, form.stiffness, form.drag, form.drive)]
-    begin = context.start(symbol(f"{step.data['name']}_dot"))
+    """q + q̇/b is kept, and q̇ dies out; q̇² - 2 c q is kept, where what is constant drives back."""
+    form, begin = step.data["form"], context.start(symbol(f"{step.data['name']}_dot"))
+    others = [same(context, part, NOTHING) for part in (form.stiffness, form.drag, form.drive)]
+    if form.constant:
+        others += [same(context, form.damping, NOTHING), *_positive(context, -(begin * form.constant))]
+        return [*others, same(context, value * form.constant * 2, -(begin * begin))]
     return [*others, *_positive(context, form.damping), same(context, value * form.damping, begin)]
 
 

@@ -15,7 +15,7 @@ from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.errors import NoNumber
+from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
@@ -67,8 +67,9 @@ def _followed(study: Study, name: str, speed: str) -> Scalar:
 
 def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand]] | None:
     """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
-    the motion comes to one, and where it is the first; None if there is none in closed form, or one without may come before."""
-    start = study.system.scope.start[name]
+    the motion comes to one, and where it is the first; None if there is none in closed form. Raises NotApplicable where one
+    without may come before."""
+    start, is_open = study.system.scope.start[name], False
     for numbers in samples(study.problem):
         way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, study.squares[name])
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
@@ -78,6 +79,9 @@ def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Dema
         asked = None if place is None else _conditions(study, way, place, gaps, numbers)
         if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
             return place, asked
+        is_open = is_open or (place is not None and asked is None)
+    if is_open:
+        raise NotApplicable(f"whether “{name}” comes so far is not decided: the speed may vanish before, where no formula tells")
     return None
 
 

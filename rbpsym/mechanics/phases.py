@@ -29,9 +29,9 @@ from rbpsym.mechanics.phase_checks import check_collision, check_in_place, check
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.notation.tree import Node, Sym, add
-from rbpsym.statement.model import Body, Element, Phase, Problem
+from rbpsym.statement.model import Phase, Problem
 from rbpsym.statement.scope import CLOCK
-from rbpsym.statement.solids import put_in
+from rbpsym.statement.solids import put_into
 
 
 def shifted(phase: Phase, begins: Scalar | None) -> Problem:
@@ -47,12 +47,8 @@ def shifted(phase: Phase, begins: Scalar | None) -> Problem:
             instead="state this phase as a problem of its own.",
         )
     later = {CLOCK: add(present(begins), Sym(CLOCK))}
-    return replace(
-        problem,
-        bodies=tuple(_body(body, later) for body in problem.bodies),
-        interactions=tuple(_element(element, later) for element in problem.interactions),
-        constraints=tuple(_element(element, later) for element in problem.constraints),
-    )
+    parts = ("bodies", "interactions", "constraints")
+    return replace(problem, **{part: put_into(getattr(problem, part), later) for part in parts})
 
 
 def _given(problem: Problem) -> list[Node]:
@@ -65,21 +61,6 @@ def _given(problem: Problem) -> list[Node]:
 
 def _runs(node: Node) -> bool:
     return depends_on(scalar(node), CLOCK)
-
-
-def _element(element: Element, later: Mapping[str, Node]) -> Element:
-    return replace(element, values={key: _later(value, later) for key, value in element.values.items()})
-
-
-def _body(body: Body, later: Mapping[str, Node]) -> Body:
-    placed = body.placed and (body.placed[0], _later(body.placed[1], later))
-    return replace(body, angle=_later(body.angle, later), placed=placed)
-
-
-def _later(value: object, later: Mapping[str, Node]) -> object:
-    if isinstance(value, tuple):
-        return tuple(_later(part, later) for part in value)
-    return put_in(value, later) if isinstance(value, Node) else value
 
 
 @dataclass(frozen=True)

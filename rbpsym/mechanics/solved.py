@@ -92,8 +92,10 @@ def _terminal(known: Given) -> Scalar | None:
 
 
 def _total(known: Given) -> Scalar | None:
-    """The way that it still makes until a resistance in proportion to the speed has stopped it."""
+    """The way that it still makes until a resistance in proportion to the speed, or a constant one, has stopped it."""
     form = known.form
+    if not (form.stiffness or form.damping or form.drag or form.drive) and known.sense(known.speed * form.constant) < 0:
+        return short(-(known.speed**2) / form.constant / 2)
     return short(known.speed / form.damping) if kind_of(form) == "resisted" and not (form.constant or form.drive) else None
 
 

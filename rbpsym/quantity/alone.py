@@ -15,17 +15,13 @@ from rbpsym.statement.paths import tensions
 if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
 
-TOUCHING = ("contact", "touch", "rolling", "sticking", "slider")
+HELD = {"tension": ("string", "link"), "normal force": ("contact", "touch", "rolling", "sticking", "slider")}
 
 
-def _pulls(world: ProblemWorld) -> Iterator[str]:
+def _holds(noun: str, world: ProblemWorld) -> Iterator[str]:
     for element in world.study.problem.constraints:
-        if element.kind in ("string", "link"):
-            yield from (f"tension {name}" for name in tensions(element))
-
-
-def _presses(world: ProblemWorld) -> Iterator[str]:
-    yield from (f"normal force {e.name}" for e in world.study.problem.constraints if e.kind in TOUCHING)
+        if element.kind in HELD[noun]:
+            yield from (f"{noun} {name}" for name in (tensions(element) if element.kind == "string" else (element.name,)))
 
 
 def _rubs(world: ProblemWorld) -> Iterator[str]:
@@ -50,8 +46,7 @@ def _turns(noun: str, world: ProblemWorld) -> Iterator[str]:
 
 
 NOUNS: Mapping[str, Callable[[ProblemWorld], Iterator[str]]] = {
-    "tension": _pulls,
-    "normal force": _presses,
+    **{noun: partial(_holds, noun) for noun in HELD},
     "friction": _rubs,
     "friction force": _rubs,
     **{noun: partial(_moves, noun) for noun in ("speed", "velocity", "acceleration")},

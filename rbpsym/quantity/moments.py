@@ -172,8 +172,14 @@ def time_until(world: ProblemWorld, name: str, text: str) -> Bound:
 # --- phases
 
 
-def _stage(world: ProblemWorld, name: str) -> tuple[int, Stage]:
+def _stage(world: ProblemWorld, name: str | None) -> tuple[int, Stage]:
+    """A phase by its name; without one, the only phase that begins with a blow."""
     names = [stage.name for stage in world.stages]
+    blows = [stage.name for stage in world.stages if name is None and stage.began is not None and stage.began.is_blow]
+    if name is None and len(blows) != 1:
+        told = f"write “… when {' begins” or “… when '.join(blows)} begins”." if blows else "the problem has no blow."
+        raise StatementError("the blow is not named", instead=told)
+    name = name or blows[0]
     if name not in names[1:]:
         known = did_you_mean(name, names[1:], "phases") if names[1:] else "the problem has no [[phases]]."
         raise StatementError(f"there is no phase “{name}” that begins", instead=known)
@@ -203,7 +209,7 @@ def until(world: ProblemWorld, name: str) -> Bound:
     return number(stage.began.before.time)
 
 
-def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
+def impulse(world: ProblemWorld, force: str, name: str | None) -> Bound:
     """The impulse of a constraint or collision when PHASE begins."""
     _, stage = _stage(world, name)
     found = stage.began.impulses
@@ -212,16 +218,7 @@ def impulse(world: ProblemWorld, force: str, name: str) -> Bound:
     return number(found[force], f"phase {_stage(world, name)[0]}")
 
 
-def in_one_blow(world: ProblemWorld, said: str) -> Bound:
-    """The same of the only phase that begins with a blow. Raises StatementError."""
-    names = [stage.name for stage in world.stages if stage.began is not None and stage.began.is_blow]
-    if len(names) != 1:
-        told = " or ".join(f"“{said} when {name} begins”" for name in names)
-        raise StatementError(f"“{said}”: in which blow?", instead=f"write {told}." if names else "the problem has no blow.")
-    return world.bound(f"{said} when {names[0]} begins")
-
-
-def energy_lost(world: ProblemWorld, name: str) -> Bound:
+def energy_lost(world: ProblemWorld, name: str | None) -> Bound:
     """Kinetic energy lost when PHASE begins."""
     place, stage = _stage(world, name)
     return number(stage.began.energy_lost, f"phase {place}" if stage.began.is_blow else "")
@@ -245,9 +242,8 @@ def needed_friction(world: ProblemWorld, contact: str) -> Bound:
 
 _W = r"([\w-]+)"
 JUMPS: tuple[Phrase, ...] = (
-    (rf"impulse of (\w+) when {_W} begins", impulse, "impulse of CONTACT when PHASE begins"),
-    (rf"(?:kinetic )?energy lost when {_W} begins", energy_lost, "energy lost when PHASE begins"),
-    (r"(impulse of \w+|(?:kinetic )?energy lost)", in_one_blow, ""),
+    (rf"impulse of (\w+)(?: when {_W} begins)?", impulse, "impulse of CONTACT when PHASE begins"),
+    (rf"(?:kinetic )?energy lost(?: when {_W} begins)?", energy_lost, "energy lost when PHASE begins"),
 )
 PHRASES: tuple[Phrase, ...] = (
     *JUMPS,

@@ -140,7 +140,7 @@ _ABOUT = r"(?: about \w+ = (.+))?"
 PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join((*solved.FEATURES, *OTHERWISE))}) of (\w+)", of_course, "amplitude of COORDINATE"),
     (rf"(lowest |second |third |highest )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
-    (r"ratio of (\w+) to (\w+) in the (lowest |highest )mode", mode_shape, "ratio of x_1 to x_2 in the lowest mode"),
+    (r"ratio of (\w+) to (\w+) in the (lowest |highest )mode", mode_shape, "ratio of theta_2 to theta_1 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),

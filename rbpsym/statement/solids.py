@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from rbpsym.notation import tree
 from rbpsym.notation.infix import read_infix
@@ -24,6 +25,19 @@ def put_in(node: Node, values: Mapping[str, Node]) -> Node:
     found = replace(tree.mapped(node, lambda part: put_in(part, values)), span=None)
     rule = _TIDY.get(type(node))
     return rule(found) if rule else found
+
+
+def put_into(part: Any, values: Mapping[str, Node]) -> Any:
+    """A part of a statement with each symbol of `values` replaced in all its formulas."""
+    if isinstance(part, Node):
+        return put_in(part, values)
+    if isinstance(part, tuple):
+        return tuple(put_into(item, values) for item in part)
+    if isinstance(part, Mapping):
+        return {key: put_into(item, values) for key, item in part.items()}
+    if is_dataclass(part):
+        return replace(part, **{one.name: put_into(getattr(part, one.name), values) for one in fields(part) if one.init})
+    return part
 
 
 def quotient(num: Node, den: Node) -> Node:
