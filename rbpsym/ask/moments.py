@@ -153,10 +153,6 @@ def _in_time(asked: Asked, when: When, place: int | None, manner: str) -> Moment
     return None
 
 
-def _start(asked: Asked, when: When, place: int | None) -> Moment:
-    return Moment(place or 0, at_start(asked.study(place or 0)))
-
-
 def _begins(asked: Asked, when: When, place: int | None) -> Moment:
     place = asked.named(when.words[0])
     return Moment(place, at_start(asked.study(place)))
@@ -315,7 +311,7 @@ def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
 BY_NUMBERS = "ask for it with numbers: --with “M = 1 kg, …”."
 FINDERS: Mapping[str, Callable[[Study, Phase], State]] = {**ENDINGS, "rests": comes_to_rest, "takes": force_taken}
 MOMENTS: Mapping[str, Callable[[Asked, When, int | None], Moment]] = {
-    "start": _start,
+    "start": lambda asked, when, place: Moment(place or 0, at_start(asked.study(place or 0))),
     "begins": _begins,
     "before": _begun_before,
     "end": _ends,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
 
 from rbpsym.ask import critical, optima, special, yesno
 from rbpsym.ask.answer import Answer
@@ -76,8 +75,7 @@ def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
     if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in ROWS[:-1]):
-        found = of_parameters(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
-        return None if found is None else replace(found, question=replace(found.question, text=text))
+        return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
     for pattern, find in ROWS:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             world = scene(asked, place)

@@ -68,21 +68,16 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 )  # fmt: skip
 
 
-def _lost(said: re.Match[str]) -> str:
-    """What the opposite of the change is counted of."""
-    return f"minus {said[1]}energy" if said[1] else "minus energy of motion, weights and springs"
-
-
 # what is only another way to write something
 OTHERWISE = (
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),
-    (r"^(?:the )?(kinetic |mechanical |)energy lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
-     lambda said: f"{_lost(said)} in phase {said[2]} from the start to the end of phase {said[2]}"),
-    (r"^(?:the )?(kinetic |mechanical |)energy lost (?:until|up to|by) (.+)",
-     lambda said: f"{_lost(said)} from the start to {said[2]}"),
+    (r"^(?:the )?energy (?=lost (?:until|up to|by|in|during|over) )", "energy of motion, weights and springs "),
+    (r"^(?:the )?(.*energy.*) lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
+     r"minus \1 in phase \2 from the start to the end of phase \2"),
+    (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from the start to \2"),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
     (r"\bvertical (?:component|part) of\b", "y component of"),
     (r"\bhorizontal (?=velocity|acceleration|force|net force|linear momentum)", "x component of "),

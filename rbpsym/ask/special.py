@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -46,7 +45,8 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
         return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid, met=True)
     except ZeroDivisionError:
-        raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=_by_limit(phrase, image)) from None
+        instead = f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
+        raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=instead) from None
 
 
 def _pairs(world: Scene, text: str) -> dict[str, str]:
@@ -62,16 +62,12 @@ def _pairs(world: Scene, text: str) -> dict[str, str]:
 
 def special_problem(world: Scene, text: str) -> Problem:
     """The problem in which parameters have these values from the beginning. Raises ReadError or StatementError."""
-    problem, pairs = world.study.problem, _pairs(world, text)
+    problem, pairs = world.asked.problem, _pairs(world, text)
     for name, to in pairs.items():
         place_in(world, name, to)
     image = {name: read_infix(to, world.names) for name, to in pairs.items()}
     found = put_into(problem, image)
     return replace(found, parameters=tuple(quantity for quantity in found.parameters if quantity.name not in pairs))
-
-
-def _by_limit(phrase: str, image: Mapping[str, Scalar]) -> str:
-    return f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
 
 
 def _constant(world: Scene, name: str) -> str:
