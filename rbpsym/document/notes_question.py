@@ -58,7 +58,8 @@ def _road(found: Answer, shown: dict[t.Node, Inline], said: Words) -> Iterator[B
     new = [*(step for step in before if step.id not in known), *(() if said.is_brief else last)]
     seen = {id: mark for id, mark in known.items() if isinstance(mark, Ref)}
     said = replace(said, shown=frozenset(step.id for step in new), elsewhere=seen)
-    needed = {id for step in new for id in step.reasons} & seen.keys() or seen.keys()
+    inner = {id for step in before if step.id in seen for id in step.reasons}
+    needed = {id for step in new for id in step.reasons} & seen.keys() or seen.keys() - inner
     if seen and new:
         yield Paragraph(said.say("question.given", steps=[StepRef(id) for id in seen if id in needed]))
     yield from Teller(said).steps(new)

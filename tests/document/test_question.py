@@ -1,0 +1,55 @@
+"""What the problem asks stands first in its notes, with an honest answer."""
+
+import pytest
+
+from rbpsym.derive import derive
+from rbpsym.document.model import Display, ItemList, Math, Paragraph, Text
+from rbpsym.document.notes import DETAILS, notes
+from rbpsym.document.numbering import parts
+from rbpsym.notation import tree as t
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_text
+
+ASKED = find_problem("rod-pendulum").read_text(encoding="utf-8").partition("[[ask]]")[0]
+
+
+def asking(*questions, said=""):
+    tables = "".join(f'[[ask]]\nquestion = "{question}"\n{said}\n' for question in questions)
+    return derive(load_text(f"{ASKED}\n{tables}"), simulation=False)
+
+
+def text(found):
+    return "".join(part.text for part in parts(found) if isinstance(part, Text))
+
+
+@pytest.mark.parametrize("detail", DETAILS)
+def test_the_question_comes_first_and_its_answer_is_boxed_once(detail):
+    page = notes(asking("F_y in equilibrium"), "en", detail)
+    first, answer = page.sections[0], tuple(found for found in page.sections if found.label == "section.answer")
+    assert first.label == "section.question" and "in equilibrium" in text(first)
+    there = [part for part in parts(first if detail == "brief" else answer) if isinstance(part, Display) and part.boxed]
+    assert [found.node.items[-1] for found in there] == [t.mul(t.Sym("M"), t.Sym("g"))]
+
+
+def test_several_answers_have_letters_of_their_own():
+    page = notes(asking("F_y in equilibrium", "period of theta"))
+    [answer] = [found for found in page.sections if found.label == "section.answer"]
+    boxed = [part.node.items[0] for part in parts(answer) if isinstance(part, Display) and part.boxed]
+    assert boxed == [t.Sym("Q_1"), t.Sym("Q_2")]
+
+
+def test_a_question_without_an_answer_is_told_with_its_reason():
+    said = text(notes(asking("speed of theta where theta = 3")))
+    assert "To this no answer is found" in said and "proved, as each of its steps is" not in said
+
+
+def test_the_words_of_another_language_and_their_formulas():
+    derivation = asking("F_y in equilibrium", said='said = { es = "`F_y` donde `theta = 0`" }')
+    [item] = [part for part in parts(notes(derivation, "es").sections[0]) if isinstance(part, ItemList)]
+    told = [part.node if isinstance(part, Math) else part.text for part in item.items[0]]
+    assert told == [t.Sym("F_y"), " donde ", t.equation(t.Sym("theta"), t.ZERO)]
+
+
+def test_yes_and_no():
+    page = notes(asking("does period of theta depend on M"))
+    assert any(text(part).startswith("No. This answer is proved") for part in parts(page) if isinstance(part, Paragraph))
