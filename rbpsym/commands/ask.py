@@ -44,7 +44,7 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     from rbpsym.statement.loader import load_problem
 
     problem = load_problem(found(name, ("problem",))[1])
-    questions = questions or problem.questions
+    questions = questions or tuple(problem.questions)
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
     numbers, asked = read_numbers(given, problem) if given else None, Asked(problem)

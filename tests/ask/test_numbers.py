@@ -104,11 +104,18 @@ def test_numbers_that_do_not_fit_are_told(given: str, told: str) -> None:
 
 
 def test_a_file_holds_its_own_questions(tmp_path) -> None:
-    text = asked("rod-pendulum").problem.text + '\n[[ask]]\nquestion = "F_y in equilibrium"\n'
+    text = _silent() + '\n[[ask]]\nquestion = "F_y in equilibrium"\n'
     file = tmp_path / "asked.toml"
     file.write_text(text, encoding="utf-8")
     assert json.loads(run(str(file), "--json"))["answer"] == "M*g"
 
 
-def test_a_problem_without_questions_says_so() -> None:
-    assert "nothing is asked about" in run("rod-pendulum", code=2)
+def _silent() -> str:
+    """The text of a problem without its questions."""
+    return asked("rod-pendulum").problem.text.partition("[[ask]]")[0]
+
+
+def test_a_problem_without_questions_says_so(tmp_path) -> None:
+    file = tmp_path / "silent.toml"
+    file.write_text(_silent(), encoding="utf-8")
+    assert "nothing is asked about" in run(str(file), code=2)

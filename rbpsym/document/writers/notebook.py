@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -130,12 +131,15 @@ def figures(block: Block) -> Iterator[str]:
         yield from figures(inner)
 
 
+OF_ANSWER = re.compile(r"ask\d+\.")
+
+
 def results(block: Block, live: Live | None) -> list[str]:
-    """The ids of the steps whose result a block shows in a box."""
+    """The ids of the steps whose result a block shows in a box; those of answers are no steps of the derivation."""
     if live is None or not (isinstance(block, Display) and block.boxed):
         return []
     labels = (label for label in (block.label, *block.also) if label.startswith(live.prefix))
-    return [label.removeprefix(live.prefix) for label in labels if label]
+    return [id for label in labels if (id := label.removeprefix(live.prefix)) and not OF_ANSWER.match(id)]
 
 
 def shown(ids: list[str]) -> str:
