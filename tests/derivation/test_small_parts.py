@@ -5,21 +5,26 @@ from types import SimpleNamespace as Told
 
 import pytest
 
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.algebra.vector import cartesian
+from rbpsym.algebra.vector import ORIGIN, cartesian
+from rbpsym.derivation.chapters.conditions import _where
 from rbpsym.derivation.chapters.contact import _with_tangent
 from rbpsym.derivation.chapters.impulses import _positive
 from rbpsym.derivation.chapters.momentum import _phrase
+from rbpsym.derivation.chapters.places import coordinates_of
 from rbpsym.derivation.draft import Draft
 from rbpsym.derive import derive
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.roots import _principal
+from rbpsym.methods import conservation
 from rbpsym.methods.balances import _crossing
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
+from rbpsym.statement.model import PointRef
 from tests.library.derived import unsimulated
 
 
@@ -116,3 +121,53 @@ def test_lines_of_action_cross_on_both_lines(first, second):
     place = _crossing(a, b)
     assert all(is_zero((place - force.point).cross(force.vector)) for force in (a, b))
     assert _crossing(a, a) is None
+
+
+TOLD = [("sliding-ladder", "along.N_w"), ("ball-off-sphere", "along.N"), ("rod-in-bowl", "along.N_1")]
+
+
+@pytest.mark.parametrize(("name", "id"), TOLD)
+def test_a_force_along_the_motion_follows_from_what_was_told_of_it(name, id):
+    """From the reaction at a place and a speed, and the square of the speed; not from the laws once more."""
+    premises = set(unsimulated(name).step(id).premises)
+    assert {id.replace("along", "reaction"), "square.theta"} <= premises
+    assert not premises & {"law.motion", "start.theta"}
+
+
+def test_where_a_point_is_follows_from_the_pose_of_its_body():
+    """A plate placed by a corner: x' cos φ - y' sin φ, x' sin φ + y' cos φ."""
+    placed = ("corner", (t.Sym("X"), t.Sym("Y")))
+    body = Told(placed=placed, angle=t.Sym("phi"), points={"corner": (t.ONE, t.TWO), "P": (t.Num(4), t.Num(7))})
+    draft = Told(study=Told(problem=Told(body=lambda name: body)))
+    x, y = (scalar(node) for node in coordinates_of(draft, PointRef("plate.P", "plate", "P")))
+    phi = symbol("phi")
+    assert same(x, symbol("X") + 3 * cosine(phi) - 5 * sine(phi))
+    assert same(y, symbol("Y") + 3 * sine(phi) + 5 * cosine(phi))
+
+
+def test_on_which_side_of_a_circle_it_is_told_to_be():
+    for values, key in (({"side": "inside"}, "inside"), ({"side": "outside"}, "outside"), ({}, "body")):
+        element = Told(values=values)
+        assert _where(element, None, ORIGIN).key == f"kinematics.on.{key}"
+
+
+def test_a_body_that_keeps_its_stated_angle_is_told_not_to_turn():
+    yoke = unsimulated("scotch-yoke").step("turning.yoke")
+    assert yoke.statement.items[-1] == t.ZERO
+
+
+@pytest.mark.parametrize(("name", "told"), [("rod-pendulum", True), ("hoop-on-its-rim", True), ("sliding-ladder", False)])
+def test_where_a_body_turns_about_a_point_its_momentum_has_the_moment_about_it(name, told):
+    momenta = [step.statement for step in unsimulated(name).steps if step.rule == "angular_momentum"]
+    assert momenta and any("I_O" in t.names(node) for node in momenta) == told
+
+
+@pytest.mark.parametrize(("driven", "reason"), [(True, "driven"), (False, "no_integral")])
+def test_why_no_energy_is_conserved(driven, reason, monkeypatch):
+    for name in ("_without_potential", "_rough"):
+        monkeypatch.setattr(conservation, name, lambda draft: [])
+    for name in ("_potentials", "_changes"):
+        monkeypatch.setattr(conservation, name, lambda *given: None)
+    said = []
+    conservation._not_conserved(Told(study=Told(system=Told(has_clock=driven)), skip=lambda name, why: said.append(why)))
+    assert said == [f"skipped.{reason}"]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from itertools import pairwise
+from types import SimpleNamespace as Told
 
 import pytest
 
@@ -14,7 +16,7 @@ from rbpsym.document.figures.outlines import OUTLINES
 from rbpsym.document.figures.scene import COLORS, STYLES, Label, Line, Scene
 from rbpsym.document.figures.schematic import schematic
 from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchLine, SketchPart
-from rbpsym.document.figures.svg import SCALE, number, to_svg
+from rbpsym.document.figures.svg import SCALE, label_svg, number, to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.figures.typst import to_typst_drawing
 from rbpsym.document.notes_figures import describe, describe_free_body
@@ -156,3 +158,11 @@ def test_curves_differ_by_more_than_their_colour() -> None:
 @pytest.mark.parametrize(("length", "written"), [(0.0, "0"), (-0.00001, "0"), (1.0, None), (-1.0, None)])
 def test_numbers_of_a_drawing_have_no_needless_signs(length: float, written: str | None) -> None:
     assert number(length) == (written or f"{length * SCALE:g}")
+
+
+def test_the_box_of_a_label_is_a_little_larger_than_the_label():
+    label = Told(box=(1.0, -2.0, 4.0, 3.0), content="A", color="ink")
+    drawn = re.findall(r' (x|y|width|height)="([-.\d]+)"', label_svg(label, None))
+    size = {name: float(number) / SCALE for name, number in drawn}
+    assert size["x"] < 1 and -size["y"] > 3
+    assert size["x"] + size["width"] > 4 and -size["y"] - size["height"] < -2
