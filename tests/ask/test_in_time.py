@@ -167,8 +167,10 @@ def test_a_wrong_solution_is_not_proved() -> None:
     from rbpsym.algebra.scalar import symbol
     from rbpsym.derivation.chapters import course
     from rbpsym.derivation.draft import Draft
+    from rbpsym.derivation.rules import certify
     from rbpsym.mechanics import solutions
     from rbpsym.mechanics.study import Study
+    from rbpsym.notation import tree as t
 
     study = Study(on_line("-k*x - b*x_dot", more=AWAY))
     known = solutions.given(study, "x")
@@ -177,4 +179,10 @@ def test_a_wrong_solution_is_not_proved() -> None:
             draft = Draft(study)
             id = course.told(draft, "x", replace(one, place=spoiled))
             assert not draft.context.steps[id].certificate.verdict.is_proved
+        draft = Draft(study)
+        step = draft.context.steps[course.told(draft, "x", one)]
+        assert certify(draft.context, step).verdict.is_proved
+        for letter in ("k", "x_dot"):  # the same formula of something else
+            other = replace(step, statement=t.equation(t.Sym(letter), step.statement.items[-1]))
+            assert not certify(draft.context, other).verdict.is_proved
     assert math.isclose(number(solutions.course(known).whole, {**NUMBERS, "t": 0.0}), NUMBERS["x_0"])
