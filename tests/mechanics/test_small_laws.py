@@ -5,6 +5,7 @@ from types import SimpleNamespace as Told
 
 import pytest
 
+from rbpsym.algebra.calculus import root
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
 from rbpsym.algebra.trig import cosine, sine
@@ -17,6 +18,8 @@ from rbpsym.mechanics.motion import from_integral
 from rbpsym.mechanics.numbers import NoNumber, number
 from rbpsym.mechanics.placing import _join_angle
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.solutions import Form
+from rbpsym.mechanics.solved import _terminal
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.loader import load_text
 from tests.library.derived import NAMES, problem
@@ -136,3 +139,12 @@ def test_where_a_determinant_is_too_long_nothing_is_said_of_its_factors(monkeypa
 
     monkeypatch.setattr(oscillation, "determinant", too_long)
     assert oscillation._factors(((m,),), ((NOTHING,),), ((g,),), None) == ((), 0)
+
+
+def test_at_the_terminal_speed_the_resistance_balances_what_is_constant():
+    b, c = symbol("b"), symbol("c")
+    for damping, drag, speed in ((b, NOTHING, g / b), (NOTHING, c, root(g / c)), (NOTHING, NOTHING, None)):
+        known = Told(form=Form(g, NOTHING, damping, drag), root=root, sense=lambda value: 1)
+        found = _terminal(known)
+        assert found is None if speed is None else same(found, speed)
+        assert _terminal(Told(form=Form(g, m, damping, drag), root=root, sense=lambda value: 1)) is None
