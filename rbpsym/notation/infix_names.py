@@ -284,7 +284,7 @@ def is_settled(node: t.Div, reader: InfixReader) -> bool:
     """Was the quotient, or what stands below its bar, written in parentheses?"""
     text, (start, end) = reader.source.text, node.den.span or (0, 0)
     below = text[:start].rstrip().endswith(("(", "[")) and text[end:].lstrip().startswith((")", "]"))
-    return _is_closed(node, reader) or below or text[start : start + 1] in ("(", "[")
+    return _is_closed(node, reader) or below
 
 
 def _is_closed(node: t.Node, reader: InfixReader) -> bool:

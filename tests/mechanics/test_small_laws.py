@@ -10,8 +10,12 @@ from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.algebra.vector import cartesian
+from rbpsym.derivation.checks import _by_equations_of_motion
+from rbpsym.derivation.checks_stability import _along
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import oscillation
+from rbpsym.mechanics.constraints import _weld_angles
 from rbpsym.mechanics.contacts import slip_speed
 from rbpsym.mechanics.energy import effective_potential
 from rbpsym.mechanics.motion import from_integral
@@ -21,7 +25,10 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import Form
 from rbpsym.mechanics.solved import _terminal
 from rbpsym.mechanics.study import Study
+from rbpsym.methods import axis_work
+from rbpsym.notation import tree as t
 from rbpsym.statement.loader import load_text
+from rbpsym.statement.model import PointRef
 from tests.library.derived import NAMES, problem
 
 m, g, x, y, u, v = (symbol(name) for name in ("m", "g", "x", "y", "x_dot", "y_dot"))
@@ -148,3 +155,46 @@ def test_at_the_terminal_speed_the_resistance_balances_what_is_constant():
         found = _terminal(known)
         assert found is None if speed is None else same(found, speed)
         assert _terminal(Told(form=Form(g, m, damping, drag), root=root, sense=lambda value: 1)) is None
+
+
+def test_a_weld_turns_the_second_against_the_first():
+    beta, rod, ground = t.Sym("beta"), PointRef("rod.start", "rod", "start"), PointRef("O", at=(t.ZERO, t.ZERO))
+    for points, angle in (((ground, rod), symbol("beta")), ((rod, ground), -symbol("beta"))):
+        [join], known = _weld_angles({"points": points, "angle": beta}), {}
+        assert _join_angle(join, known) and same(known["rod"], angle)
+
+
+def tied_system():
+    """θ is independent, and x = R θ is tied to it."""
+    speed = symbol("theta_dot")
+    rates = {"theta": speed, "x": symbol("R") * speed}
+    scope = Told(rates=rates, start={})
+    return Told(scope=scope, coordinates=("theta", "x"), independent=("theta",), speeds=("theta_dot",))
+
+
+def test_a_force_has_its_slope_through_what_is_tied():
+    k, c, theta = symbol("k"), symbol("c"), symbol("theta")
+    force, system = -k * x - c * theta, tied_system()
+    slope = c + k * symbol("R")
+    assert same(_along(Told(study=Told(system=system)), force, "theta_dot"), -slope)
+    dynamics = Told(forcing=(force,), mass_matrix=((m,),))
+    found = oscillation.linearized(system, dynamics, Assumptions(dict.fromkeys("kcRm", "positive"), {}), lambda value: value)
+    assert same(found.stiffness[0][0], slope) and found.tied == {"x": (symbol("R"),)}
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_an_equation_of_motion_and_nothing_else_follows_from_those_that_are_not_solved(sign):
+    rows, power = (m * symbol("x_ddot") + x, m * symbol("y_ddot") - y), (u * x,)
+    context = Told(study=Told(motion_rows=rows, power_balance=power[0]))
+    assert all(_by_equations_of_motion(context, row * sign).is_proved for row in (*rows, *power))
+    assert not any(_by_equations_of_motion(context, row * sign + x).is_proved for row in (*rows, *power))
+
+
+@pytest.mark.parametrize("begun", [True, False])
+def test_where_no_start_is_said_a_change_is(begun, monkeypatch):
+    monkeypatch.setattr(axis_work, "started", lambda draft: begun)
+    monkeypatch.setattr(axis_work, "moment_about", lambda draft, label: t.Sym("I_O"))
+    monkeypatch.setattr(axis_work, "at_start", lambda value, scope: NOTHING)
+    system = Told(bodies={"rod": Told(omega=symbol("omega"))}, scope=None)
+    grown = axis_work._growth(Told(study=Told(system=system), show=lambda value: t.Sym("shown")), "O")
+    assert isinstance(grown, t.Delta) is not begun

@@ -99,6 +99,8 @@ REFUSED = {
     r"\sin\theta/2": "function's argument divided",
     r"\sin^{-1}\theta": "in two ways",
     r"m/M k": "above or below",
+    r"2/M k": "above or below",
+    r"m & k": "“&” is not expected here",
     r"2 3": None,
     r"\frac{d\theta}{dt^2}": "orders above and below",
     r"\begin{matrix} m \end{matrix}": "environment",

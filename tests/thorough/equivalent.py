@@ -24,6 +24,7 @@ EQUIVALENT: dict[str, str] = {
     "algebra/normal.py _multiple: denominator > 1 -> denominator >= 1": "a number over 1 is that number",
     "notation/text.py _Text.rows: 0 -> 1": "where there is no row, none is moved to the right",
     "equality/points.py _pick: k > 0 -> k >= 0": SAMPLE,
+    "equality/points.py _pick: k > 0 -> k <= 0": SAMPLE,
     "equality/points.py points: 0 -> 1": SAMPLE,
     "algebra/grouping.py _forms: len(form) > 1 -> len(form) >= 1": "a sum that becomes one term has factors as it is",
     "mechanics/interactions.py stretch: UNITY * sign -> (UNITY) / (sign)": SIGN,
@@ -43,4 +44,6 @@ EQUIVALENT: dict[str, str] = {
     "mechanics/numbers.py _parameter: 0.4 * generic -> (0.4) / (generic)": SAMPLE,
     "mechanics/numbers.py _parameter: 3 -> 4": SAMPLE,
     "mechanics/numbers.py _side: given < 0 -> given <= 0": "0 is on neither side",
+    "algebra/grouping.py _nearer: a > 0 -> a >= 0": "no exponent of a monomial is 0",
+    "methods/known_works.py steady: start[f\"{q}_dot\"] ** 2 -> (start[f\"{q}_dot\"]) * (2)": "what is constant drops out",
 }
