@@ -122,13 +122,13 @@ def force_words(force: sk.SketchForce, language: str, notation: Notation) -> str
     """A force by its name and where it points."""
     quarters = math.atan2(force.direction[1], force.direction[0]) / (math.pi / 2)
     straight = abs(quarters - round(quarters)) < 1e-6
-    side = SIDES[round(quarters) % 4] if straight else "slanted"
+    side = "open" if force.is_open else SIDES[round(quarters) % 4] if straight else "slanted"
     return plain("figure.part.force", language, variant=side, name=named(force.label, notation))
 
 
 def couple_words(couple: sk.SketchCouple, language: str, notation: Notation) -> str:
     """A couple by its name and sense."""
-    side = "counter_clockwise" if couple.sign > 0 else "clockwise"
+    side = "open" if couple.is_open else "counter_clockwise" if couple.sign > 0 else "clockwise"
     return plain("figure.part.couple", language, variant=side, name=named(couple.label, notation))
 
 

@@ -9,13 +9,11 @@ from types import MappingProxyType
 from rbpsym.derivation.step import Derivation
 from rbpsym.document import sketch_dimensions as dimensions
 from rbpsym.document import sketch_supports as supports
-from rbpsym.document.figures.sketch import Point, Sketch, SketchBody, SketchCouple, SketchForce, SketchPart
-from rbpsym.document.pose import DrawnPose, other_numbers
+from rbpsym.document.figures.sketch import Sketch, SketchBody, SketchPart
+from rbpsym.document.pose import DrawnPose
 from rbpsym.document.sketch_actions import arrows
 from rbpsym.document.sketch_angles import angles
-from rbpsym.errors import NoNumber
-from rbpsym.mechanics.numbers import number
-from rbpsym.mechanics.system import Force, System
+from rbpsym.document.sketch_forces import couples, forces
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, Shape
 
@@ -39,8 +37,8 @@ def sketch_of_pose(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node] = Ma
         angles=tuple(angles(pose)),
         lengths=tuple(dimensions.lengths(pose)),
         radii=tuple(dimensions.radii(pose)),
-        forces=tuple(_forces(pose, names)),
-        couples=tuple(_couples(pose)),
+        forces=tuple(forces(pose, names)),
+        couples=tuple(couples(pose, names)),
         **_gravity(pose),
     )
 
@@ -87,83 +85,12 @@ def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
 
 
-def _direction(pose: DrawnPose, force: Force) -> Point:
-    """The direction in the pose; unknown components as they are at rest there, else positive.
-
-    A known force that vanishes there (a slack spring, a damper at rest) is drawn as with other numbers, in motion.
-    """
-    moving = {f"{c.name}_dot": 1.0 for c in pose.study.problem.coordinates}
-    known = pose.reactions()
-    unknown = {name: known.get(name, 1.0) for name in force.unknowns}
-    positive = dict.fromkeys(force.unknowns, 1.0)
-    for numbers in (
-        {**pose.numbers, **unknown},
-        {**pose.numbers, **positive},
-        {**pose.numbers, **positive, **moving},
-        {**other_numbers(pose).numbers, **positive, **moving},
-    ):
-        x, y = _components(force, numbers)
-        size = math.hypot(x, y)
-        if size > 1e-12:
-            return x / size, y / size
-    return 0.0, 0.0
-
-
-def _components(force: Force, numbers: Mapping[str, float]) -> Point:
-    try:
-        return number(force.vector.x, numbers), number(force.vector.y, numbers)
-    except NoNumber:
-        return 0.0, 0.0
-
-
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:
     """How the ledger names each force on each body."""
     return {
         (step.data["forces"][0].name, step.data["forces"][0].on): step.slots["force"]
         for step in derivation.chapter("forces")
     }
-
-
-def force_node(system: System, force: Force) -> t.Node:
-    """The letter of a force: N on the second body, -N on the first, W_rod for one of several weights."""
-    same = system.named(force.name)
-    if any(system.is_reaction(f) for f in same):
-        letter = t.Vec(force.name) if force.vector else t.Sym(force.name)
-        return t.neg(letter) if system.is_reaction(force) else letter
-    name = force.name if len(same) == 1 else f"{force.name}_{force.on}"
-    return t.Vec(name) if force.vector else t.Sym(name)
-
-
-def _forces(pose: DrawnPose, names: Mapping[tuple[str, str], t.Node]) -> Iterator[SketchForce]:
-    for force in pose.study.system.forces:
-        direction = _direction(pose, force) if force.vector else (0.0, 0.0)
-        if direction != (0.0, 0.0):
-            label = names.get((force.name, force.on)) or force_node(pose.study.system, force)
-            yield SketchForce(force.on, label, pose.point(force.point), direction)
-
-
-def _couples(pose: DrawnPose) -> Iterator[SketchCouple]:
-    """Unknown couples in the sense in which their letter is positive, known ones as they act in the pose."""
-    known = pose.reactions()
-    for force in pose.study.system.forces:
-        if not force.couple:
-            continue
-        letter = _couple_letter(force)
-        values = pose.numbers | known | ({letter.name: 1.0} if letter.name in force.unknowns else {})
-        try:
-            value = number(force.couple, values)
-        except NoNumber:
-            value = 1.0
-        yield SketchCouple(force.on, letter, pose.center(force.on), 1 if value >= 0 else -1)
-
-
-def _couple_letter(force: Force) -> t.Sym:
-    """The letter of a couple; its own if it is an unknown or a parameter with its sign."""
-    from rbpsym.algebra.present import present
-
-    shown = present(force.couple)
-    plain = shown.arg if isinstance(shown, t.Neg) else shown
-    return plain if isinstance(plain, t.Sym) else t.Sym(force.name)
 
 
 def _gravity(pose: DrawnPose) -> dict[str, object]:

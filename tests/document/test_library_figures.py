@@ -7,19 +7,23 @@ from functools import cache
 
 import pytest
 
+from rbpsym.algebra.scalar import symbol
 from rbpsym.document.figures.free_body import free_body
 from rbpsym.document.figures.placing import placed
 from rbpsym.document.figures.scene import Scene
 from rbpsym.document.figures.schematic import schematic
-from rbpsym.document.figures.sketch import Sketch
+from rbpsym.document.figures.sketch import Sketch, SketchCouple
 from rbpsym.document.figures.svg import to_svg
 from rbpsym.document.figures.tikz import to_tikz
 from rbpsym.document.language import problem_notation
 from rbpsym.document.notes_figures import describe, describe_free_body
+from rbpsym.document.plots.following import Flow, leg, require_motion
 from rbpsym.document.pose import DrawnPose
-from rbpsym.document.sketches import sketch_of_pose
+from rbpsym.document.sketches import sketch_of, sketch_of_pose
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
 from rbpsym.statement.library import problem_files
 from tests.architecture.source import ROOT
@@ -112,6 +116,58 @@ def test_every_force_stands_at_its_point_in_its_diagram(name: str) -> None:
         assert drawn.body == force.on
         assert math.dist(drawn.at, found.point(force.point)) < 1e-9, force.name
         assert math.isclose(math.hypot(*drawn.direction), 1.0), force.name
+
+
+def soon(name: str, given: dict[str, float]):
+    """The motion right after the start, or None: numbers at some moments."""
+    try:
+        require_motion(study(name))
+        flow = Flow(study(name), given)
+        pace = flow.pace(flow.start())
+        return leg(derived_from(FILES[name]), given, end=0.05 * pace if math.isfinite(pace) else 1.0)
+    except NotApplicable:
+        return None
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_forces_and_couples_have_the_sense_that_they_take(name: str) -> None:
+    """On the motion that is integrated from the start; where the sign of a letter is told, its value there has it."""
+    found = pose(study(name), None)
+    sketch, way = sketch_of_pose(found), soon(name, dict(found.numbers))
+    system = found.study.system
+    told = zip((f for f in system.forces if f.vector), sketch.forces, strict=True)
+    turning = zip((f for f in system.forces if f.couple), sketch.couples, strict=True)
+    for force, drawn in (*told, *turning) if way else ():
+        single = dict.fromkeys(force.unknowns, 1.0)
+        if len(single) < 2 and not drawn.is_open:
+            unknown = way.values(symbol(*single)) if single else 1.0
+            if isinstance(drawn, SketchCouple):
+                values = drawn.sign * way.values(force.couple)
+            elif single:
+                x, y = (number(part, {**found.numbers, **single}) for part in (force.vector.x, force.vector.y))
+                values = unknown * (x * drawn.direction[0] + y * drawn.direction[1])
+            else:
+                x, y = (way.values(part) for part in (force.vector.x, force.vector.y))
+                values = x * drawn.direction[0] + y * drawn.direction[1]
+            size = max(abs(values))
+            assert size < 1e-12 or next(v for v in values if abs(v) > 1e-9 * size) > 0, force.name
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_action_and_reaction_are_drawn_opposite_and_named_as_in_the_table(name: str) -> None:
+    derivation = derived_from(FILES[name])
+    sketch, system = sketch_of(derivation), study(name).system
+    table = {(step.slots["body"].name, step.slots["force"]) for step in derivation.chapter("forces")}
+    assert {(drawn.body, drawn.label) for drawn in (*sketch.forces, *sketch.couples)} <= table or not table
+    ends = {force.name: system.named(force.name) for force in system.forces if system.is_reaction(force)}
+    for first, second, *_ in ends.values():
+        arrows = {f.body: f for f in sketch.forces if f.label in (t.Vec(first.name), t.neg(t.Vec(first.name)))}
+        turns = {c.body: c for c in sketch.couples if c.label in (t.Sym(first.name), t.neg(t.Sym(first.name)))}
+        if arrows:
+            (x, y), (u, v) = arrows[first.on].direction, arrows[second.on].direction
+            assert math.isclose(x, -u, abs_tol=1e-9) and math.isclose(y, -v, abs_tol=1e-9), first.name
+        if turns:
+            assert turns[first.on].sign == -turns[second.on].sign, first.name
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector, polar
 from rbpsym.document.accents import accented
-from rbpsym.document.sketches import force_node
+from rbpsym.document.sketch_forces import force_node
 from rbpsym.document.words import Words
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.events import pushes

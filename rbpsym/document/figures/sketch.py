@@ -169,22 +169,24 @@ class RadiusMark:
 
 @dataclass(frozen=True, slots=True)
 class SketchForce:
-    """A force on a body: its point and direction (its length on paper says nothing)."""
+    """A force on a body: its point and direction (its length on paper says nothing); `is_open` if no sense is told."""
 
     body: str
     label: Caption
     at: Point
     direction: Point
+    is_open: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class SketchCouple:
-    """A couple on a body, drawn round a point; `sign` +1 is counter-clockwise."""
+    """A couple on a body, drawn round a point; `sign` +1 is counter-clockwise; `is_open` if no sense is told."""
 
     body: str
     label: Caption
     at: Point
     sign: int = 1
+    is_open: bool = False
 
 
 @dataclass(frozen=True, slots=True)
