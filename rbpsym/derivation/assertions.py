@@ -28,6 +28,7 @@ ask course kinematics inertia instant momentum torque newton_euler work energy o
 RESTING = """
 oscillations.stable oscillations.asymptotic oscillations.unstable oscillations.unclear oscillations.undecided
 """
+SETTLED = "stable asymptotic frequency frequency_undamped"
 MANY = ("position", "velocity", "speed", "turning", "dependent", "tied_speed")
 
 STEPS: Mapping[str, Entry] = {
@@ -79,6 +80,7 @@ STEPS: Mapping[str, Entry] = {
     "energy.potential.force": (w.is_constant_action, "energy.potential.other"),
     "energy.potential.couple": (w.is_constant_action, "energy.potential.other"),
     **dict.fromkeys(RESTING.split(), (g.is_proved, "oscillations.doubtful")),
+    **{f"oscillations.{said}.alone": (g.is_one_place, f"oscillations.{said}.among") for said in SETTLED.split()},
     "contact.along": (g.is_of_position, "contact.known"),
     "contact.lost.place": (g.nothing_slips, "contact.lost_without_slip.place"),
     "contact.lost.first": (g.nothing_slips, "contact.lost_without_slip.first"),

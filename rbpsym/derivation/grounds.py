@@ -201,6 +201,11 @@ def is_spin(said: Said) -> bool:
     return is_proved(said) and is_zero(said.step.data["orbital"])
 
 
+def is_one_place(said: Said) -> bool:
+    """A position of rest fixes all coordinates: it is none of a family along which nothing is driven back."""
+    return is_proved(said) and set(said.system.independent) <= said.step.data["at"].keys()
+
+
 # --- balances
 
 

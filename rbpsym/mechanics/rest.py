@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
@@ -128,6 +128,10 @@ def _doubt(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> st
     def here(value: Scalar) -> Scalar:
         return rooted(substitute(substitute(value, still), at), given)
 
+    for phase in system.problem.phases[:1]:
+        reached = system.dependent.get(phase.subject, symbol(phase.subject)) if phase.event == "reaches" else None
+        if reached is not None and is_zero(here(reached - scalar(phase.value))):
+            return "where the forces balance, the first phase ends"
     if any(is_zero(here(demand.value)) for force in dynamics.forcing for demand in existence(force)):
         return "where the forces balance, they have no slope"
     slope = here(derivative(dynamics.forcing[0], system.independent[0]))
@@ -141,7 +145,9 @@ def _doubt(system: System, dynamics: Dynamics, at: At, given: Assumptions) -> st
 
 
 def _is_one_place(first: At, second: At, given: Assumptions) -> bool:
-    return first.keys() == second.keys() and all(is_zero(rooted(first[n] - second[n], given)) for n in first)
+    """Whether the first is the second, or one of a family of places."""
+    gaps = (first[n] - substitute(second[n], first) for n in second if n in first)
+    return second.keys() <= first.keys() and all(is_zero(rooted(gap, given)) for gap in gaps)
 
 
 def _may_vanish(factor: Scalar, names: Sequence[str], known: list[At], given: Assumptions) -> bool:

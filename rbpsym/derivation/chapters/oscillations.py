@@ -48,13 +48,12 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     rows = [t.equation(t.Sym(name), draft.show(value)) for name, value in item.at.items()]
     linear = _is_linearized(draft, item)
     proved, names = item.nature.proved, draft.study.system.independent
-    among = ".among" if any(name not in item.at for name in names) else ".alone"
+    nature = NATURES[proved] if proved != "open" or _is_told(item) else "undecided"
     draft.add(
         f"equilibrium.{place}",
         "equilibrium",
         rows[0] if len(rows) == 1 else t.System(tuple(rows)),
-        f"oscillations.{NATURES[proved] if proved != 'open' or _is_told(item) else 'undecided'}"
-        + (among if proved == "asymptotic" else ""),
+        f"oscillations.{nature}" + (".alone" if item.stable else ""),
         level=FULL,
         premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
         names=[t.Sym(name) for name in item.at],
@@ -134,7 +133,8 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node
         f"frequency.{place}",
         "motion_of_mode",
         t.equation(t.Pow(letter, t.TWO), *shown),
-        "oscillations.frequency_undamped" if damping else "oscillations.frequency",
+        f"oscillations.frequency{'_undamped' if damping else ''}.alone",
+        name=t.Sym(next(iter(item.at))),
         premises=[f"linear.{place}"],
         is_result=not damping,
         letter=letter,
