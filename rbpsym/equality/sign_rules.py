@@ -8,6 +8,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import normal, partner, without_squares
 from rbpsym.algebra.poly import ONE, Poly, inverse
 from rbpsym.algebra.poly import ZERO as ZERO_POLY
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
@@ -157,7 +158,7 @@ def _expanded(parts: dict[int, Poly], above: Linear, below: Linear, den: Poly) -
             for _ in range(times_taken):
                 term = _times_linear(term, factor)
         total = [a + b for a, b in zip(total, term, strict=True)]
-    return [quotient(coefficient, den**degree) for coefficient in total]
+    return [without_even_roots(quotient(coefficient, den**degree)) for coefficient in total]
 
 
 def _times_linear(coefficients: list[Poly], factor: Linear) -> list[Poly]:
