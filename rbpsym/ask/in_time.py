@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -13,9 +14,10 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import solutions
-from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, uniform_motion
+from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.state import of_coordinate
 
@@ -25,13 +27,22 @@ def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solv
     study = asked.study(place)
     if not manner and not is_solved:
         with suppress(NotApplicable):
-            return Moment(place, uniform_motion(study, time), "time")
+            moved = uniform_motion(study, time)
+            with suppress(NotApplicable):
+                moved = replace(moved, valid=_valid(solutions.courses_of(study), time))
+            return Moment(place, moved, "time")
     found = solutions.courses_of(study, manner)
     at = {"t": time}
     places = {name: without_logarithms(substitute(one.whole, at)) for name, one in found.items()}
     speeds = {name: without_logarithms(substitute(one.speed, at)) for name, one in found.items()}
-    valid = tuple(demand for one in found.values() for demand in one.valid)
-    return Moment(place, State(time, places, speeds, valid), "time", courses=found, is_small=solutions.SMALL in manner)
+    state = State(time, places, speeds, _valid(found, time))
+    return Moment(place, state, "time", courses=found, is_small=solutions.SMALL in manner)
+
+
+def _valid(found: Mapping[str, Course], time: Scalar) -> tuple[Demand, ...]:
+    """What the solutions ask at a time."""
+    demands = dict.fromkeys(demand for one in found.values() for demand in one.valid)
+    return tuple(Demand(short(substitute(demand.value, {"t": time})), demand.op) for demand in demands)
 
 
 def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str = "") -> Moment:
@@ -51,8 +62,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     if first is None:
         raise NotApplicable(f"no closed form was found for the time at which “{subject}” has this value")
     time, valid = first
-    found_valid = tuple(demand for one in found.values() for demand in one.valid)
-    asked_for = settle((*found_valid, *valid), study.assumptions)
+    asked_for = settle((*_valid(found, substitute(time, letters)), *valid), study.assumptions)
     if asked_for is None:
         raise StatementError(f"“{subject}” does not come to this value in this motion")
     made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)

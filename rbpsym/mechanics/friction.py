@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
-from rbpsym.mechanics.contacts import meeting, slip_sense
+from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.placing import locator
@@ -29,6 +30,13 @@ def slip_senses(system: System) -> dict[str, int]:
     geometry = geometry_of(system)
     rough = [e for e in system.problem.constraints if e.values.get("coefficient") is not None]
     return {element.name: slip_sense(element, geometry, meeting(element, geometry)) for element in rough}
+
+
+def slips(system: System) -> dict[str, Scalar]:
+    """By constraint with kinetic friction: the speed of the slip, positive in the sense that it has at the start."""
+    geometry = geometry_of(system)
+    speeds = {n: slip_speed(geometry, meeting(system.element(n), geometry)) * way for n, way in slip_senses(system).items()}
+    return {name: substitute(speed, system.dependent) for name, speed in speeds.items()}
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,11 +15,10 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import geometry_of, slip_senses
+from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
 from rbpsym.notation.machine import to_machine
@@ -60,10 +59,8 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
         for name in pushes(element):
             value = _at_start(reactions[name], start)
             yield from () if value is None else [(element, "force", value)]
-    geometry = geometry_of(study.system)
-    for name, sense in slip_senses(study.system).items():
+    for name, slip in slips(study.system).items():
         element = study.system.element(name)
-        slip = substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent) * sense
         first = _at_start(slip, start)
         if first is not None and is_zero(first):
             first = _at_start(study.begun(time_derivative(slip, study.system.scope)), start)

@@ -74,12 +74,13 @@ class Course:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics."""
+    """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate."""
 
     form: Form
     place: Scalar
     speed: Scalar
     study: Study
+    name: str
 
     def letter(self, name: str) -> Scalar:
         """A letter that the problem does not use."""
@@ -115,7 +116,7 @@ def given(study: Study, name: str, *, small: bool = False) -> Given | None:
     found = _small(study, name) if small else form_of(gained, name, {*study.system.scope.rates, "t"})
     speed = start.get(f"{name}_dot", NOTHING)
     moving = names_in(start[name]) | names_in(speed)
-    return None if found is None or moving & study.system.scope.rates.keys() else Given(found, start[name], speed, study)
+    return None if found is None or moving & study.system.scope.rates.keys() else Given(found, start[name], speed, study, name)
 
 
 def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
@@ -160,7 +161,28 @@ def _small(study: Study, name: str) -> Form | None:
 
 
 def courses(known: Given) -> Iterator[Course]:
-    """All solutions, each for its own case: one where the declared signs tell which."""
+    """All solutions, each for its own case: one where the declared signs tell which. Each with what it asks of the time."""
+    return (lasting(known, one) for one in _cases(known))
+
+
+def lasting(known: Given, one: Course) -> Course:
+    """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
+    from rbpsym.mechanics import slipping
+
+    if all(known.study.dynamics.ideal.values()):
+        return one
+    others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}
+    cases = {name: tuple(_cases(other)) for name, other in others.items() if other is not None}
+    alone = {name: found[0] for name, found in cases.items() if len(found) == 1}
+    return replace(one, valid=(*one.valid, *slipping.lasting(known, {**alone, known.name: one})))
+
+
+def driven(known: Given) -> Course:
+    """What is left at last of a driven motion."""
+    return lasting(known, Course(steady(known), case=STEADY))
+
+
+def _cases(known: Given) -> Iterator[Course]:
     kind = kind_of(known.form)
     if kind != "damped":
         found = SOLVED[kind](known)
@@ -189,7 +211,7 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     for name in study.system.independent:
         known = given(study, name, small=SMALL in manner)
         if known is not None and STEADY in manner and known.form.drive:
-            found[name] = Course(steady(known), case=STEADY)
+            found[name] = driven(known)
         elif known is not None and STEADY not in manner:
             one = course(known, next((case for case in CASES if case in manner), ""))
             found |= {} if one is None else {name: one}

@@ -30,7 +30,7 @@ def _compare(study: Study, name: str, column: int) -> None:
     known, seen = solutions.given(study, name), 0
     cases = [one for one in solutions.courses(known) if one.where is None]
     for numbers in islice(drawn(study, 7), SETS):
-        [one] = [one for one in cases if all(number(asked.value, numbers) > 0 for asked in one.valid)]
+        [one] = [one for one in cases if all(number(asked.value, {**numbers, "t": 0.0}) > 0 for asked in one.valid)]
         bench = _bench(study, numbers)
         bench.placement.mechanism.clock = 0.0
         start = bench.declared_start()

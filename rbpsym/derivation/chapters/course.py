@@ -10,7 +10,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.solutions import STEADY, Course, Given, steady
+from rbpsym.mechanics.solutions import STEADY, Course, Given
 from rbpsym.mechanics.state import State
 from rbpsym.notation import tree as t
 
@@ -25,7 +25,7 @@ def write(draft: Draft) -> None:
         known = solutions.given(draft.study, name)
         if known is None or not (known.form.stiffness or known.form.damping or known.form.drag):
             continue
-        for one in solutions.courses(known) if not known.form.drive else (Course(steady(known), case=STEADY),):
+        for one in solutions.courses(known) if not known.form.drive else (solutions.driven(known),):
             told(draft, name, one)
         for key in TOLD if known.speed or known.form.drive or known.form.drag else ():
             feature(draft, known, name, key)
