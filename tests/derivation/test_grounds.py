@@ -184,3 +184,10 @@ def test_what_confirms_a_derivation(summary, agree, confirmed):
 def test_most_steps_are_checked_twice(checks, told):
     said = Told(steps=[Told(certificate=Told(checks=("",) * count)) for count in checks])
     assert w.most_are_checked_twice(said) is told
+
+
+@pytest.mark.parametrize(("fixed", "told"), [(("x", "y"), True), (("x",), False), (("y",), False)])
+def test_a_family_of_places_is_not_one_place(fixed, told):
+    system = Told(independent=("x", "y"))
+    assert g.is_one_place(Told(step=step(data={"at": dict.fromkeys(fixed)}), system=system)) is told
+    assert not g.is_one_place(Told(step=step(False, data={"at": dict.fromkeys(fixed)}), system=system))

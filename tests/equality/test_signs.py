@@ -7,8 +7,11 @@ import random
 import mpmath
 import pytest
 
+from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import symbol
 from rbpsym.equality import masks
+from rbpsym.equality.assumptions import positive
 from rbpsym.equality.signs import sign
 from rbpsym.notation.infix import read_infix
 from tests.equality.numeric import number, some_points
@@ -133,3 +136,13 @@ def test_masks() -> None:
                     assert masks.times(a, b) & masks.BITS[x * y]
                     for total in {-1, 0, 1} if x * y < 0 else {max(x, y, key=abs)}:
                         assert masks.plus(a, b) & masks.BITS[total]
+
+
+@pytest.mark.parametrize("power", [1, 2, 3, 4])
+def test_an_end_of_a_range_may_hold_a_root(power: int) -> None:
+    """c < 2 √(m k) decides 4 m k - c², and what is made of it."""
+    m, k, c = (symbol(name) for name in "mkc")
+    given = positive("m", "k", "c").with_range("c", None, 2 * root(m * k))
+    gap = (4 * m * k - c * c) * c**power
+    assert sign(gap, given).kind == "positive" and sign(-gap / m, given).kind == "negative"
+    assert sign(gap, positive("m", "k", "c")).kind is None

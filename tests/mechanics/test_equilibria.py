@@ -1,6 +1,11 @@
 """Where the forces balance: every factor counts, and a coordinate may stay arbitrary."""
 
+from itertools import permutations
+
+import pytest
+
 from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, symbol
 from rbpsym.algebra.trig import sine
@@ -80,3 +85,47 @@ def test_a_spring_has_no_negative_length_where_something_rests():
     assert hanging.valid == () and hanging.stable
     [demand] = upright.valid
     assert demand.op == ">" and is_zero(demand.value - (K * symbol("L") - symbol("m") * symbol("g"))) and upright.stable is False
+
+
+FREE = """
+[parameters]
+m = "mass"
+k = "stiffness"
+b = "length"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.y]
+dimension = "length"
+start = "b"
+[bodies.left]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+[bodies.right]
+shape = "particle"
+mass = "m"
+center = ["y", "0"]
+[interactions.S]
+type = "spring"
+between = ["left.center", "right.center"]
+stiffness = "k"
+natural_length = "b"
+"""
+
+
+def test_a_stated_place_of_a_family_is_not_listed_again():
+    [(place, _)] = Study(load_text(FREE)).rest.places
+    assert len(place) == 1
+
+
+@pytest.mark.parametrize("name", FOLLOWED)
+def test_no_place_belongs_to_another_and_none_is_where_the_first_phase_ends(name):
+    study = Study(problem(name))
+    places = [place for place, _ in study.rest.places]
+    for one, other in permutations(places, 2):
+        if other.keys() <= one.keys():
+            assert not all(is_zero(one[n] - substitute(other[n], one)) for n in other)
+    for phase in study.problem.phases[:1]:
+        if phase.event == "reaches":
+            assert not any(is_zero(at[phase.subject] - scalar(phase.value)) for at in places if phase.subject in at)

@@ -61,7 +61,8 @@ def test_the_first_stop_ends_it(name):
 
 
 @pytest.mark.parametrize(
-    ("asked", "told"), [("x at t = 3*v/g", ["1 − 3μ ≥ 0"]), ("x at t = v/(2*mu*g)", []), ("x as a function of t", ["v − μgt ≥ 0"])]
+    ("asked", "told"),
+    [("x at t = 3*v/g", ["1 − 3μ ≥ 0"]), ("x at t = v/(2*mu*g)", []), ("x as a function of t", ["v − μgt ≥ 0"])],
 )
 def test_answers_in_time_ask_for_it_too(asked, told):
     [found] = ask(load_text(BLOCK.format(**SYSTEMS["thrown"][0])), asked)
