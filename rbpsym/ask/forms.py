@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import inside
 from rbpsym.algebra.normal import is_rooted
 from rbpsym.algebra.poly import Poly, generator, inverse
 from rbpsym.algebra.present import present
@@ -47,7 +48,7 @@ def neat(value: Scalar, given: Assumptions) -> Scalar:
     def is_positive(name: str) -> bool:
         return given.sign_of(name) == "positive"
 
-    value = rooted(short(even(value)), given)
+    value = rooted(short(even(inside(value, lambda part: neat(part, given)))), given)
     if value.num.is_monomial():
         value = _joined(value, is_positive)
     for index in sorted(value.atoms()):
