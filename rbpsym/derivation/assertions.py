@@ -152,7 +152,7 @@ kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.s
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
 work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
-phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
+phases.clock phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
 oscillations.place comparison.intro comparison.title comparison.because theory.intro
 theory.heading
 """  # names things, says what is done next, or repeats the statement

@@ -12,6 +12,7 @@ from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.needless import is_still
 from rbpsym.document.words import Words, sentences
+from rbpsym.methods.registry import METHODS
 from rbpsym.notation.tree import Node, Num, Pow
 
 Told = tuple[Words, tuple[Step, ...]]
@@ -74,8 +75,10 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
 
 
 def left_out(skipped: Skipped, said: Words) -> Inlines:
-    """Why a method was not used."""
-    return said.say(skipped.phrase, **{**skipped.slots, "method": said.say(f"method.{skipped.method}")})
+    """Why a method was not used; of a motion in phases, in the first one, to which all methods are put."""
+    told = said.say(skipped.phrase, **{**skipped.slots, "method": said.say(f"method.{skipped.method}")})
+    is_of_phase = said.problem is not None and said.problem.phases and skipped.method in METHODS
+    return said.say("skipped.first", reason=told) if is_of_phase else told
 
 
 def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Section:

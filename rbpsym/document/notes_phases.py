@@ -31,7 +31,7 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
     """
     told = zip(derivation.phases, derivation.study.problem.phases, phase_words(derivation, said, speaker), strict=False)
     for number, (phase, stated, (first, own)) in enumerate(told, 2):
-        begins = (*_event(stated, first), *_begins(phase, first), *_motion_again(phase.derivation, own))
+        begins = (*_event(stated, first), *_begins(phase, first), *_motion_again(phase.derivation, own), *_clock(phase, own))
         title = said.say("phases.title", number=number, name=said.named(phase.name))
         yield Section(title, begins, first.prefix + "section", level)
         yield from chapter_sections(phase.derivation, own, level + 1, CHAPTERS)
@@ -77,6 +77,12 @@ def _motion_again(derivation: Derivation, own: Words) -> Iterator[Block]:
     if found:
         count = len(set(map(manner_of_solution, found)))
         yield Paragraph(own.say("phases.same_motion", equations=[StepRef(step.id) for step in found], count=count))
+
+
+def _clock(phase: DerivedPhase, own: Words) -> Iterator[Block]:
+    """From when the time is counted, where a formula of the phase holds it."""
+    if any("t" in t.names(step.statement) for step in phase.derivation.steps if step.id in own.shown):
+        yield Paragraph(own.say("phases.clock", time=t.Sym("t")))
 
 
 def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:

@@ -1,0 +1,29 @@
+"""What is said of a motion in phases says of which phase, and from when the time is counted."""
+
+import re
+
+import pytest
+
+from rbpsym.notation import tree as t
+from tests.derivation.test_assertions import said_in
+from tests.library.derived import FOLLOWED, derived, problem
+
+IN_PHASES = [name for name in FOLLOWED if problem(name).phases]
+COUNTED = "In this phase t is counted from its beginning."
+
+
+@pytest.mark.parametrize("name", IN_PHASES)
+def test_why_a_method_was_left_out_is_said_of_the_first_phase(name):
+    for reason in re.findall(r"[^.]*(?:does not apply|cannot determine)", said_in(derived(name))):
+        assert reason.strip().startswith("In the first phase:"), reason
+
+
+@pytest.mark.parametrize("name", IN_PHASES)
+def test_only_a_later_phase_with_a_time_in_it_says_from_when_it_is_counted(name):
+    told = said_in(derived(name))
+    later = (step for phase in derived(name).phases for step in phase.derivation.steps)
+    assert (COUNTED not in told) or any("t" in t.names(step.statement) for step in later)
+
+
+def test_the_belt_runs_on_with_a_time_of_its_own():
+    assert COUNTED in said_in(derived("cylinder-on-belt"))
