@@ -9,7 +9,17 @@ from typing import Any
 
 from rbpsym.algebra.effort import at_most, in_all
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.chapters import contact, course, forces, inertia, instant, kinematics, momentum, oscillations
+from rbpsym.derivation.chapters import (
+    contact,
+    course,
+    forces,
+    inertia,
+    instant,
+    kinematics,
+    moments,
+    momentum,
+    oscillations,
+)
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, DerivedPhase, Skipped
 from rbpsym.errors import LimitError, NotApplicable
@@ -59,6 +69,9 @@ def _derived(study: Study, simulation: bool) -> Derivation:
 
 def _chapters(draft: Draft) -> dict[str, Mapping[str, Scalar] | None]:
     """What each method finds; the letters of the first chapters are those of all others, which are left out without them."""
+    if draft.study.problem.is_at_rest:
+        _written(draft, moments.write)
+        return {}
     if draft.study.at_start:
         all(_written(draft, write) for write in THERE)
         return {}

@@ -37,7 +37,7 @@ class Found:
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
     `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `since`:
-    what it was at the moment from which a change is counted."""
+    what it was at the moment from which a change is counted; `about`: how which mass is spread, about which point."""
 
     study: Study
     named: tuple[Scalar, ...]
@@ -51,6 +51,7 @@ class Found:
     speeds: Mapping[str, Scalar] = field(default_factory=dict)
     kept: Mapping[str, Scalar] = field(default_factory=dict)
     since: Found | None = None
+    about: tuple[str, str | None] | None = None
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,7 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
     works = _works(world, named)
     values = _at(world, named, works, moment, question)
     if question.since is None:
-        return Found(study, named, values, moment=moment, works=works)
+        return Found(study, named, values, moment=moment, works=works, about=bound.about)
     before = moment_of(asked, question.since, question)
     if before.place != moment.place:
         raise StatementError("both moments must lie in one phase", instead="ask phase by phase.")
@@ -248,7 +249,7 @@ def _along(asked: Asked, question: Question) -> Found:
         raise NoClosedForm(f"no closed form was found for {unsolved}", instead=BY_NUMBERS)
     if question.of == "t" and _moving(world, values) - {"t"}:
         return _in_time(asked, question, place)
-    found = Found(study, named, values, "state", works=works)
+    found = Found(study, named, values, "state" if _moving(world, values) else "", works=works, about=bound.about)
     if question.of != "state" and question.of not in study.system.speeds:
         found = _without_speeds(world, found)
     return _of(world, found, question) if question.of not in ("", "state") else found
@@ -279,7 +280,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
     if left:
         return found
     moves = any(depends_on(value, name) for value in values for name in motion.scope.rates)
-    of = "position" if moves or values != found.values else "state"
+    of = "position" if moves or values != found.values else found.of
     values = tuple(shortest(short(value), world.study) for value in values)
     return replace(found, values=values, of=of, ways=ways, asked=tuple(asked), speeds=resisted, kept=kept)
 

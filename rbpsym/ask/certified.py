@@ -15,7 +15,7 @@ from rbpsym.ask import in_time
 from rbpsym.ask.lasting import contacts_last
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question
-from rbpsym.derivation.chapters import contact, course, endings, instant, momentum, oscillations
+from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
@@ -31,6 +31,7 @@ from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
+from rbpsym.quantity.problem import ProblemWorld
 
 if TYPE_CHECKING:
     from rbpsym.ask.answer import Answer, Found
@@ -41,6 +42,7 @@ LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
     "course", "speed_along", "kept_speed", "reached_in_time",
+    "parallel_axis", "mass_integral", "mass_center",
 )  # fmt: skip
 
 
@@ -54,6 +56,8 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
         first = certified(asked, replace(question, when=question.since, since=None), found.since)
         before = tuple(replace(step, id=f"since.{step.id}") for step in first.steps if step not in before) + before
     draft = _told_by(asked, found) if found.told else Draft(found.study)
+    if found.about is not None:
+        _spread(draft, found)
     draft.chapter = "ask"
     _grounds(draft, found)
     if found.moment is not None and found.moment.phase is not None and found.moment.phase.event != "at once":
@@ -111,6 +115,20 @@ def _grounds(draft: Draft, found: Found) -> None:
         draft.context.works[letter] = power
         draft.add(f"done.{letter}", "work_done", t.equation(t.Sym(letter), draft.show(done, factor=True)), "ask.work",
                   premises=draft.those(*(step.id for step in draft.steps)))  # fmt: skip
+
+
+def _spread(draft: Draft, found: Found) -> None:
+    """How the mass of the bodies that are named is spread: about the point, or each about its centre of mass."""
+    world, (name, about) = ProblemWorld(found.study), found.about
+    names = tuple(state.name for state in world.bodies(name))
+    if about is not None:
+        moments.about(draft, names, about.rpartition(".")[2], world.place(about, name))
+        return
+    for each in names:
+        if len(found.values) > 1:
+            moments.center(draft, each)
+        else:
+            moments.about(draft, (each,), moments.CENTER)
 
 
 def _speeds(found: Found) -> list[str]:

@@ -253,11 +253,23 @@ def energy_over_mass(context: Context, step: Step) -> Verdict:
 
 
 def moment_over_mass(context: Context, step: Step) -> Verdict:
-    """I about a point as ∫ |r - p|² dm (`data`: "body", "point" local (x, y), "value")."""
-    from rbpsym.derivation.mass import moment_about
+    """I about a point as ∫ |r - p|² dm (`data`: "body", or the "elements" of a part of one, "point" local (x, y), "value")."""
+    from rbpsym.derivation.mass import moment_about, moments_of
 
-    found = moment_about(context.study, step.data["body"], step.data["point"])
-    return same(context, found, step.data["value"])
+    found = moments_of(step.data["elements"]) if step.data.get("elements") else _moments(context, step)
+    return same(context, moment_about(found, step.data["point"]), step.data["value"])
+
+
+def center_over_mass(context: Context, step: Step) -> Verdict:
+    """M times the place of the centre of mass is ∫ r dm in the frame of the body (`data`: "body", "point" local (x, y))."""
+    zeroth, *first, _ = _moments(context, step)
+    return weakest(same(context, zeroth * x, moment) for x, moment in zip(step.data["point"], first, strict=True))
+
+
+def _moments(context: Context, step: Step) -> tuple[Scalar, ...]:
+    from rbpsym.derivation.mass import mass_moments
+
+    return mass_moments(context.study.system, step.data["body"])
 
 
 def torque_by_components(context: Context, step: Step) -> Verdict:

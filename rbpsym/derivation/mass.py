@@ -18,7 +18,6 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.entailment import short
 from rbpsym.derivation.primitives import primitive
-from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force, System
 from rbpsym.statement.model import MassElement
 
@@ -29,9 +28,15 @@ def mass_moments(system: System, body: str) -> tuple[Scalar, ...]:
     """∫dm, ∫x dm, ∫y dm and ∫r² dm about the origin of the body's frame."""
     shape, own = system.problem.body(body).shape, system.bodies[body].inertia
     if shape.elements:
-        return tuple(sum((_spread(item, weight) for item in shape.elements), NOTHING) for weight in WEIGHTS)
+        return moments_of(shape.elements)
     second = own.moment + own.mass * (own.x * own.x + own.y * own.y)
     return own.mass, own.mass * own.x, own.mass * own.y, second
+
+
+def moments_of(elements: Iterable[MassElement]) -> tuple[Scalar, ...]:
+    """The same of elements of mass."""
+    elements = tuple(elements)
+    return tuple(sum((_spread(item, weight) for item in elements), NOTHING) for weight in WEIGHTS)
 
 
 @remembered
@@ -83,9 +88,9 @@ def _frame(system: System, body: str):
     return place, place.rate(system.scope.rates), (c, s), (-s, c), state.omega
 
 
-def moment_about(study: Study, body: str, point: tuple[Scalar, Scalar]) -> Scalar:
-    """∫ |r - p|² dm for a point p of the body frame."""
-    zeroth, first_x, first_y, second_moment = mass_moments(study.system, body)
+def moment_about(moments: tuple[Scalar, ...], point: tuple[Scalar, Scalar]) -> Scalar:
+    """∫ |r - p|² dm for a point p of the frame in which these are the moments of the mass."""
+    zeroth, first_x, first_y, second_moment = moments
     x, y = point
     return second_moment - (first_x * x + first_y * y) * 2 + zeroth * (x * x + y * y)
 

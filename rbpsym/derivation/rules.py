@@ -32,6 +32,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "tied": (c.identity, k.conditions_kept),
     "mass_integral": (c.identity, c.integrals_by_differentiation),
     "parallel_axis": (c.identity, c.moment_over_mass),
+    "mass_center": (c.identity, c.center_over_mass),
     "differentiation": (c.identity, c.derivatives_by_integration),
     "angular_momentum": (c.identity, c.momentum_over_mass),
     "kinetic_energy": (c.identity, c.energy_over_mass),

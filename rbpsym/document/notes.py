@@ -138,7 +138,7 @@ def problem_sections(
     is_brief = detail == "brief"
     said = replace(words_of(derivation, shown_steps(derivation, detail), language, prefix), is_brief=is_brief)
     speaker = phase_words(detail, language)
-    drawn = plots_section(derivation, said, level) if plots else None
+    drawn = plots_section(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
     answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))
     answered = answer_section(answers, ((said, derivation.steps), *later), said, level)
     return [

@@ -140,6 +140,8 @@ def _freedom(derivation: Derivation, said: Words) -> Inlines:
     names = set(study.system.independent)
     own = [c for c in study.problem.coordinates if c.name in names]
     described = [_coordinate(c, said, len(own)) for c in own]
+    if study.problem.is_at_rest:
+        return said.say("statement.spread")
     if not own:
         return said.say("statement.driven" if study.system.has_clock else "statement.still", ground=Said(study))
     key = f"number.{len(own)}"

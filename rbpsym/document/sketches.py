@@ -16,6 +16,7 @@ from rbpsym.document.sketch_angles import angles
 from rbpsym.document.sketch_forces import couples, forces
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, Shape
+from rbpsym.statement.solids import leaves
 
 
 def sketch_of(derivation: Derivation) -> Sketch:
@@ -80,7 +81,7 @@ def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
 
 
 def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
-    for part in shape.parts:
+    for part in leaves(shape):
         at = (pose.node(part.at[0]), pose.node(part.at[1]))
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
 

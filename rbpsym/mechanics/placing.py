@@ -21,9 +21,14 @@ Inertias = Mapping[str, Inertia]
 
 
 def poses(problem: Problem, inertias: Inertias) -> dict[str, Pose]:
-    """The pose of every body; what is left to conditions stands in it as a symbol (`open_name`)."""
+    """The pose of every body; what is left to conditions stands in it as a symbol (`open_name`).
+
+    Where there are bodies and nothing else, a frame of which nothing is said is that of space.
+    """
     angles = _angles(problem)
     origins = _given_origins(problem, inertias, angles)
+    if problem.is_at_rest:
+        return {name: Pose(origins.get(name, ORIGIN), angles[name]) for name in problem.body_names}
     _follow_joins(problem, inertias, angles, origins)
     _follow_lines(problem, inertias, angles, origins)
     for name in problem.body_names:
@@ -65,7 +70,8 @@ def _unturned(body: Body) -> StatementError:
 
 def _angles(problem: Problem) -> dict[str, Scalar]:
     known = {b.name: scalar(b.angle) for b in problem.bodies if b.angle is not None}
-    known |= {b.name: NOTHING for b in problem.bodies if b.angle is None and b.shape.kind == "particle"}
+    still = problem.is_at_rest
+    known |= {b.name: NOTHING for b in problem.bodies if b.angle is None and (still or b.shape.kind == "particle")}
     joins = [join for e in problem.constraints for join in JOINTS[e.kind].angles(e)]
     _until_settled(lambda: any([_join_angle(join, known) for join in joins]))
     for body in problem.bodies:

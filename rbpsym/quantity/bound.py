@@ -25,7 +25,8 @@ class Bound:
     constant of the motion), "unknown", "defined here", "up to a constant". points: the values at
     the points where the external forces act; density: what d(it) is for a mass element, over dm.
     told: the chapter of a derivation that says it, for what is found there and not from its definition. in_plane: whether
-    it is a vector in the plane, also where that vanishes.
+    it is a vector in the plane, also where that vanishes. about: of which bodies it tells how the mass is spread, about which
+    point (None: the centre of mass of each).
     """
 
     scalar: Scalar | None = None
@@ -35,6 +36,7 @@ class Bound:
     density: Space | None = None
     told: str = ""
     in_plane: bool = False
+    about: tuple[str, str | None] | None = None
 
 
 def axial(value: Scalar) -> Bound:

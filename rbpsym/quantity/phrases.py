@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
+from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.vector import ORIGIN, Space
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.alone import NOUNS, alone
@@ -90,10 +92,11 @@ def _of_point(order: int):
 
 def _moment(world: ProblemWorld, name: str, about: str | None) -> Bound:
     total = NOTHING
+    place = None if about is None else world.place(about, name)
     for state in world.bodies(name):
-        lever = ORIGIN if about is None else state.center - world.place(about)
+        lever = ORIGIN if place is None else state.center - place
         total = total + state.moment + state.mass * lever.dot(lever)
-    return number(total)
+    return Bound(total, about=(name, about))
 
 
 def _momentum(world: ProblemWorld, name: str) -> Bound:
@@ -210,7 +213,12 @@ def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
 
 def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     mass = sum((state.mass for state in world.bodies(name)), NOTHING)
-    return number(function("sqrt", _moment(world, name, about).scalar / mass))
+    square, signs = short(_moment(world, name, about).scalar / mass), world.study.assumptions
+    return Bound(simplified_root(square, lambda one: signs.sign_of(one) == "positive"), about=(name, about))
+
+
+def _centre(world: ProblemWorld, name: str | None) -> Bound:
+    return replace(plane(world.centre(name or "system")), about=(name or "system", None))
 
 
 _B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
@@ -259,7 +267,7 @@ PHRASES: tuple[Phrase, ...] = (
     (r"(?:total )?momentum(?: of (.+))?", lambda world, name: _momentum(world, name or "system"), "momentum of BODY"),
     (rf"total angular momentum{_ABOUT}", lambda world, about: _angular_momentum(world, "system", about, None),
      "total angular momentum about O"),
-    (rf"cent(?:re|er) of mass(?: of {_B})?", lambda world, name: plane(world.centre(name or "system")), "centre of mass of BODY"),
+    (rf"cent(?:re|er) of mass(?: of {_B})?", _centre, "centre of mass of BODY"),
     (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),
     (rf"radius of gyration of {_B}{_ABOUT}", _gyration, "radius of gyration of BODY about O"),
     (rf"power of {_F}{_ON}?{_HALF}", _power, "power of FORCE on BODY"),

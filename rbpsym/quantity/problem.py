@@ -194,14 +194,16 @@ class ProblemWorld:
 
     def bodies(self, name: str) -> list[BodyState]:
         """A body, several (“rod and disk”), or all bodies of the system."""
-        if name in SYSTEM:
+        if name in SYSTEM and name not in self.study.system.bodies:
             return list(self.study.system.bodies.values())
         return [self.body(part) for part in name.split(" and ")]
 
-    def place(self, name: str | None) -> Vector:
-        """The position of a point: O, a named point, body.point, body.cm, or body(1/3): so far on the way from its start to
-        its end. Raises StatementError."""
+    def place(self, name: str | None, of: str = "") -> Vector:
+        """The position of a point: O, a named point, body.point (or point alone, `of` a body), body.cm, or body(1/3): so far
+        on the way from its start to its end. Raises StatementError."""
         problem, system = self.study.problem, self.study.system
+        if of in system.bodies and name not in (*problem.points, *system.bodies) and "." not in (name or "."):
+            name = name if name.endswith(")") else f"{of}.{name}"
         if name is not None and name.endswith(")"):
             body, _, part = name[:-1].partition("(")
             first, last = (self.place(f"{body}.{end}") for end in ("start", "end"))
@@ -211,7 +213,7 @@ class ProblemWorld:
         if name in problem.points:
             return pair(problem.points[name])
         body, _, point = (name if "." in name else f"{name}.cm").partition(".")
-        if body in SYSTEM and point == "cm":
+        if body in SYSTEM and body not in system.bodies and point == "cm":
             return self.centre(body)
         state = self.body(body)
         known = [*problem.body(body).points, "cm"]

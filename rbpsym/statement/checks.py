@@ -49,7 +49,7 @@ def dimensions_with_unknowns(problem: Problem) -> dict[str, Dimension]:
 def _something(problem: Problem, table: Table) -> None:
     if not problem.bodies:
         raise table.error("the problem has no bodies", "add [bodies.rod] with its shape, mass and place.")
-    if not problem.coordinates and not problem.constraints:  # with constraints it is one of statics
+    if problem.interactions and not problem.coordinates and not problem.constraints:  # with these it is one of statics
         raise table.error("the problem has no coordinates", "add [coordinates.theta] and use theta in a pose.")
     if len(problem.bodies) > MAX_BODIES:
         raise table.error(f"the problem has {len(problem.bodies)} bodies, {MAX_BODIES} are allowed", key="bodies")

@@ -243,6 +243,11 @@ class Problem(Shown):
         """What acts on the bodies, then what holds them."""
         return (*self.interactions, *self.constraints)
 
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether there are bodies and nothing else: what is asked is how their mass is spread."""
+        return not (self.coordinates or self.elements)
+
     def of_kind(self, *kinds: str) -> list[Element]:
         """Constraints, then interactions, of these kinds."""
         return [element for element in (*self.constraints, *self.interactions) if element.kind in kinds]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -173,6 +173,16 @@ def shares(total: Node, pieces: Iterable[tuple[Node, bool]]) -> list[Node]:
 def _moved(element: MassElement, part: PlacedShape) -> MassElement:
     x, y = moved((element.x, element.y), part.at, part.angle)
     return replace(element, x=x, y=y, sign=-element.sign if part.removed else element.sign)
+
+
+def leaves(shape: Shape) -> Iterator[PlacedShape]:
+    """The parts of a composite that are no composites themselves, as they lie in its frame."""
+    for part in shape.parts:
+        for inner in leaves(part.shape) if part.shape.parts else ():
+            at, angle = moved(inner.at, part.at, part.angle), add(part.angle, inner.angle)
+            yield replace(inner, at=at, angle=angle, removed=part.removed != inner.removed)
+        if not part.shape.parts:
+            yield part
 
 
 def moved(point: Pair, at: Pair, angle: Node) -> Pair:

@@ -50,7 +50,11 @@ def test_every_row_is_another_fault() -> None:
     ("text", "says"),
     [
         ("", "no bodies"),
-        ("[bodies.a]\nshape = 'particle'\nmass = '0'", "no coordinates"),
+        (
+            "[bodies.a]\nshape = 'particle'\nmass = '0'\n"
+            "[interactions.F]\ntype = 'force'\non = 'a.center'\nforce = ['0', '0']",
+            "no coordinates",
+        ),
         ("a = " + "[" * 5000 + "]" * 5000, "nested"),
         ("a = " + "[" * 20 + "]" * 20, "nested"),
         ("# " + "x" * 70_000, "too large"),

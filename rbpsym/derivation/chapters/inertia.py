@@ -12,13 +12,14 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift
+from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.draft import Draft, length
-from rbpsym.derivation.step import BodyRef
+from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.inertia import Moments, mass_moments, tidy
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import MassElement
+from rbpsym.statement.model import MassElement, Shape
 
 
 def turns_about(draft: Draft, name: str, state: BodyState) -> dict[str, Scalar]:
@@ -83,16 +84,9 @@ def write(draft: Draft) -> None:
         if not state.omega:
             _placed_only(draft, name, state)
             continue
-        if draft.study.problem.body(name).shape.elements:
-            _integrated(draft, name, state, moment)
-        elif draft.study.problem.body(name).shape.given_moment is not None:
-            draft.add(
-                f"moment.{name}",
-                "statement",
-                t.equation(moment, draft.show(state.moment)),
-                "inertia.given",
-                body=BodyRef(name),
-            )
+        shape = draft.study.problem.body(name).shape
+        if shape.elements or shape.given_moment is not None:
+            moment_of_mass(draft, state, moment, shape, BodyRef(name))
         else:
             draft.add(
                 f"moment.{name}",
@@ -108,6 +102,16 @@ def write(draft: Draft) -> None:
             together(draft, label)
 
 
+def moment_of_mass(draft: Draft, state: BodyState, moment: t.Sym, shape: Shape, slot: BodyRef | PhraseRef) -> None:
+    """The moment of inertia of a body or a part about its own centre of mass: by integration, or as it is given."""
+    draft.context.moments[state.name] = _by_power(state)
+    if shape.elements:
+        _integrated(draft, state, moment, shape, slot)
+        return
+    given = t.equation(moment, draft.show(state.moment))
+    draft.add(f"moment.{state.name}", "statement", given, "inertia.given", body=slot)
+
+
 def _moments(draft: Draft, name: str) -> Moments:
     return mass_moments(draft.study.problem.body(name).shape, draft.study.system.bodies[name].inertia)
 
@@ -118,34 +122,36 @@ def _placed_only(draft: Draft, name: str, state: BodyState) -> None:
     if elements:
         moments = _moments(draft, name)
         if not (is_zero(moments.x) and is_zero(moments.y)) and _shifted_rod(elements, state) is None:
-            _center(draft, name, state, moments, elements)
+            center_of_mass(draft, state, draft.study.problem.body(name).shape, BodyRef(name))
 
 
 def _by_power(state: BodyState) -> Mapping[int, Scalar]:
     return {0: state.mass, 2: state.moment}
 
 
-def _integrated(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
-    moments, elements = _moments(draft, name), draft.study.problem.body(name).shape.elements
-    centred = is_centred(draft, name)
+def _integrated(draft: Draft, state: BodyState, moment: t.Sym, shape: Shape, slot: BodyRef | PhraseRef) -> None:
+    moments, elements, name = mass_moments(shape, state.inertia), shape.elements, state.name
+    centred = is_zero(moments.x) and is_zero(moments.y)
     shifted = _shifted_rod(elements, state)
     if not centred:
-        _center(draft, name, state, moments, elements)
+        center_of_mass(draft, state, shape, slot)
     if centred or shifted is not None:
         integral = _sum(
             draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements]
         )
         radius = t.BodyIntegral(t.Pow(t.Sym(draft.context.radius), t.TWO), name)
+        whole = [radius] if name in draft.study.system.bodies else []
         draft.add(
             f"moment.{name}",
             "mass_integral",
-            t.equation(moment, radius, integral, draft.show(state.moment)),
+            t.equation(moment, *whole, integral, draft.show(state.moment)),
             "inertia.integral",
-            body=BodyRef(name),
+            is_result=draft.study.problem.is_at_rest and bool(whole),
+            body=slot,
             **_spread(draft, elements),
         )
         return
-    _by_parallel_axis(draft, name, state, moment, elements)
+    _by_parallel_axis(draft, state, moment, elements, slot)
 
 
 def _spread(draft: Draft, elements: tuple[MassElement, ...]) -> dict[str, object]:
@@ -214,24 +220,26 @@ def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
     return t.add(*parts)
 
 
-def _center(draft: Draft, name: str, state: BodyState, moments: Moments, elements) -> None:
+def center_of_mass(draft: Draft, state: BodyState, shape: Shape, slot: BodyRef | PhraseRef) -> None:
     """Where the centre of mass is in the body, from the first moments of the mass."""
-    rows = []
+    moments, elements = mass_moments(shape, state.inertia), shape.elements
+    rows, part = [], "" if state.name in draft.study.system.bodies else f"_{state.name}"
     for axis, place, first in (("x", state.inertia.x, moments.x), ("y", state.inertia.y, moments.y)):
         if is_zero(first):
             continue
-        letter = draft.define(draft.free(f"{axis}_cm"), place)
+        letter = draft.define(draft.free(f"{axis}_cm{part}"), place)
         weights = [scalar(element.x if axis == "x" else element.y) for element in elements]
         integral = t.add(*(_integral(draft, e, w) for e, w in zip(elements, weights, strict=True)))
         mean = t.mul(t.div(t.ONE, draft.show(state.mass)), integral)
         rows.append(t.equation(letter, mean, draft.show(place)))
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    draft.add(f"center.{name}", "mass_integral", statement, "inertia.center", body=BodyRef(name))
+    phrase = "inertia.center_still" if draft.study.problem.is_at_rest else "inertia.center"
+    draft.add(f"center.{state.name}", "mass_integral", statement, phrase, body=slot)
 
 
-def _by_parallel_axis(draft: Draft, name: str, state: BodyState, moment: t.Sym, elements) -> None:
+def _by_parallel_axis(draft: Draft, state: BodyState, moment: t.Sym, elements, slot: BodyRef | PhraseRef) -> None:
     """I about the origin of the frame by integration, then Steiner's theorem back to the centre of mass."""
-    about = state.inertia.about_origin
+    about, name = state.inertia.about_origin, state.name
     symbol_ = draft.define(draft.free(f"I_{name}_0"), about)
     integral = t.add(*(_integral(draft, e, _square(e, None)) for e in elements))
     draft.add(
@@ -239,7 +247,7 @@ def _by_parallel_axis(draft: Draft, name: str, state: BodyState, moment: t.Sym, 
         "mass_integral",
         t.equation(symbol_, integral, draft.show(about)),
         "inertia.about_origin",
-        body=BodyRef(name),
+        body=slot,
     )
     square = tidy(state.inertia.x**2 + state.inertia.y**2)
     shift = t.mul(draft.show(state.mass), draft.show(square))
@@ -249,8 +257,9 @@ def _by_parallel_axis(draft: Draft, name: str, state: BodyState, moment: t.Sym, 
         t.equation(moment, t.add(symbol_, t.neg(shift)), draft.show(state.moment)),
         "inertia.steiner_back",
         premises=[f"moment.{name}.origin", f"center.{name}"],
-        body=BodyRef(name),
-        data=_about(name, state, state.moment),
+        is_result=draft.study.problem.is_at_rest and name in draft.study.system.bodies,
+        body=slot,
+        data={**_about(name, state, state.moment), "elements": elements},
     )
 
 
@@ -303,8 +312,13 @@ def _closed(draft: Draft, letter: t.Node, sum_: t.Node, spelled: t.Node, value: 
 
 def _fixed_point(draft: Draft, state: BodyState, label: str) -> tuple[Scalar, Scalar]:
     """The fixed point in the frame of the body."""
+    return in_frame(state, draft.study.origins[label])
+
+
+def in_frame(state: BodyState, place: Vector) -> tuple[Scalar, Scalar]:
+    """A place in space in the frame of the body."""
     from rbpsym.algebra.trig import cosine, sine
 
-    arm = draft.study.origins[label] - state.pose.origin
+    arm = place - state.pose.origin
     c, s = cosine(state.pose.angle), sine(state.pose.angle)
     return tidy(arm.x * c + arm.y * s), tidy(arm.y * c - arm.x * s)

@@ -22,6 +22,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element, Shape
 from rbpsym.statement.paths import runs
+from rbpsym.statement.solids import leaves
 
 Part = dict[str, Any]
 
@@ -76,7 +77,7 @@ def bodies(seen: SeenStudy) -> Iterator[Part]:
 def shape(seen: SeenStudy, found: Shape) -> Part:
     """Kind, sizes and parts of a shape."""
     sizes = {key: seen.node(size) for key, size in found.sizes.items() if key != "moment"}
-    return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, p) for p in found.parts]}
+    return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, p) for p in leaves(found)]}
 
 
 def part(seen: SeenStudy, placed) -> Part:
