@@ -17,7 +17,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import remembered, spend
 from rbpsym.algebra.modular import is_surely_nonzero
 from rbpsym.algebra.poly import ONE, UNIT, ZERO, Monomial, Poly, accumulate, constant, divided, generator, times
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 
 Bases = tuple[tuple[Monomial, int], ...]
@@ -266,3 +266,10 @@ def _without_even_powers(poly: Poly, index: int, radicand: Poly) -> Poly:
 def number(value: int | Fraction) -> Scalar:
     """A number as a Scalar."""
     return Scalar(constant(value))
+
+
+def tidy(value: Scalar) -> Scalar:
+    """Even powers of roots and sums of squares of sine and cosine worked out."""
+    if value.den is not ONE:
+        return quotient(shorten(value.num), value.den)
+    return Scalar(shorten(without_even_roots(value.num)))

@@ -11,6 +11,7 @@ from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.document.sketch_supports import lines, points
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
+from rbpsym.statement.shapes import PARTLY_ROUND
 
 ROUND = frozenset({"disk", "ring", "annulus", "ball", "shell"})
 CLOSE = 1e-9
@@ -76,7 +77,7 @@ def _reach(pose: DrawnPose, name: str, at: Point, direction: float) -> float:
     shape = pose.study.problem.body(name).shape
     if shape.kind in ROUND and math.dist(at, pose.center(name)) < CLOSE:
         return max(pose.node(shape.sizes[key]) for key in ("radius", "outer") if key in shape.sizes)
-    if shape.kind in ("rod", "particle", "rectangle", "triangle", "half-disk", "half-ring"):
+    if shape.kind in ("rod", "particle", "rectangle", "triangle", *PARTLY_ROUND):
         return 0.0
     return max(0.3 * pose.size, math.dist(at, pose.center(name)))
 

@@ -14,6 +14,7 @@ from rbpsym.document.sketch_supports import circles, cords, lines, points
 from rbpsym.notation import tree as t
 from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import PlacedShape, PointRef
+from rbpsym.statement.shapes import PARTLY_ROUND
 
 
 def lengths(pose: DrawnPose) -> Iterator[LengthMark]:
@@ -150,7 +151,7 @@ def _marked(pose: DrawnPose) -> list[Point]:
 
 def _inside(pose: DrawnPose, name: str) -> float | None:
     """A direction in which a half disk or half ring has a rim; None for a whole one."""
-    if not pose.study.problem.body(name).shape.kind.startswith("half"):
+    if pose.study.problem.body(name).shape.kind not in PARTLY_ROUND:
         return None
     return pose.value(pose.study.system.bodies[name].pose.angle) + math.pi / 3
 

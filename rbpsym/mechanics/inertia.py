@@ -6,14 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import shorten, without_even_roots
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
+from rbpsym.algebra.normal import tidy
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.errors import StatementError
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape
+from rbpsym.statement.solids import integrate_ranges
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,26 +82,6 @@ def element_moment(element: MassElement, power: tuple[str, ...]) -> Scalar:
     weight = x * x + y * y if weight is None else weight
     integrand = tidy(scalar(element.density) * scalar(element.measure) * weight)
     return integrate_ranges(integrand, element) * element.sign
-
-
-def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
-    """The integral over the variables of the element, from the innermost outwards."""
-    for item in reversed(element.ranges):
-        found = definite(integrand, item.variable, scalar(item.lower), scalar(item.upper))
-        if found is None:
-            raise StatementError(
-                f"the mass of this density can't be integrated in closed form over {item.variable}",
-                instead="use a polynomial density, or the shape “given” with its moment of inertia.",
-            )
-        integrand = tidy(found)
-    return integrand
-
-
-def tidy(value: Scalar) -> Scalar:
-    """Even powers of roots and sums of squares of sine and cosine worked out."""
-    if value.den is not ONE:
-        return quotient(shorten(value.num), value.den)
-    return Scalar(shorten(without_even_roots(value.num)))
 
 
 def _has_given_part(shape: Shape) -> bool:

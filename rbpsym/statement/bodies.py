@@ -124,36 +124,44 @@ def _shape(table: Table, kind: ShapeKind, scope: Scope, where: str) -> tuple[Sha
 def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
     sizes = _sizes(table, kind, scope, where)
     _check_extent(size_of(kind, sizes) if kind.size else ONE, table, scope, where)
-    density = None if mass is not None else _density(table, kind, scope, where)
-    return shape_of(kind, sizes, Material(mass, density, frozenset(scope.all))), mass
+    density = _density(table, kind, scope, where) if mass is None or ("density" in table and kind.density) else None
+    try:
+        return shape_of(kind, sizes, Material(mass, density, frozenset(scope.all))), mass
+    except ZeroDivisionError:
+        raise table.error(f"the density of {where} is zero in all", "write how it varies: 1 + s/ell.", "density") from None
 
 
 def _check_extent(size: Node, table: Table, scope: Scope, where: str) -> None:
     if found := contradicts(size, "positive", scope.given):
-        raise table.error(f"{where} has no extent: its size is {found}", "change one of its sizes.", "shape")
+        cure = "go round its corners counter-clockwise." if "vertices" in table else "change one of its sizes."
+        raise table.error(f"{where} has no extent: its size is {found}", cure, "shape")
 
 
 def _sizes(table: Table, kind: ShapeKind, scope: Scope, where: str) -> dict[str, Node]:
     for field in kind.fields:
         if field.default is None:
             table.require(field.name, where, f"a {kind.name} needs {field.name}: its {field.meaning}.")
-    return {
-        field.name: read_expression(
-            table.item(field.name, field.default), scope, f"“{field.name}” of {where}", field.dimension, sign=field.sign
-        )
-        for field in kind.fields
-    }
+    found = {}
+    for field in kind.fields:
+        item, what = table.item(field.name, field.default), f"“{field.name}” of {where}"
+        if field.kind == "vertices":
+            found |= _vertices(item, scope, what)
+        else:
+            found[field.name] = read_expression(item, scope, what, field.dimension, sign=field.sign)
+    return found
+
+
+def _vertices(item: SourceItem, scope: Scope, what: str) -> dict[str, Node]:
+    """Corners as sizes x_1, y_1, x_2, ..."""
+    if not isinstance(item.value, (list, tuple)) or len(item.value) < 3:
+        raise item.error(f"{what} must be three corners or more", 'write vertices = [["0", "0"], ["a", "0"], ["0", "b"]]')
+    corners = [read_pair(part, replace(scope, points={}), what) for part in item.items()]
+    return {f"{axis}_{k}": place for k, pair in enumerate(corners, 1) for axis, place in zip("xy", pair, strict=True)}
 
 
 def _own_mass(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
-    """The mass that the table states; None if it states a density instead."""
-    if "density" in table and kind.density:
-        if "mass" in table:
-            raise table.error(
-                f"{where} has both a mass and a density",
-                "the mass follows from the density: remove one of them.",
-                "mass",
-            )
+    """The mass that the table states, also that of all of a density's proportions; None if it states a density instead."""
+    if "density" in table and kind.density and "mass" not in table:
         return None
     table.require("mass", where, 'add mass = "M"' + (', or a density = "..."' if kind.density else ""))
     return _mass(table, scope, where)
@@ -165,7 +173,7 @@ def _mass(table: Table, scope: Scope, where: str) -> Node:
 
 def _density(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node:
     inner = scope.with_variables({name: VARIABLE_DIMENSIONS[name] for name, _ in kind.density})
-    dimension: Dimension = DENSITY_DIMENSIONS[kind.element.kind]
+    dimension: Dimension | None = None if "mass" in table else DENSITY_DIMENSIONS[kind.element.kind]
     return read_expression(table.item("density"), inner, f"“density” of {where}", dimension, sign="nonnegative")
 
 

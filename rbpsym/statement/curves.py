@@ -9,6 +9,7 @@ from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import round_size, runs
 from rbpsym.statement.premises import sign_of, surely_above
 from rbpsym.statement.scope import Scope
+from rbpsym.statement.shapes import PARTLY_ROUND
 
 _SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
 _SOLID = ("disk", "cylinder", "ball", "sphere")
@@ -72,7 +73,7 @@ def two_bodies(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> No
 def rim_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
     """The radius at which a round body touches; a half disk or half ring does so with its round side."""
     body = bodies[element["body"]]
-    own = round_size(body) or (body.shape.sizes["radius"] if body.shape.kind.startswith("half") else None)
+    own = round_size(body) or (body.shape.sizes["radius"] if body.shape.kind in PARTLY_ROUND else None)
     if element["rim"] is None and own is None:
         cure = "give it the shape disk, ring, ball, shell or annulus" + (
             "." if body.shape.kind == "particle" else ', or say at which radius it touches: rim = "R"'

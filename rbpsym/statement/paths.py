@@ -15,6 +15,7 @@ from rbpsym.quantities import LENGTH
 from rbpsym.statement.model import Body, Element, PointRef, Turn
 from rbpsym.statement.references import read_point
 from rbpsym.statement.scope import Scope, read_expression
+from rbpsym.statement.shapes import PARTLY_ROUND
 from rbpsym.statement.source import SourceItem, did_you_mean, kind_of
 
 SENSES = {"cw": -1, "ccw": 1}
@@ -91,7 +92,7 @@ def _round(
 
 def round_size(body: Body) -> Node | None:
     """The outer radius of a round body; None for a body that is not round."""
-    if "center" not in body.points or body.shape.kind.startswith("half"):
+    if "center" not in body.points or body.shape.kind in PARTLY_ROUND:
         return None
     return next((body.shape.sizes[key] for key in _SIZES if key in body.shape.sizes), None)
 

@@ -7,7 +7,7 @@ ranges stand from the outermost variable to the innermost. Text in `element`, `s
 
 from __future__ import annotations
 
-from rbpsym.quantities import DIMENSIONS, LENGTH
+from rbpsym.quantities import DIMENSIONS, LENGTH, NUMBER
 from rbpsym.statement.kinds import ElementText, Field, ShapeKind, registry
 
 
@@ -26,6 +26,16 @@ _CIRCLE = (("x", "radius*cos(phi)"), ("y", "radius*sin(phi)"), ("phi", "phi"))
 
 def _polar(inner: str, outer: str, turn: tuple[str, str, str]) -> ElementText:
     return ElementText((("r", inner, outer), turn), "r*cos(phi)", "r*sin(phi)", "r")
+
+
+_OPENING = Field("opening", "expression", "angle between its two ends, seen from the centre", NUMBER, sign="positive")
+_OPEN = ("phi", "-opening/2", "opening/2")
+_ARC_POINTS = (
+    *_CENTER,
+    ("middle", "radius", "0"),
+    ("upper", "radius*cos(opening/2)", "radius*sin(opening/2)"),
+    ("lower", "radius*cos(opening/2)", "-radius*sin(opening/2)"),
+)
 
 
 def _arc(turn: tuple[str, str, str]) -> ElementText:
@@ -165,6 +175,73 @@ SHAPES: dict[str, ShapeKind] = registry(
         density=_CIRCLE,
     ),
     ShapeKind(
+        "sector",
+        "a sector of a circular disk, the axis of the body halving its angle",
+        (_RADIUS, _OPENING),
+        element=_polar("0", "radius", _OPEN),
+        size="opening*radius**2/2",
+        points=_ARC_POINTS,
+        density=_POLAR,
+    ),
+    ShapeKind(
+        "arc",
+        "a thin wire along an arc of a circle, the axis of the body halving its angle",
+        (_RADIUS, _OPENING),
+        element=_arc(_OPEN),
+        size="opening*radius",
+        points=_ARC_POINTS,
+        density=_CIRCLE,
+    ),
+    ShapeKind(
+        "hemisphere",
+        "half a solid ball, its flat side along the axis of the body",
+        (_RADIUS,),
+        aliases=("half-ball",),
+        element=ElementText(
+            (("y", "0", "radius"), ("r", "0", "sqrt(radius**2 - y**2)"), _FULL_TURN), "r*cos(phi)", "y", "r", "volume"
+        ),
+        size="2*pi*radius**3/3",
+        points=_HALF_POINTS,
+    ),
+    ShapeKind(
+        "hemispherical-shell",
+        "half a thin spherical shell, its rim along the axis of the body",
+        (_RADIUS,),
+        aliases=("half-shell",),
+        element=ElementText((("y", "0", "radius"), _FULL_TURN), "sqrt(radius**2 - y**2)*cos(phi)", "y", "radius"),
+        size="2*pi*radius**2",
+        points=_HALF_POINTS,
+    ),
+    ShapeKind(
+        "ellipse",
+        "an elliptic plate",
+        (_size("half_width", "semi-axis along the axis"), _size("half_height", "semi-axis across the axis")),
+        element=ElementText(
+            (("r", "0", "1"), _FULL_TURN), "half_width*r*cos(phi)", "half_height*r*sin(phi)", "half_width*half_height*r"
+        ),
+        size="pi*half_width*half_height",
+        points=(
+            *_CENTER,
+            ("left", "-half_width", "0"),
+            ("right", "half_width", "0"),
+            ("bottom", "0", "-half_height"),
+            ("top", "0", "half_height"),
+        ),
+    ),
+    ShapeKind(
+        "polygon",
+        "a plate with straight edges, made of the triangles that its edges form with the origin of its frame",
+        (Field("vertices", "vertices", "its corners in its frame, three or more, counter-clockwise", LENGTH),),
+        element=ElementText(
+            (("u", "0", "1"), ("v", "0", "1")),
+            "u*(x_p + v*(x_q - x_p))",
+            "u*(y_p + v*(y_q - y_p))",
+            "u*(x_p*y_q - x_q*y_p)",
+        ),
+        size="(x_p*y_q - x_q*y_p)/2",
+        points=(("origin", "0", "0"),),
+    ),
+    ShapeKind(
         "composite",
         "parts joined to one rigid body, some of them cut out",
         (Field("parts", "parts", "its parts: shapes with sizes, at, angle, removed, and a mass each or none"),),
@@ -185,6 +262,8 @@ SHAPES: dict[str, ShapeKind] = registry(
         points=_CENTER,
     ),
 )
+
+PARTLY_ROUND = ("half-disk", "half-ring", "hemisphere", "hemispherical-shell")  # they roll on their round side
 
 DENSITY_DIMENSIONS = {
     "line": DIMENSIONS["linear density"],

@@ -7,13 +7,17 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from rbpsym.errors import StatementError
 from rbpsym.notation import tree
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.tree import ZERO, Fn, Node, Num, Sym, add, div, mul, neg
 from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import MassElement, Pair, PlacedShape, Range, Shape
+
+if TYPE_CHECKING:
+    from rbpsym.algebra.scalar import Scalar
 
 # --- names replaced by formulas in a tree, with the numbers of fractions put together
 
@@ -83,13 +87,15 @@ _VARIABLE_NAMES = {
     "y": ("y", "eta", "v"),
     "z": ("z", "zeta", "w"),
     "r": ("r", "rho", "q"),
+    "u": ("u", "xi", "p"),
+    "v": ("v", "eta", "q"),
     "phi": ("phi", "varphi", "chi"),
 }
 
 
 @dataclass(frozen=True)
 class Material:
-    """What fills a shape: a mass spread evenly, or the author's own density."""
+    """What fills a shape: a mass spread evenly, or the author's own density; with a mass this gives its proportions alone."""
 
     mass: Node | None = None
     density: Node | None = None
@@ -116,22 +122,34 @@ def _free_name(name: str, taken: Collection[str]) -> str:
 def shape_of(kind: ShapeKind, sizes: Mapping[str, Node], material: Material) -> Shape:
     """The shape of a kind with its sizes and its material."""
     variables = variables_of(kind, material.taken)
-    values = {**sizes, **variables}
-    elements = (_element(kind, values, material),) if kind.element else ()
+    is_even = kind.element is not None and material.density is None
+    share = quotient(material.mass, size_of(kind, sizes)) if is_even else None
+    found = (_element(kind, {**piece, **variables}, material, share) for piece in _pieces(sizes) if kind.element)
+    elements = tuple(element for element in found if element.measure != ZERO)
+    if None not in (material.mass, material.density):
+        elements = spread_of(elements, material.mass)
     points = {name: (put_in(_text(x), sizes), put_in(_text(y), sizes)) for name, x, y in kind.points}
     return Shape(kind.name, dict(sizes), elements, points, sizes.get("moment") if not kind.element else None)
 
 
 def size_of(kind: ShapeKind, sizes: Mapping[str, Node]) -> Node:
     """The length, area or volume of a shape."""
-    return put_in(_text(kind.size), sizes)
+    return add(*(put_in(_text(kind.size), piece) for piece in _pieces(sizes)))
 
 
-def _element(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> MassElement:
+def _pieces(sizes: Mapping[str, Node]) -> list[Mapping[str, Node]]:
+    """The sizes of each piece of which a shape consists: of a polygon, of each edge from (x_p, y_p) to (x_q, y_q)."""
+    count = sum(name.startswith("x_") for name in sizes)
+    ends = [(k, k % count + 1) for k in range(1, count + 1)]
+    named = [{f"{axis}_{end}": sizes[f"{axis}_{k}"] for axis in "xy" for end, k in zip("pq", pair, strict=True)} for pair in ends]
+    return named or [sizes]
+
+
+def _element(kind: ShapeKind, values: Mapping[str, Node], material: Material, share: Node | None) -> MassElement:
     element = kind.element
     x, y, measure = (put_in(_text(text), values) for text in (element.x, element.y, element.measure))
     ranges = tuple(_range(row, values) for row in element.ranges)
-    return MassElement(ranges, x, y, measure, _density(kind, values, material), element.kind)
+    return MassElement(ranges, x, y, measure, _density(kind, values, material, share), element.kind)
 
 
 def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
@@ -139,11 +157,39 @@ def _range(row: tuple[str, str, str], values: Mapping[str, Node]) -> Range:
     return Range(values[name].name, put_in(_text(lower), values), put_in(_text(upper), values))
 
 
-def _density(kind: ShapeKind, values: Mapping[str, Node], material: Material) -> Node:
+def _density(kind: ShapeKind, values: Mapping[str, Node], material: Material, share: Node | None) -> Node:
+    """The mass per length, area or volume: the same everywhere, or the author's own."""
     if material.density is None:
-        return quotient(material.mass, size_of(kind, values))
+        return share
     meanings = {name: put_in(_text(text), values) for name, text in kind.density}
     return put_in(material.density, meanings)
+
+
+def integrate_ranges(integrand: Scalar, element: MassElement) -> Scalar:
+    """The integral over the variables of the element, from the innermost outwards."""
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.algebra.integration import definite
+    from rbpsym.algebra.normal import tidy
+
+    for item in reversed(element.ranges):
+        found = definite(integrand, item.variable, scalar(item.lower), scalar(item.upper))
+        if found is None:
+            raise StatementError(
+                f"the mass of this density can't be integrated in closed form over {item.variable}",
+                instead="use a polynomial density, or the shape “given” with its moment of inertia.",
+            )
+        integrand = tidy(found)
+    return integrand
+
+
+def spread_of(elements: tuple[MassElement, ...], mass: Node) -> tuple[MassElement, ...]:
+    """The elements with densities in the same proportions, and this mass in all."""
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.algebra.present import present
+
+    amounts = (integrate_ranges(scalar(e.density) * scalar(e.measure), e) for e in elements)
+    share = scalar(mass) / sum(amounts, start=scalar(ZERO))
+    return tuple(replace(e, density=present(scalar(e.density) * share)) for e in elements)
 
 
 # --- composites

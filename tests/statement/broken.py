@@ -192,7 +192,7 @@ ROWS = [
     Broken("negative mass", 'mass   = "m"', 'mass   = "«-2*m»"', "must be nonnegative, but this is negative"),
     Broken("placed twice", 'start  = ["0", "0"]', 'start  = ["0", "0"]\n«center» = ["ell/2", "0"]', "placed twice"),
     Broken("angle of a particle", 'mass  = "m"', 'mass  = "m"\n«angle» = "theta"', "it has no angle"),
-    Broken("mass and density", 'mass   = "m"', '«mass»   = "m"\ndensity = "m/ell"', "both a mass and a density"),
+    Broken("density of no mass", 'mass   = "m"', 'mass   = "m"\n«density» = "ell - 2*s"', "is zero in all", "how it varies"),
     Broken("line without =", '"y = x*tan(beta)"', '«"y - x"»', "an equation with one “=”"),
     Broken("curve for a line", '"y = x*tan(beta)"', '«"y = x**2/ell"»', "is not a straight line"),
     Broken("line without x and y", '"y = x*tan(beta)"', '«"ell = R"»', "is not a straight line"),

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, sin
 
 import pytest
 from pytest import approx
 
-from rbpsym.quantities import DIMENSIONS, LENGTH
+from rbpsym.quantities import DIMENSIONS, LENGTH, NUMBER
 from rbpsym.statement import SHAPES, build, load_text
 from rbpsym.statement.model import Body
 from tests.statement.numeric import moments, value
 
 M, A, B, C = 3.0, 1.5, 2.5, 0.5
-VALUES = {"M": M, "a": A, "b": B, "c": C, "sigma": 2.0, "J": 7.0}
+PSI = 1.2
+VALUES = {"psi": PSI, "M": M, "a": A, "b": B, "c": C, "sigma": 2.0, "J": 7.0}
 
 # kind: sizes, centre of mass in the body frame, moment of inertia about it
 TEXTBOOK = {
@@ -32,9 +33,16 @@ TEXTBOOK = {
     ),
     "half-disk": ({"radius": "a"}, (0, 4 * A / (3 * pi)), M * A**2 * (1 / 2 - (4 / (3 * pi)) ** 2)),
     "half-ring": ({"radius": "a"}, (0, 2 * A / pi), M * A**2 * (1 - (2 / pi) ** 2)),
+    "sector": ({"radius": "a", "opening": "psi"}, (4 * A * sin(PSI / 2) / (3 * PSI), 0),
+               M * A**2 * (1 / 2 - (4 * sin(PSI / 2) / (3 * PSI)) ** 2)),
+    "arc": ({"radius": "a", "opening": "psi"}, (2 * A * sin(PSI / 2) / PSI, 0), M * A**2 * (1 - (2 * sin(PSI / 2) / PSI) ** 2)),
+    "hemisphere": ({"radius": "a"}, (0, 3 * A / 8), 83 * M * A**2 / 320),
+    "hemispherical-shell": ({"radius": "a"}, (0, A / 2), 5 * M * A**2 / 12),
+    "ellipse": ({"half_width": "a", "half_height": "b"}, (0, 0), M * (A**2 + B**2) / 4),
+    "polygon": ({"vertices": [["0", "0"], ["a", "0"], ["0", "b"]]}, (A / 3, B / 3), M * (A**2 + B**2) / 18),
     "composite": ({"parts": [build.disk("b"), build.disk("a", at=["c", "0"], removed=True)]}, None, None),
     "given": ({"moment": "J"}, (0, 0), 7.0),
-}
+}  # fmt: skip
 
 
 def body(shape: str, mass: str | None = "M", **keys: object) -> Body:
@@ -51,6 +59,7 @@ def body(shape: str, mass: str | None = "M", **keys: object) -> Body:
             "b": "length",
             "c": "length",
             "J": "moment of inertia",
+            "psi": "angle",
             "sigma": "surface density",
             "lam": "linear density",
         },
@@ -82,7 +91,7 @@ def test_points_lie_in_the_frame(kind: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in SHAPES if name != "composite"])
 def test_every_size_is_a_field_with_a_dimension(name: str) -> None:
-    assert all(field.dimension in (LENGTH, DIMENSIONS["moment of inertia"]) for field in SHAPES[name].fields)
+    assert all(field.dimension in (LENGTH, NUMBER, DIMENSIONS["moment of inertia"]) for field in SHAPES[name].fields)
 
 
 def test_disk_with_a_round_hole() -> None:

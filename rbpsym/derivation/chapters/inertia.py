@@ -223,7 +223,8 @@ def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
 def center_of_mass(draft: Draft, state: BodyState, shape: Shape, slot: BodyRef | PhraseRef) -> None:
     """Where the centre of mass is in the body, from the first moments of the mass."""
     moments, elements = mass_moments(shape, state.inertia), shape.elements
-    rows, part = [], "" if state.name in draft.study.system.bodies else f"_{state.name}"
+    is_only = draft.is_single and state.name in draft.study.system.bodies
+    rows, part = [], "" if is_only else f"_{state.name}"
     for axis, place, first in (("x", state.inertia.x, moments.x), ("y", state.inertia.y, moments.y)):
         if is_zero(first):
             continue

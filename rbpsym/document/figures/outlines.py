@@ -65,6 +65,22 @@ def half_circle(radius: float) -> tuple[Point, ...]:
     return tuple((radius * math.cos(turn), radius * math.sin(turn)) for turn in turns)
 
 
+def arc(radius: float, opening: float) -> tuple[Point, ...]:
+    """Points of an arc that the axis halves."""
+    turns = [opening * (n / 32 - 0.5) for n in range(33)]
+    return tuple((radius * math.cos(turn), radius * math.sin(turn)) for turn in turns)
+
+
+def ellipse(x: float, y: float) -> tuple[Point, ...]:
+    """Points of an ellipse with these semi-axes."""
+    return tuple((x * math.cos(n * math.pi / 32), y * math.sin(n * math.pi / 32)) for n in range(64))
+
+
+def corners(sizes: Sizes) -> tuple[Point, ...]:
+    """The corners (x_1, y_1), (x_2, y_2) ..."""
+    return tuple((x, sizes[f"y_{name[2:]}"]) for name, x in sizes.items() if name.startswith("x_"))
+
+
 OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
     "particle": lambda sizes: (Circle((0, 0), 0.0, "particle"),),
     "rod": rod,
@@ -77,6 +93,12 @@ OUTLINES: Mapping[str, Callable[[Sizes], Outline]] = {
     "triangle": triangle,
     "half-disk": lambda sizes: polygon(half_circle(sizes["radius"])),
     "half-ring": lambda sizes: band(half_circle(sizes["radius"])),
+    "sector": lambda sizes: polygon(((0.0, 0.0), *arc(sizes["radius"], sizes["opening"]))),
+    "arc": lambda sizes: band(arc(sizes["radius"], sizes["opening"])),
+    "hemisphere": lambda sizes: polygon(half_circle(sizes["radius"])),
+    "hemispherical-shell": lambda sizes: band(half_circle(sizes["radius"])),
+    "ellipse": lambda sizes: polygon(ellipse(sizes["half_width"], sizes["half_height"])),
+    "polygon": lambda sizes: polygon(corners(sizes)),
     "box": lambda sizes: polygon(box(sizes)),
     "given": lambda sizes: polygon(potato(sizes.get("size", 1.0))),
 }

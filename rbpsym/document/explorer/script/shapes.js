@@ -24,10 +24,18 @@ const OUTLINES = {
   triangle: (s) => [{ points: [[-s.base / 2, 0], [s.base / 2, 0], [s.offset || 0, s.height]], look: "body", closed: true }],
   "half-disk": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "body", closed: true }],
   "half-ring": (s) => [{ points: arc(s.radius, 0, Math.PI), look: "band" }],
+  sector: (s) => [{ points: [[0, 0], ...arc(s.radius, -s.opening / 2, s.opening / 2)], look: "body", closed: true }],
+  arc: (s) => [{ points: arc(s.radius, -s.opening / 2, s.opening / 2), look: "band" }],
+  ellipse: (s) => [{ points: arc(1, 0, TURN).map(([x, y]) => [x * s.half_width, y * s.half_height]), look: "body", closed: true }],
+  polygon: (s) => [{ points: corners(s), look: "body", closed: true }],
   given: () => [{ points: [[0, 0]], look: "blob" }],
 };
 OUTLINES.shell = OUTLINES.ring;
 OUTLINES.ball = OUTLINES.disk;
+OUTLINES.hemisphere = OUTLINES["half-disk"];
+OUTLINES["hemispherical-shell"] = OUTLINES["half-ring"];
+
+function corners(s) { return Object.keys(s).filter((key) => key.startsWith("x_")).map((key) => [s[key], s[`y_${key.slice(2)}`]]); }
 
 function box(x, y) { return [[-x, -y], [x, -y], [x, y], [-x, y]]; }
 
