@@ -64,6 +64,10 @@ def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 def _curve(element: Element, pose: DrawnPose, said: Words) -> Inlines:
     """What is touched: a line or a circle, fixed or of a body."""
+    if element.values.get("curve") is not None:
+        curve = element["curve"]
+        rows = [t.equation(t.Sym(axis), node) for axis, node in (("x", curve.x), ("y", curve.y)) if t.Sym(axis) != node]
+        return said.say("line.curve", lines=rows)
     if element.values.get("circle") is None:
         body = element.values.get("of")
         return said.the(str(body)) if body else line_in_words(element["line"], pose, said)

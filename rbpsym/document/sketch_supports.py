@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.figures import sketch as sk
 from rbpsym.document.pose import DrawnPose
-from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
@@ -156,18 +158,29 @@ def _hollow(pose: DrawnPose, element: Element, at: sk.Point) -> str:
 
 
 def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
-    """Each string as a line of points, with arcs round its pulleys."""
+    """Curves, and each string as a line of points, with arcs round its pulleys."""
     geometry = geometry_of(pose.study.system)
+    yield from (_bent(pose, element) for element in touching(pose) if element.values.get("curve") is not None)
     for element in pose.study.problem.of_kind("string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
         found: list[sk.Point] = []
-        for number, piece in enumerate(pieces):
+        for place, piece in enumerate(pieces):
             found += [pose.point(piece.start), pose.point(piece.end)]
-            if piece.second.sense and number + 1 < len(pieces):
+            if piece.second.sense and place + 1 < len(pieces):
                 middle, turn = pose.ref(piece.second.center), piece.second.sense
-                found += _round(found[-1], pose.point(pieces[number + 1].start), middle, turn)
+                found += _round(found[-1], pose.point(pieces[place + 1].start), middle, turn)
         kind = "link" if element.values.get("rigid") else "string"
         yield sk.SketchCord(tuple(found), element.values.get("length"), kind)
+
+
+def _bent(pose: DrawnPose, element: Element) -> sk.SketchCord:
+    """A curve on both sides of what it leads."""
+    curve = element["curve"]
+    here = pose.value(parameter(element, geometry_of(pose.study.system)))
+    reach = 1.3 * max(abs(here), pose.size / 2 if curve.axis else 1.0)
+    numbers = ({**pose.numbers, curve.name: reach * k / 24} for k in range(-24, 25))
+    places = [tuple(number(scalar(node), known) for node in (curve.x, curve.y)) for known in numbers]
+    return sk.SketchCord(tuple(places), None, "rail")
 
 
 def _round(start: sk.Point, end: sk.Point, middle: sk.Point, sense: int) -> list[sk.Point]:

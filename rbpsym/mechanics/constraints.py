@@ -12,7 +12,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import UNITY, Scalar, symbol
 from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.contacts import couples, holding_forces, meeting, meshing_force, normal_forces, taken
+from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair
 from rbpsym.mechanics.system import Force
 from rbpsym.statement.curves import toucher
@@ -120,6 +120,8 @@ def _touches(element: Element) -> tuple[Touch, ...]:
 
 
 def _curve_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
+    if element.values.get("curve") is not None:
+        return tuple((gap, "gap") for gap in curve_gaps(element, geometry))
     return () if "point" in element.values and _touches(element) else ((meeting(element, geometry).gap, "gap"),)
 
 

@@ -11,15 +11,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rbpsym.algebra.calculus import derivative, root, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, tidy
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra.vector import Vector, cartesian
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.geometry import Geometry, components, normal
+from rbpsym.mechanics.geometry import Geometry, below, components, normal
 from rbpsym.mechanics.system import Force, rotated
 from rbpsym.statement.curves import curve_body, toucher
-from rbpsym.statement.model import Element, PointRef
+from rbpsym.statement.model import Curve, Element, PointRef
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +53,8 @@ def rim_of(element: Element) -> Scalar:
 
 def meeting(element: Element, geometry: Geometry) -> Meeting:
     """How the two meet in the given poses."""
+    if element.values.get("curve") is not None:
+        return _on_curve(element, geometry)
     return (_on_circle if element.values.get("circle") is not None else _on_line)(element, geometry)
 
 
@@ -145,6 +148,37 @@ def _outside(element: Element, geometry: Geometry, middle: Vector) -> Scalar:
     apart = (geometry.center(body) if body else geometry.where(element["point"])) - middle
     radius = scalar(element["radius"])
     return apart.dot(apart) - radius * radius
+
+
+# --- curves
+
+
+def _on_curve(element: Element, geometry: Geometry) -> Meeting:
+    """The normal is the tangent turned to its left; the gap is along the other axis than that of the parameter."""
+    here, curve = geometry.where(element["point"]), element["curve"]
+    rates = [_there(derivative(scalar(node), curve.name), curve, here) for node in (curve.x, curve.y)]
+    factor = below(rates)  # a positive one, as that of a line
+    way = cartesian(*(rate * factor for rate in rates))
+    side = -1 if element.values.get("side") == "negative" else 1
+    up = way.turned() * (root(tidy(way.dot(way))).inverse() * side)
+    apart = curve_gaps(element, geometry)
+    return Meeting(here, up, apart[-1] if curve.axis == "x" else apart[0], toucher(element), None)
+
+
+def curve_gaps(element: Element, geometry: Geometry) -> tuple[Scalar, Scalar]:
+    """What vanishes where the point is on the curve, along x and y."""
+    here, curve = geometry.where(element["point"]), element["curve"]
+    return here.x - _there(scalar(curve.x), curve, here), here.y - _there(scalar(curve.y), curve, here)
+
+
+def parameter(element: Element, geometry: Geometry) -> Scalar:
+    """Where on its curve the point of a constraint is: the value of the curve's parameter."""
+    return _there(symbol(element["curve"].name), element["curve"], geometry.where(element["point"]))
+
+
+def _there(value: Scalar, curve: Curve, here: Vector) -> Scalar:
+    """A function of the curve's parameter at the point, for which an axis stands."""
+    return substitute(value, {curve.name: getattr(here, curve.axis)}) if curve.axis else value
 
 
 # --- forces

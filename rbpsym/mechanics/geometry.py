@@ -51,7 +51,7 @@ def components(line: Line) -> tuple[Scalar, Scalar, Scalar]:
     therefore taken between -90° and 90°.
     """
     parts = [scalar(part) for part in (line.a, line.b, line.c)]
-    factor = _below(parts[:2])
+    factor = below(parts[:2])
     a, b, c = (part * factor for part in parts)
     length = root(tidy(a * a + b * b))
     return a / length, b / length, c / length
@@ -63,14 +63,14 @@ def normal(line: Line) -> Vector:
     return cartesian(a, b)
 
 
-def _below(parts: list[Scalar]) -> Scalar:
+def below(parts: list[Scalar]) -> Scalar:
     """The product of all that stands below in the parts."""
-    below: dict[int, int] = {}
+    found: dict[int, int] = {}
     for part in parts:
         for m in part.num.terms:
             for index, exponent in m:
-                below[index] = max(below.get(index, 0), -exponent)
-    return Scalar(Poly({tuple(sorted((i, e) for i, e in below.items() if e)): 1}))
+                found[index] = max(found.get(index, 0), -exponent)
+    return Scalar(Poly({tuple(sorted((i, e) for i, e in found.items() if e)): 1}))
 
 
 TINY = 1e-9

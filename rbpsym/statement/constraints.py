@@ -30,6 +30,13 @@ _CURVE = (
         sign="nonnegative",
     ),
 )
+_BENT = Field(
+    "curve",
+    "curve",
+    "instead of a line: a smooth fixed curve, “y = x**2/(2*p)”, or two functions of a coordinate, [\"R*cos(q)\", \"b*sin(q)\"]; "
+    "its positive side is above it (to the left, as the coordinate grows)",
+    default="",
+)
 _FRICTION = Field("friction", "name", "name of the force of friction", default="f_{name}")
 _SLIDING = (
     Field(
@@ -105,14 +112,14 @@ CONSTRAINTS: dict[str, ElementKind] = registry(
     ),
     ElementKind(
         "contact",
-        "a point touches a line or a circle and may slide along it; the force is normal to the curve",
-        (_POINT, _LINE, _SIDE, *_CURVE, *_SLIDING),
+        "a point touches a line, a circle or a curve and may slide along it; the force is normal to the curve",
+        (_POINT, _LINE, _SIDE, *_CURVE, _BENT, *_SLIDING),
         unknowns=(_NORMAL,),
     ),
     ElementKind(
         "guide",
-        "a point is led by a smooth slot along a line or a circle; the force may push to both sides",
-        (Field("point", "point", "the point that is led"), _LINE, *_CURVE),
+        "a point is led by a smooth slot along a line, a circle or a curve; the force may push to both sides",
+        (Field("point", "point", "the point that is led"), _LINE, *_CURVE, _BENT),
         aliases=("slot",),
         unknowns=(_NORMAL,),
     ),

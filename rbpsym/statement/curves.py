@@ -11,7 +11,8 @@ from rbpsym.statement.premises import sign_of, surely_above
 from rbpsym.statement.scope import Scope
 from rbpsym.statement.shapes import PARTLY_ROUND
 
-_SIDES = {"line": ("auto", "positive", "negative"), "circle": ("auto", "outside", "inside")}
+_ALONG = ("auto", "positive", "negative")
+_SIDES = {"curve": _ALONG, "line": _ALONG, "circle": ("auto", "outside", "inside")}
 _SOLID = ("disk", "cylinder", "ball", "sphere")
 
 
@@ -26,20 +27,25 @@ def curve_body(element: Element) -> str | None:
     return circle.body if circle is not None else element["of"]
 
 
-def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
-    """A line or a circle, not both, and the words that go with it."""
-    circle = element.values.get("circle")
-    if (element["line"] is None) == (circle is None):
-        found = "touches nothing" if circle is None else "has both a line and a circle"
-        raise element.error(found, 'write line = "y = 0", or circle = "O" and radius = "R".')
-    what = "line" if circle is None else "circle"
+def one_curve(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A line, a circle or a curve, only one, and the words that go with it."""
+    found = [what for what in _SIDES if element.values.get(what) is not None]
+    if len(found) != 1:
+        fault = f"has both a {found[1]} and a {found[0]}" if found else "touches nothing"
+        raise element.error(fault, 'write line = "y = 0", or circle = "O" and radius = "R".')
+    [what] = found
     if element.values.get("side", "auto") not in _SIDES[what]:
         raise element.error(
             f"has the side “{element['side']}”, which a {what} hasn't",
             f"write one of: {', '.join(_SIDES[what])}.",
         )
-    if circle is not None and element["of"] is not None:
+    if what == "circle" and element["of"] is not None:
         raise element.error("has both “of” and a circle", 'write circle = "cylinder.center"; that names the body.')
+    if what == "curve" and element["of"] is not None:
+        raise element.error("has a curve that moves with a body", "only a fixed curve can be followed: leave “of” out.")
+    if what == "curve" and element.values.get("side") == "auto":
+        return element.with_values(side="positive")
+    return element
 
 
 def circle_size(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:

@@ -8,7 +8,15 @@ from dataclasses import dataclass
 from rbpsym.statement.kinds import ElementKind, Field, known_names
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import read_path
-from rbpsym.statement.references import GROUND, check_name, check_name_item, read_body, read_line, read_point
+from rbpsym.statement.references import (
+    GROUND,
+    check_name,
+    check_name_item,
+    read_body,
+    read_curve,
+    read_line,
+    read_point,
+)
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
@@ -103,6 +111,7 @@ _READERS: dict[str, _Reader] = {
     "point": lambda item, field, what, around: read_point(item, around.scope, around.bodies, what),
     "points": _points,
     "line": lambda item, field, what, around: read_line(item, around.scope, what),
+    "curve": lambda item, field, what, around: read_curve(item, around.scope, what),
     "body": lambda item, field, what, around: read_body(item, around.bodies, what),
     "two bodies": _two_bodies,
     "bodies": _bodies,

@@ -60,6 +60,17 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
+class Curve:
+    """The smooth fixed curve of the points (x, y), functions of `name`: of a coordinate, or of the `axis` "x" or "y"."""
+
+    label: str
+    x: Node
+    y: Node
+    name: str
+    axis: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Turn:
     """A place on the path of a string: a point (radius 0), or a circle that it runs round.
 

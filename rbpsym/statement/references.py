@@ -9,9 +9,9 @@ from collections.abc import Mapping
 
 from rbpsym.errors import StatementError
 from rbpsym.notation import tree
-from rbpsym.notation.tree import ONE, ZERO, Node, add, div, mul, neg
+from rbpsym.notation.tree import ONE, ZERO, Node, Sym, add, div, mul, neg
 from rbpsym.quantities import LENGTH
-from rbpsym.statement.model import Body, Line, PointRef
+from rbpsym.statement.model import Body, Curve, Line, PointRef
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of
 from rbpsym.statement.source import SourceItem, Table, did_you_mean, kind_of
 
@@ -73,6 +73,9 @@ class _NotLinear(Exception):
     """The expression is not of first degree in x and y."""
 
 
+_CURVE_EXAMPLE = 'write curve = "y = x**2/(2*p)", or curve = ["R*(q - sin(q))", "R*cos(q)"] with a coordinate q.'
+
+
 def read_line(item: SourceItem, scope: Scope, what: str) -> Line:
     """The line a x + b y = c of an equation “left = right”; its normal is that of left - right."""
     text = text_of(item, what)
@@ -85,6 +88,24 @@ def read_line(item: SourceItem, scope: Scope, what: str) -> Line:
         return _line(text.strip(), *sides)
     except _NotLinear:
         raise item.error(f"{what}: “{text}” is not a straight line", _EXAMPLE) from None
+
+
+def read_curve(item: SourceItem, scope: Scope, what: str) -> Curve:
+    """The curve of “y = f(x)”, of “x = f(y)”, or of a pair of functions of one coordinate."""
+    if isinstance(item.value, (list, tuple)):
+        x, y = read_pair(item, scope, what, LENGTH, "coordinates")
+        found = sorted((tree.names(x) | tree.names(y)) & set(scope.coordinates))
+        if len(found) != 1:
+            raise item.error(f"{what} must be functions of one coordinate, not of {len(found)}", _CURVE_EXAMPLE)
+        return Curve("", x, y, found[0])
+    text = text_of(item, what)
+    left, sign, right = text.partition("=")
+    axis = {"y": "x", "x": "y"}.get(left.strip())
+    if axis is None or not sign or "=" in right:
+        raise item.error(f"{what} must be “y = ...” or “x = ...”, not “{text}”", _CURVE_EXAMPLE)
+    height = _read(item, right, scope.with_variables({axis: LENGTH}), what, len(left) + 1)
+    x, y = (Sym("x"), height) if axis == "x" else (height, Sym("y"))
+    return Curve(text.strip(), x, y, axis, axis)
 
 
 def _read(item: SourceItem, text: str, scope: Scope, what: str, shift: int) -> Node:

@@ -13,7 +13,11 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from rbpsym.errors import NotApplicable
+from rbpsym.notation import tree
+from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import runs, tensions
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
@@ -32,6 +36,8 @@ from rbpsym.verify.simulation_joints import (
 )
 
 STEP = 1e-30
+H = 1e-3  # of differences of fourth order
+NEWTON = 8
 Complex = list[complex]
 Point = tuple[complex, complex]
 GROUND_SPOT = Spot(-1, 0.0, 0.0)
@@ -121,7 +127,70 @@ def _touching(element: Element, mechanism: Mechanism) -> tuple[Spot, float]:
 
 def curve(element: Element, mechanism: Mechanism, start: State) -> Curve:
     """The curve of a contact."""
+    if element.values.get("curve") is not None:
+        return _bent(element, mechanism, start)
     return (_circle if element.values.get("circle") is not None else _line)(element, mechanism, start)
+
+
+def _bent(element: Element, mechanism: Mechanism, start: State) -> Curve:
+    """A curve by its parameter: an axis, or what is nearest to the point, followed from where the point starts."""
+    touching, bend = mechanism.spot(element["point"]), element["curve"]
+    side = -1 if element.values.get("side") == "negative" else 1
+
+    def at(u: complex) -> complex:
+        """The place, its y as what j would be in a second complex plane: a pair."""
+        values = {**mechanism.numbers, bend.name: u}
+        return np.array([complex_value(node, values) for node in (bend.x, bend.y)])
+
+    def along(u: complex) -> np.ndarray:
+        return (8 * (at(u + H) - at(u - H)) - at(u + 2 * H) + at(u - 2 * H)) / (12 * H)
+
+    def apart(where: Complex, u: complex) -> np.ndarray:
+        return np.array(spot_at(touching, where)) - at(u)
+
+    first = list(map(complex, start))
+    last = [min(np.linspace(-8.0, 8.0, 1601), key=lambda u: np.nan_to_num(np.linalg.norm(apart(first, u)), nan=np.inf))]
+
+    def parameter(where: Complex) -> complex:
+        if bend.axis:
+            return spot_at(touching, where)["xy".index(bend.axis)]
+        u = complex(last[0])
+        for _ in range(NEWTON):
+            way = along(u)
+            u += way.dot(apart(where, u)) / way.dot(way)
+        last[0] = u.real
+        return u
+
+    def normal(where: Complex) -> Point:
+        x, y = along(parameter(where))
+        length = cmath.sqrt(x * x + y * y)
+        return -side * y / length, side * x / length
+
+    def gap(where: Complex) -> complex:
+        (x, y), (nx, ny) = apart(where, parameter(where)), normal(where)
+        return x * nx + y * ny
+
+    return Curve(gap, normal, touching, 0.0, -1)
+
+
+RULES: Mapping[type, Callable[[Node, list[complex]], complex]] = {
+    tree.Add: lambda node, parts: sum(parts),
+    tree.Neg: lambda node, parts: -parts[0],
+    tree.Mul: lambda node, parts: math.prod(parts),
+    tree.Div: lambda node, parts: parts[0] / parts[1],
+    tree.Pow: lambda node, parts: parts[0] ** (parts[1].real if not parts[1].imag else parts[1]),
+    tree.Sqrt: lambda node, parts: cmath.sqrt(parts[0]),
+    tree.Group: lambda node, parts: parts[0],
+    tree.Num: lambda node, parts: complex(node.value),
+    tree.Fn: lambda node, parts: (cmath.log if node.name == "ln" else getattr(cmath, node.name))(parts[0]),
+}
+
+
+def complex_value(node: Node, values: Mapping[str, complex]) -> complex:
+    """The value of a tree at complex numbers."""
+    if isinstance(node, tree.Sym):
+        return complex(cmath.pi if node.name == "pi" else values[node.name])
+    return RULES[type(node)](node, [complex_value(part, values) for part in tree.children(node)])
 
 
 def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:

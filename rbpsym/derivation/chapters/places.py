@@ -21,6 +21,7 @@ from rbpsym.mechanics.placing import locator, open_names, poses
 from rbpsym.mechanics.system import BodyState, Pose, System, at_point
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, Element, PointRef
+from rbpsym.statement.solids import put_in
 
 Pair = tuple[t.Node, t.Node]
 
@@ -77,6 +78,11 @@ def distance_rows(draft: Draft, element: Element) -> list[t.Node]:
         return [] if element["length"] is None or None in ends else [_apart(*ends, element["length"])]
     if element.values.get("circle") is not None:
         return _from_circle(draft, element)
+    if element.values.get("curve") is not None:
+        at, curve = coordinates_of(draft, element["point"]), element["curve"]
+        there = {curve.name: dict(zip("xy", at, strict=True))[curve.axis]} if at and curve.axis else {}
+        rows = zip(at or (), (put_in(node, there) for node in (curve.x, curve.y)), strict=False)
+        return [t.equation(a, b) for a, b in rows if a != b]
     if element.values.get("rim") is not None and element["of"] is None:
         return _from_line(draft, element)
     return []

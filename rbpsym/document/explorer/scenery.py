@@ -10,11 +10,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.document.pose import touched_radii
-from rbpsym.mechanics.contacts import meeting
+from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair
 from rbpsym.mechanics.strings import segments
@@ -155,11 +156,23 @@ def links(seen: SeenStudy) -> Iterator[Part]:
 
 
 def cords(seen: SeenStudy) -> Iterator[Part]:
-    """The straight pieces of each string, and the circles round which it runs between them."""
+    """Curves; the straight pieces of each string, and the circles round which it runs between them."""
+    for element in seen.study.problem.of_kind("guide", "contact"):
+        if element["curve"] is not None:
+            yield from bent(seen, element)
     for element in seen.study.problem.of_kind("string"):
         for run in runs(element["path"]):
             for piece in segments(run, seen.geometry):
                 yield {"ends": [seen.at(piece.start), seen.at(piece.end)], "turn": turn(seen, piece.second)}
+
+
+def bent(seen: SeenStudy, element: Element) -> Iterator[Part]:
+    """A curve in straight pieces, a little farther to both sides than where the point starts."""
+    curve, start = element["curve"], seen.study.system.scope.start
+    begin = substitute(parameter(element, seen.geometry), start)
+    images = ({curve.name: begin * k / 10} for k in range(-12, 13))
+    places = [seen.at(pair((curve.x, curve.y)).substitute(image)) for image in images]
+    yield from ({"ends": [one, other], "turn": None} for one, other in zip(places, places[1:], strict=False))
 
 
 def turn(seen: SeenStudy, found) -> Part | None:

@@ -140,7 +140,8 @@ def draw_cord(cord: sk.SketchCord, sketch: sk.Sketch) -> s.Scene:
     """A string; its length, if it has one, beside its middle."""
     middle = marks.between(cord.points[0], cord.points[1], 0.5)
     aside = s.direction(cord.points[0], cord.points[1]) + dimensions.UP
-    return s.Scene((s.Line(cord.points, "cord"),), dimensions.labelled(cord.label, middle, aside))
+    line = s.Line(cord.points, "rail" if cord.kind == "rail" else "cord")
+    return s.Scene((line,), dimensions.labelled(cord.label, middle, aside))
 
 
 def draw_arrow(arrow: sk.SketchArrow, sketch: sk.Sketch) -> s.Scene:

@@ -93,7 +93,7 @@ class SketchCircle:
 
 @dataclass(frozen=True, slots=True)
 class SketchCord:
-    """What runs through points (arcs round pulleys come as many points): kind "string" or "link"."""
+    """What runs through points (arcs round pulleys come as many points): kind "string", "link" or "rail"."""
 
     points: tuple[Point, ...]
     label: Caption = None
