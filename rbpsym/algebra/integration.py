@@ -1,4 +1,4 @@
-"""Antiderivatives of polynomials in a variable, its sines and cosines.
+"""Antiderivatives of polynomials in a variable, its sines and cosines, and of exponentials.
 
 `antiderivative` returns None where the integrand is outside the class; what it returns is
 proved by the caller (differentiate, compare). The form is the one a textbook finds: an odd
@@ -45,15 +45,20 @@ def antiderivative(value: Scalar, name: str) -> Scalar | None:
 
 def _monomial(m: Monomial, name: str) -> Scalar | None:
     """An antiderivative of variable^n × sines and cosines of it."""
-    power, angles = 0, {}
+    power, angles, growths = 0, {}, []
     for index, exponent in m:
         found = atoms.atom(index)
         if found.kind == "symbol":
             power = exponent
         elif found.kind in ("cos", "sin") and _rate(found.arg, name):
             angles.setdefault(found.arg, [0, 0])[found.kind == "sin"] += exponent
+        elif found.kind == "exp" and isinstance(found.arg, Scalar | Poly) and _rate(found.arg, name):
+            growths.append(_rate(found.arg, name) * exponent)
         else:
             return None
+    if growths:
+        growth = sum(growths, NOTHING)
+        return Scalar(Poly({m: 1})) / growth if growth and not (power or angles) else None
     if not angles:
         return _power(power, name)
     if power == 0 and len(angles) == 1:
@@ -65,7 +70,7 @@ def _monomial(m: Monomial, name: str) -> Scalar | None:
 
 def _rate(angle: Poly, name: str) -> Scalar | None:
     """d(angle)/d(variable) if constant, else None."""
-    rate = derivative(Scalar(angle), name)
+    rate = derivative(angle if isinstance(angle, Scalar) else Scalar(angle), name)
     return None if depends_on(rate, name) else rate
 
 

@@ -45,6 +45,8 @@ FUNCTIONS: Mapping[str, Callable[[Series], Series]] = {
     "cos": lambda a: Series(function("cos", a.value), -a.slope * function("sin", a.value)),
     "sin": lambda a: Series(function("sin", a.value), a.slope * function("cos", a.value)),
     "atan": lambda a: Series(function("atan", a.value), a.slope / (UNITY + a.value * a.value)),
+    "exp": lambda a: Series(function("exp", a.value), a.slope * function("exp", a.value)),
+    "ln": lambda a: Series(function("ln", a.value), a.slope / a.value),
     "root": _root,
 }
 

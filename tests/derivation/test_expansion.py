@@ -13,7 +13,7 @@ AT, STEP = {"x": 0.7, "y": 1.3}, 1e-6
 IMAGES = {"x": Series(symbol("x"), lift(1)), "y": Series(symbol("y"), lift(-2))}
 VALUES = (
     "x*y", "x**3*y", "x/y", "1/(x + y)**3", "x**-2*y", "cos(x*y)", "sin(2*x - y)*y", "atan(x/y)", "sqrt(x**2 + y)", "exp(2)*x",
-    "sqrt(x)/(1 + cos(y))", "(x - y)**4", "1/y**3",
+    "exp(x*y)", "ln(x/y)", "sqrt(x)/(1 + cos(y))", "(x - y)**4", "1/y**3",
 )  # fmt: skip
 
 
@@ -32,7 +32,7 @@ def test_powers_of_a_series(power):
     assert (found.value, found.slope) == (lift(3) ** power, 5 * power * lift(3) ** (power - 1))
 
 
-@pytest.mark.parametrize("text", ["exp(x)", "ln(x)", "asin(x)"])
+@pytest.mark.parametrize("text", ["asin(x)", "acos(x)"])
 def test_what_has_no_rule_is_not_expanded(text):
     with pytest.raises(Undecided):
         expanded(scalar(read_infix(text, ("x",))), IMAGES)
