@@ -86,6 +86,8 @@ def _left(context: Context, step: Step) -> Scalar:
         return _course(context, _of(context, phase.subject))[0] - scalar(phase.value)
     if phase.event == "rests":
         return _course(context, _of(context, phase.subject))[1]
+    if phase.event == "time":
+        return symbol("t") - scalar(phase.value)
     slip = slip_at(system, system.element(phase.subject))
     return context.start(slip) + context.on_motion(time_derivative(slip, system.scope)) * symbol("t")
 

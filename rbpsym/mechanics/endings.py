@@ -143,6 +143,11 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
     return _met(study, phase, name, "comes to rest", study.squares[name])
 
 
+def time_gone(study: Study, phase: Phase) -> State:
+    """The state after a stated time."""
+    return _after(study, phase, at_start(study), scalar(phase.value), [Demand(scalar(phase.value))])
+
+
 def uniform_motion(study: Study, time: Scalar) -> State:
     """All coordinates and speeds at a time after the start. Raises NotApplicable where the accelerations are not constant."""
     return _after(study, Phase("", "at once", None, (), study.problem), at_start(study), time, ())
@@ -163,6 +168,8 @@ ENDINGS = {
     "slips": grip_ends,
     "lost": contact_lost,
     "reaches": value_reached,
+    "rests": comes_to_rest,
+    "time": time_gone,
 }
 
 

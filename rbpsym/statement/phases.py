@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.notation.tree import ONE, Node
-from rbpsym.quantities import DIMENSIONS, NUMBER
+from rbpsym.quantities import DIMENSIONS, NUMBER, TIME
 from rbpsym.statement.constraints import CONSTRAINTS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
@@ -33,6 +33,8 @@ EVENTS: dict[str, str] = {
     "slips": "the constraint “of”, which static friction with a limit holds, begins to slip: |f| reaches μN",
     "lost": "the contact “of” is lost: its normal force reaches zero",
     "reaches": "the coordinate “of” reaches the value “at”",
+    "rests": "the coordinate “of” comes to rest: its speed vanishes",
+    "time": "the time “at” has gone since the phase before began",
 }
 
 IMPULSES: dict[str, ElementKind] = registry(
@@ -59,8 +61,8 @@ IMPULSES: dict[str, ElementKind] = registry(
 PHASE_KEYS = {
     "name": "what the phase is called",
     "event": "what ends the phase before: " + ", ".join(EVENTS),
-    "of": "the constraint that the event is about, or the coordinate that reaches a value",
-    "at": "the value that the coordinate reaches",
+    "of": "the constraint that the event is about, or the coordinate that reaches a value or rests",
+    "at": "the value that the coordinate reaches, or the time that goes",
     "constraints": "constraints that are new or change",
     "without": "names of constraints that hold no more",
     "impulses": "blows and collisions at the moment of the event",
@@ -100,9 +102,12 @@ def _event(row: Table, name: str, current: Mapping[str, object], around: Surroun
     if event == "at once":
         _needless(row, name, event, ("of", "at"))
         return event, None
+    if event == "time":
+        _needless(row, name, event, ("of",))
+        return event, None
     row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
     subject = row.string("of")
-    known, what = (around.scope.coordinates, "coordinate") if event == "reaches" else (current, "constraint")
+    known, what = (around.scope.coordinates, "coordinate") if event in ("reaches", "rests") else (current, "constraint")
     if subject not in known:
         raise row.value_error(
             "of", f"the phase “{name}”: there is no {what} “{subject}”", did_you_mean(subject, known, f"{what}s")
@@ -111,7 +116,10 @@ def _event(row: Table, name: str, current: Mapping[str, object], around: Surroun
 
 
 def _value(row: Table, name: str, event: str, subject: str | None, around: Surroundings) -> Node | None:
-    """The value that a coordinate reaches."""
+    """The value that a coordinate reaches, or the time that goes."""
+    if event == "time":
+        row.require("at", f"the phase “{name}”", 'add at = "t_1": the time that goes.')
+        return read_expression(row.item("at"), around.scope, f"“at” of the phase “{name}”", TIME, sign="positive")
     if event != "reaches":
         _needless(row, name, event, ("at",))
         return None

@@ -124,7 +124,11 @@ def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float],
         return _End(0.0, start.where, start.speed)
     if _is_idle(bench, start):
         start = _on_the_way(bench, study, derived)
-    return _seen(bench, start, WATCHES[phase.event](bench, phase, start))
+    if phase.event == "time":
+        end = bench.placement.mechanism.number(phase.value)
+        return _seen(bench, start, lambda time, where, speed: time - end)
+    watch = WATCHES[phase.event](bench, phase, start)
+    return _seen(bench, start, lambda time, where, speed: watch(where, speed))
 
 
 def _is_idle(bench: Bench, start) -> bool:
@@ -143,10 +147,10 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]):
     return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
 
 
-def _seen(bench: Bench, start, watch: Watch) -> _End:
+def _seen(bench: Bench, start, watch: Callable[[float, np.ndarray, np.ndarray], float]) -> _End:
     """The first change of sign along the motion."""
     size, step = bench.equations.size, bench.usual_time(start)
-    event = integration.Event(lambda time, state: watch(state[:size], state[size : 2 * size]))
+    event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
     first = np.concatenate([start.where, start.speed, [0.0]])
     path = integration.followed(bench.rate(), first, LONGEST * step, events=(event,), longest=step / 10)
     if not path.seen[0]:
@@ -188,11 +192,22 @@ def _watch_value(bench: Bench, phase: Phase, start) -> Watch:
     return ahead
 
 
+def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
+    place, near = bench.placement.names.index(phase.subject), [start.q]
+
+    def left(where: np.ndarray, speed: np.ndarray) -> float:
+        near[0] = bench.placement.coordinates(where.tolist(), near[0])
+        return float(bench.placement.speeds(near[0], where.tolist(), speed.tolist())[place])
+
+    return left
+
+
 WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
     "no slip": _watch_slip,
     "slips": _watch_grip,
     "lost": _watch_push,
     "reaches": _watch_value,
+    "rests": _watch_speed,
 }
 
 

@@ -100,7 +100,7 @@ def _moment(draft: Draft, ending: Ending) -> None:
         "moment",
         "event_time",
         t.equation(letter, draft.show(time, factor=True)),
-        f"phases.moment.{'slip' if ending.phase.event == 'no slip' else 'value'}",
+        f"phases.moment.{MOMENTS[ending.phase.event]}",
         premises=draft.those("slip.speed", "slip.rate"),
         letter=letter,
         coordinate=t.Sym(ending.phase.subject or ""),
@@ -132,7 +132,8 @@ def _place(draft: Draft, ending: Ending) -> None:
     )
 
 
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "rest"}
+MOMENTS = {"no slip": "slip", "reaches": "value", "takes": "value", "rests": "rest", "time": "time"}
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "turn"}
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:

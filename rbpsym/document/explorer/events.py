@@ -37,8 +37,8 @@ Event = dict[str, Any]
 def events(study: Study, goal: tuple[str, Scalar] | None) -> Iterator[Event]:
     """What ends the phase, with the scalar that is positive until then (one that reaches zero from either side)."""
     if goal is not None:
-        name, value = goal
-        yield {"kind": "reaches", "name": name, "value": symbol(name) - value}
+        name, left = goal
+        yield {"kind": "reaches", "name": name, "value": left}
     for element in study.problem.constraints:
         for name in pushes(element):
             kind = "slack" if element.kind == "string" else "lost"

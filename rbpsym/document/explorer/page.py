@@ -25,6 +25,7 @@ from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
+from rbpsym.mechanics.state import of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -137,13 +138,16 @@ def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     if k + 1 == len(parts):
         return LAST
     ending = problem.phases[k]
-    goal = (ending.subject, scalar(ending.value)) if ending.event == "reaches" else None
+    goal = None
+    if ending.event in ("reaches", "rests"):
+        place, speed = of_coordinate(parts[k].study, ending.subject)
+        goal = ending.subject, speed if ending.event == "rests" else place - scalar(ending.value)
     names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
     return PhaseEnding(parts[k + 1].began.before.time, names_of, goal)
 
 
 # event that begins a phase -> events of the explorer that end the phase before
-KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",)}
+KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",), "rests": ("reaches",)}
 
 
 def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:

@@ -1,0 +1,85 @@
+"""Phases that begin when a speed vanishes or a time is reached: their state, and what is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.ask.asking import ask
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.phases import stages
+from rbpsym.statement.loader import load_text
+from rbpsym.statement.model import Problem
+
+
+def thrown(phase: str, gravity: str = "-1") -> Problem:
+    """A ball thrown up, or down."""
+    return load_text(
+        f"""
+[parameters]
+m = "mass: m"
+g = "acceleration: g"
+v_0 = "speed: v"
+T = "time: T"
+[coordinates.y]
+dimension = "length"
+start = "0"
+speed = "v_0"
+[bodies.ball]
+shape = "particle"
+mass = "m"
+center = ["0", "y"]
+[interactions.W]
+type = "gravity"
+direction = ["0", "{gravity}"]
+[constraints.N]
+type = "guide"
+point = "ball.center"
+line = "x = 0"
+[[phases]]
+name = "next"
+{phase}
+""",
+        name="thrown",
+    )
+
+
+ASKED = [
+    ("event = 'rests'\nof = 'y'", "y when next begins", "v_0**2/(2*g)"),
+    ("event = 'rests'\nof = 'y'", "time until next", "v_0/g"),
+    ("event = 'rests'\nof = 'y'", "speed of y when next begins", "0"),
+    ("event = 'time'\nat = 'T'", "speed of y when next begins", "v_0 - g*T"),
+    ("event = 'time'\nat = 'T'", "time until next", "T"),
+]
+
+
+@pytest.mark.parametrize(("phase", "question", "expected"), ASKED)
+def test_how_a_phase_begins(phase: str, question: str, expected: str) -> None:
+    from rbpsym.algebra.evaluate import scalar
+    from rbpsym.algebra.normal import is_zero
+    from rbpsym.notation.infix import read_infix
+
+    [found] = ask(thrown(phase), question)
+    assert is_zero(found.value - scalar(read_infix(expected, ("v_0", "g", "T")))), found.text
+    assert found.verdict.is_proved
+
+
+WRONG = [
+    ("event = 'rests'", "has no “of”|of"),
+    ("event = 'rests'\nof = 'x'", "there is no coordinate “x”"),
+    ("event = 'rests'\nof = 'y'\nat = '0'", "asks for no “at”"),
+    ("event = 'time'", "at"),
+    ("event = 'time'\nat = 'v_0'", "must be a time"),
+    ("event = 'time'\nat = '-T'", "positive|negative"),
+    ("event = 'time'\nat = 'T'\nof = 'y'", "asks for no “of”"),
+]
+
+
+@pytest.mark.parametrize(("phase", "told"), WRONG)
+def test_wrong_events_get_a_sentence(phase: str, told: str) -> None:
+    with pytest.raises(RbpsymError, match=told):
+        thrown(phase)
+
+
+def test_what_never_rests_is_said() -> None:
+    with pytest.raises(RbpsymError, match="never reached"):
+        stages(thrown("event = 'rests'\nof = 'y'", gravity="1"))
