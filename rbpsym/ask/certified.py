@@ -122,7 +122,7 @@ def _spread(draft: Draft, found: Found) -> None:
     world, (name, about) = ProblemWorld(found.study), found.about
     names = tuple(state.name for state in world.bodies(name))
     if about is not None:
-        moments.about(draft, names, about.rpartition(".")[2], world.place(about, name))
+        moments.about(draft, names, about, world.place(about, name))
         return
     for each in names:
         if len(found.values) > 1:

@@ -131,7 +131,8 @@ def _shape(body: Body, said: Words) -> Inlines:
 def _part(part: PlacedShape, said: Words) -> Inlines:
     """A part of a composite by its shape and sizes."""
     key = f"part.{part.shape.kind}"
-    return said.say(key, **part.shape.sizes) if said.has(key) else ()
+    found = said.say(key, **part.shape.sizes) if said.has(key) else ()
+    return found if part.count is None else said.say("shape.repeated", often=part.count, part=found)
 
 
 def _freedom(derivation: Derivation, said: Words) -> Inlines:

@@ -15,8 +15,8 @@ from rbpsym.document.sketch_actions import arrows
 from rbpsym.document.sketch_angles import angles
 from rbpsym.document.sketch_forces import couples, forces
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Body, Shape
-from rbpsym.statement.solids import leaves
+from rbpsym.statement.model import Body, PlacedShape, Shape
+from rbpsym.statement.solids import copies, leaves
 
 
 def sketch_of(derivation: Derivation) -> Sketch:
@@ -81,9 +81,13 @@ def _sizes(pose: DrawnPose, shape: Shape) -> dict[str, float]:
 
 
 def _parts(pose: DrawnPose, shape: Shape) -> Iterator[SketchPart]:
-    for part in leaves(shape):
+    for part in (one for leaf in leaves(shape) for one in copies(leaf, _often(pose, leaf))):
         at = (pose.node(part.at[0]), pose.node(part.at[1]))
         yield SketchPart(part.shape.kind, _sizes(pose, part.shape), at, pose.node(part.angle), part.removed)
+
+
+def _often(pose: DrawnPose, part: PlacedShape) -> int:
+    return 1 if part.count is None else max(2, round(pose.node(part.count)))
 
 
 def _names(derivation: Derivation) -> dict[tuple[str, str], t.Node]:

@@ -104,7 +104,10 @@ def _piece(part: PlacedShape) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     angle, sign = scalar(part.angle), -1 if part.removed else 1
     x = scalar(part.at[0]) + own.x * cosine(angle) - own.y * sine(angle)
     y = scalar(part.at[1]) + own.x * sine(angle) + own.y * cosine(angle)
-    return own.mass * sign, x, y, (own.moment + own.mass * (x * x + y * y)) * sign
+    second = own.moment + own.mass * (x * x + y * y)
+    if part.count is not None:  # all round the origin, which is their common centre
+        return own.mass * sign * scalar(part.count), NOTHING, NOTHING, second * sign * scalar(part.count)
+    return own.mass * sign, x, y, second * sign
 
 
 def variables(element: MassElement) -> tuple[Scalar, ...]:

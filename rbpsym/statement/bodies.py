@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from rbpsym.notation.tree import ONE, ZERO, Fn, Node, add, mul, neg
+from rbpsym.notation.tree import ONE, ZERO, Fn, Node, Num, add, mul, neg
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
@@ -14,11 +14,11 @@ from rbpsym.statement.premises import contradicts
 from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
-from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass
+from rbpsym.statement.solids import Material, compose, shape_of, shares, size_of, total_mass, weight
 from rbpsym.statement.source import SourceItem, Table
 
 _BODY_KEYS = ("shape", "mass", "angle", "points", "meaning")
-_PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name")
+_PART_KEYS = ("shape", "mass", "at", "angle", "removed", "name", "repeat")
 VARIABLE_DIMENSIONS = {"s": LENGTH, "x": LENGTH, "y": LENGTH, "r": LENGTH, "phi": NUMBER}
 
 
@@ -188,6 +188,7 @@ class _Part:
     kind: ShapeKind
     where: str
     removed: bool
+    count: Node | None
 
     @property
     def has_mass(self) -> bool:
@@ -195,7 +196,7 @@ class _Part:
 
 
 def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | None]:
-    parts = [_part(row, i, where) for i, row in enumerate(table.rows("parts", f"“parts” of {where}"), 1)]
+    parts = [_part(row, i, scope, where) for i, row in enumerate(table.rows("parts", f"“parts” of {where}"), 1)]
     if not parts:
         raise table.error(f"{where} is a composite without parts", 'add parts = [{ shape = "rod", ... }, ...]')
     if all(part.removed for part in parts):
@@ -208,12 +209,24 @@ def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | No
     return compose(placed), mass
 
 
-def _part(table: Table, number: int, where: str) -> _Part:
+def _part(table: Table, number: int, scope: Scope, where: str) -> _Part:
     kind = kind_of_element(table, SHAPES, "shape")
     part = table.string("name") or f"part {number}"
     label = f"{part} of {where}"
     table.check_keys([*_PART_KEYS, *_kind_keys(kind)], label)
-    return _Part(table, kind, label, table.flag("removed"))
+    return _Part(table, kind, label, table.flag("removed"), _count(table, kind, scope, label))
+
+
+def _count(table: Table, kind: ShapeKind, scope: Scope, where: str) -> Node | None:
+    """How often a part is there, turned by equal angles about the origin of the composite."""
+    if "repeat" not in table:
+        return None
+    count = read_expression(table.item("repeat"), scope, f"“repeat” of {where}", NUMBER, sign="positive")
+    if isinstance(count, Num) and count.value < 2:
+        raise table.error(f"{where} is repeated less than twice", "leave “repeat” out.", "repeat")
+    if kind.name == "composite":
+        raise table.error(f"{where} is a composite, and is repeated", "repeat its parts instead.", "repeat")
+    return count
 
 
 def _masses(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[Node | None]:
@@ -243,8 +256,9 @@ def _shared(table: Table, parts: list[_Part], scope: Scope, where: str) -> list[
                 f"{where}: a {parts[0].kind.name} and a {part.kind.name} have no common density",
                 "give each part a mass of its own.",
             )
-    sizes = [(size_of(part.kind, _sizes(part.table, part.kind, scope, part.where)), part.removed) for part in parts]
-    _check_extent(add(*(neg(size) if removed else size for size, removed in sizes)), table, scope, where)
+    sizes = [(size_of(part.kind, _sizes(part.table, part.kind, scope, part.where)), weight(part.removed, part.count))
+             for part in parts]  # fmt: skip
+    _check_extent(add(*(mul(times, size) for size, times in sizes)), table, scope, where)
     return shares(_mass(table, scope, where), sizes)
 
 
@@ -255,4 +269,4 @@ def _placed_part(part: _Part, mass: Node | None, scope: Scope) -> PlacedShape:
         shape, mass = _simple(part.table, part.kind, scope, part.where, mass)
     at = read_pair(part.table.item("at", ["0", "0"]), replace(scope, points={}), f"“at” of {part.where}")
     angle = read_expression(part.table.item("angle", "0"), scope, f"“angle” of {part.where}", NUMBER)
-    return PlacedShape(shape, mass, at, angle, part.removed, part.table.string("name"))
+    return PlacedShape(shape, mass, at, angle, part.removed, part.table.string("name"), part.count)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rbpsym.errors import Place, StatementError
-from rbpsym.notation.tree import Node
+from rbpsym.notation.tree import ZERO, Node
 from rbpsym.quantities import TIME, Dimension, Quantity
 from rbpsym.showing import Shown
 
@@ -138,7 +138,10 @@ class Shape:
 
 @dataclass(frozen=True, slots=True)
 class PlacedShape:
-    """A part of a composite: a shape with its mass, origin and angle in the composite's frame."""
+    """A part of a composite: a shape with its mass, origin and angle in the composite's frame.
+
+    With a `count` it is there so many times, two or more, turned about `hub` by equal angles; its mass is that of one.
+    """
 
     shape: Shape
     mass: Node | None
@@ -146,6 +149,8 @@ class PlacedShape:
     angle: Node
     removed: bool = False
     name: str = ""
+    count: Node | None = None
+    hub: Pair = (ZERO, ZERO)
 
 
 @dataclass(frozen=True, slots=True)

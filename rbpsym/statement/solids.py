@@ -197,28 +197,48 @@ def spread_of(elements: tuple[MassElement, ...], mass: Node) -> tuple[MassElemen
 
 def compose(parts: tuple[PlacedShape, ...]) -> Shape:
     """The composite of parts that are placed in its frame."""
-    elements = tuple(_moved(element, part) for part in parts for element in part.shape.elements)
+    elements = tuple(_moved(element, one) for part in parts for one in _opposite(part) for element in part.shape.elements)
     return Shape("composite", {}, elements, {"origin": (ZERO, ZERO)}, parts=parts)
+
+
+def _opposite(part: PlacedShape) -> tuple[PlacedShape, ...]:
+    """Of a repeated part two halves opposite to each other: they have the mass, the centre and ∫ r² dm of all of them."""
+    return (part,) if part.count is None else tuple(copies(part, 2))
+
+
+def copies(part: PlacedShape, number: int) -> Iterator[PlacedShape]:
+    """A part as often as it is there, each time turned about its hub."""
+    arm = tuple(add(a, neg(b)) for a, b in zip(part.at, part.hub, strict=True))
+    for k in range(number):
+        turn = quotient(mul(Num(2 * k), Sym("pi")), Num(number)) if k else ZERO
+        yield replace(part, at=moved(arm, part.hub, turn), angle=add(part.angle, turn))
 
 
 def total_mass(parts: Iterable[PlacedShape]) -> Node | None:
     """The sum of the masses of the parts, without those cut out; None if one has a density."""
-    masses = [(part.mass, part.removed) for part in parts]
+    masses = [(part.mass, weight(part.removed, part.count)) for part in parts]
     if any(mass is None for mass, _ in masses):
         return None
-    return add(*(neg(mass) if removed else mass for mass, removed in masses))
+    return add(*(mul(times, mass) for mass, times in masses))
 
 
-def shares(total: Node, pieces: Iterable[tuple[Node, bool]]) -> list[Node]:
-    """The masses of pieces (size, removed) of one material whose whole has the mass `total`."""
+def weight(removed: bool, count: Node | None) -> Node:
+    """How often a part counts: -1 for one that is cut out."""
+    times = tree.ONE if count is None else count
+    return neg(times) if removed else times
+
+
+def shares(total: Node, pieces: Iterable[tuple[Node, Node]]) -> list[Node]:
+    """The masses of pieces (size, weight) of one material whose whole has the mass `total`."""
     pieces = list(pieces)
-    size = add(*(neg(size) if removed else size for size, removed in pieces))
+    size = add(*(mul(times, size) for size, times in pieces))
     return [quotient(mul(total, size_i), size) for size_i, _ in pieces]
 
 
 def _moved(element: MassElement, part: PlacedShape) -> MassElement:
     x, y = moved((element.x, element.y), part.at, part.angle)
-    return replace(element, x=x, y=y, sign=-element.sign if part.removed else element.sign)
+    density = element.density if part.count is None else quotient(mul(part.count, element.density), Num(2))
+    return replace(element, x=x, y=y, density=density, sign=-element.sign if part.removed else element.sign)
 
 
 def leaves(shape: Shape) -> Iterator[PlacedShape]:
@@ -226,7 +246,8 @@ def leaves(shape: Shape) -> Iterator[PlacedShape]:
     for part in shape.parts:
         for inner in leaves(part.shape) if part.shape.parts else ():
             at, angle = moved(inner.at, part.at, part.angle), add(part.angle, inner.angle)
-            yield replace(inner, at=at, angle=angle, removed=part.removed != inner.removed)
+            hub = moved(inner.hub, part.at, part.angle)
+            yield replace(inner, at=at, angle=angle, removed=part.removed != inner.removed, hub=hub)
         if not part.shape.parts:
             yield part
 

@@ -24,6 +24,7 @@ NAMES = [*NUMBERS, "pi"]
 PARTS = "shape = 'composite'\nparts = [%s]"
 ROD, DISK = "{ shape = 'rod', mass = 'm', length = 'ell'%s }", "{ shape = 'disk', mass = 'M', radius = 'R'%s }"
 
+SPOKE = "{ shape = 'rod', mass = 'm', length = 'R', at = ['R/2', '0'], repeat = 5 }"
 BODIES = {
     "rod": "shape = 'rod'\nmass = 'M'\nlength = 'ell'",
     "denser": "shape = 'rod'\nlength = 'ell'\ndensity = 'm*s/ell**2'",
@@ -38,6 +39,8 @@ BODIES = {
     "bowl": "shape = 'half-shell'\nmass = 'M'\nradius = 'R'",
     "ellipse": "shape = 'ellipse'\nmass = 'M'\nhalf_width = 'a'\nhalf_height = 'b'",
     "polygon": "shape = 'polygon'\nmass = 'M'\nvertices = [['0', '0'], ['a', '0'], ['0', 'b']]",
+    "spokes": PARTS % ("{ shape = 'ring', mass = 'M', radius = 'R' }, " + SPOKE),
+    "shared": "mass = 'M'\n" + PARTS % "{ shape = 'rod', length = 'ell', at = ['ell/2', '0'], repeat = 'n' }",
     "two": PARTS % (ROD % "" + ", " + DISK % ", at = ['ell/2', '0']"),
     "pierced": "mass = 'M'\n" + PARTS % "{ shape = 'disk', radius = 'R' }, { shape = 'disk', radius = 'r', removed = true }",
 }
@@ -63,6 +66,10 @@ ASKED = [
     ("ellipse", "moment of inertia of it about right", "M*(a**2 + b**2)/4 + M*a**2"),
     ("polygon", "centre of mass of it", "a/3; b/3"),
     ("polygon", "moment of inertia of it about origin", "M*(a**2 + b**2)/6"),
+    ("spokes", "moment of inertia of it", "(M + 5*m/3)*R**2"),
+    ("spokes", "mass of it", "M + 5*m"),
+    ("shared", "moment of inertia of it about O", "M*ell**2/3"),
+    ("shared", "centre of mass of it", "0; 0"),
     ("two", "moment of inertia of it about O", "m*ell**2/12 + M*R**2/2 + M*ell**2/4"),
     ("two", "centre of mass of it", "M*ell/2/(m + M); 0"),
     ("pierced", "moment of inertia of it about cm", "M*(R**2 + r**2)/2"),
@@ -94,6 +101,20 @@ def test_the_integral_over_the_mass_in_numbers(body: str) -> None:
     told = [number(value, NUMBERS) for found in answers for value in found.values]
     square = (x - NUMBERS["a"]) ** 2 + (y - NUMBERS["b"]) ** 2
     assert told == [approx(v, abs=1e-7) for v in (mass, x, y, second, second + mass * square)]
+
+
+REPEATED = [
+    ("{ shape = 'rod', mass = 'm', length = 'R', repeat = 1 }", "less than twice"),
+    ("{ shape = 'rod', mass = 'm', length = 'R', repeat = '-n' }", "negative|positive"),
+    ("{ shape = 'rod', mass = 'm', length = 'R', repeat = 'R' }", "must be"),
+    ("{ shape = 'composite', repeat = 3, parts = [{ shape = 'rod', mass = 'm', length = 'R' }] }", "repeat its parts"),
+]
+
+
+@pytest.mark.parametrize(("part", "told"), REPEATED)
+def test_wrong_repetitions_get_a_sentence(part: str, told: str) -> None:
+    with pytest.raises(RbpsymError, match=told):
+        stated(PARTS % part)
 
 
 def test_bodies_alone_are_a_problem() -> None:

@@ -13,7 +13,7 @@ from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_fram
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.inertia import inertia, tidy
+from rbpsym.mechanics.inertia import Inertia, inertia, tidy
 from rbpsym.mechanics.system import BodyState, Pose, at_point
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Body, PlacedShape, Shape
@@ -24,13 +24,18 @@ CENTER = "cm"
 
 @dataclass(frozen=True)
 class Piece:
-    """A part of a body, or the whole of it: where it is, whether it is cut out, the letter of its moment about its own centre."""
+    """A part of a body, or the whole of it: where it is, whether it is cut out, the letter of its moment about its own centre.
+
+    `one`: the single part of which it is all copies, `count` of them.
+    """
 
     shape: Shape
     state: BodyState
     sign: int
     letter: t.Sym
     slot: BodyRef | PhraseRef
+    one: Piece | None = None
+    count: t.Node = t.ONE
 
     def about(self, place: Vector) -> Scalar:
         """Its share of the moment of inertia about a place."""
@@ -97,13 +102,26 @@ def _piece(draft: Draft, body: BodyState, number: int, part: PlacedShape) -> Pie
     state = BodyState(f"{name}_{number}", own, pose, at_point(pose, (own.x, own.y)))
     letter = draft.define(draft.free(f"I_{number}" if draft.is_single else f"I_{name}_{number}"), own.moment)
     slot = PhraseRef("inertia.part", {"number": t.Num(number), "body": BodyRef(name)})
+    if part.count is not None:
+        return _repeated(draft, body, Piece(part.shape, state, 1, letter, slot), part)
     return Piece(part.shape, state, -1 if part.removed else 1, letter, slot)
+
+
+def _repeated(draft: Draft, body: BodyState, one: Piece, part: PlacedShape) -> Piece:
+    """All copies of a part together, about their hub: as often the moment of one."""
+    hub, often = at_point(body.pose, (scalar(part.hub[0]), scalar(part.hub[1]))), scalar(part.count)
+    value, name = short(one.about(hub) * often), f"{one.state.name}_all"
+    letter = draft.define(draft.free(f"{one.letter.name}_all"), value)
+    whole = Inertia(one.state.mass * often, NOTHING, NOTHING, value)
+    state = BodyState(name, whole, Pose(hub, body.pose.angle), hub)
+    return Piece(part.shape, state, -1 if part.removed else 1, letter, one.slot, one, part.count)
 
 
 def _letter(draft: Draft, name: str, label: str, value: Scalar) -> t.Sym:
     if label == CENTER:
         return draft.define(draft.of_body("I", name), value)
-    return draft.define(draft.free(f"I_{label}" if draft.is_single else f"I_{name}_{label}"), value)
+    point = label.removeprefix(f"{name}.").replace(".", "_")
+    return draft.define(draft.free(f"I_{point}" if draft.is_single else f"I_{name}_{point}"), value)
 
 
 # --- steps
@@ -113,8 +131,7 @@ def _of_body(draft: Draft, name: str, label: str, place: Vector) -> t.Sym:
     """The steps to the moment of inertia of one body about a place, and its letter."""
     pieces, state = _pieces(draft, name), draft.study.system.bodies[name]
     for piece in pieces:
-        if piece.state.moment and not draft.has(f"moment.{piece.state.name}"):
-            moment_of_mass(draft, piece.state, piece.letter, piece.shape, piece.slot)
+        _own_moment(draft, piece)
     center = _center(draft, name, state, pieces) if label == CENTER else ""
     value = short(sum((piece.about(place) for piece in pieces), NOTHING))
     if len(pieces) == 1 and is_zero(value - pieces[0].state.moment):
@@ -129,11 +146,25 @@ def _of_body(draft: Draft, name: str, label: str, place: Vector) -> t.Sym:
             f"inertia.about.{'cm' if label == CENTER else 'point'}",
             premises=[f"moment.{piece.state.name}" for piece in pieces] + [center],
             body=BodyRef(name),
-            point=t.Sym(label),
+            point=[label] if "." in label else t.Sym(label),
             is_result=True,
             data={"body": name, "point": in_frame(state, place), "value": value},
         )
     return letter
+
+
+def _own_moment(draft: Draft, piece: Piece) -> None:
+    """The moment of inertia of a part about its own centre; of all copies of one, as often that of one."""
+    if not piece.state.moment or draft.has(f"moment.{piece.state.name}"):
+        return
+    if piece.one is None:
+        moment_of_mass(draft, piece.state, piece.letter, piece.shape, piece.slot)
+        return
+    _own_moment(draft, piece.one)
+    sum_ = t.mul(piece.count, t.Group(_named(draft, piece.one, piece.state.center)))
+    statement = t.equation(piece.letter, sum_, draft.show(piece.state.moment, factor=True))
+    draft.add(f"moment.{piece.state.name}", "identity", statement, "inertia.repeated",
+              premises=[f"moment.{piece.one.state.name}"], body=piece.slot, often=piece.count)  # fmt: skip
 
 
 def _named(draft: Draft, piece: Piece, place: Vector) -> t.Node:

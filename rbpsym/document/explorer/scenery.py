@@ -18,12 +18,13 @@ from rbpsym.document.pose import touched_radii
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import Geometry, pair
+from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.tree import Node
-from rbpsym.statement.model import Element, Shape
+from rbpsym.statement.model import Element, PlacedShape, Shape
 from rbpsym.statement.paths import runs
-from rbpsym.statement.solids import leaves
+from rbpsym.statement.solids import copies, leaves
 
 Part = dict[str, Any]
 
@@ -78,7 +79,13 @@ def bodies(seen: SeenStudy) -> Iterator[Part]:
 def shape(seen: SeenStudy, found: Shape) -> Part:
     """Kind, sizes and parts of a shape."""
     sizes = {key: seen.node(size) for key, size in found.sizes.items() if key != "moment"}
-    return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, p) for p in leaves(found)]}
+    parts = (one for leaf in leaves(found) for one in copies(leaf, often(seen, leaf)))
+    return {"kind": found.kind, "sizes": sizes, "parts": [part(seen, one) for one in parts]}
+
+
+def often(seen: SeenStudy, placed: PlacedShape) -> int:
+    """How often a part is drawn."""
+    return 1 if placed.count is None else max(2, round(number(scalar(placed.count), sample(seen.study.problem))))
 
 
 def part(seen: SeenStudy, placed) -> Part:
