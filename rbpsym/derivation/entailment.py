@@ -18,6 +18,10 @@ from rbpsym.algebra.normal import is_zero, shorten
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, times
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
 from rbpsym.algebra.squares import with_squares
+from rbpsym.errors import NoNumber
+from rbpsym.mechanics.numbers import number
+
+TINY = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,10 +228,20 @@ def _slope(value: Scalar, name: str, rank: int) -> tuple[int, bool, int, int, st
     if value.den is not ONE and depends_on(Scalar(value.den), name):
         return None
     slope = derivative(value, name)
-    if not slope or depends_on(slope, name) or is_zero(slope):
+    if not slope or depends_on(slope, name) or _may_vanish(slope):
         return None
     size = len(slope.num) + (len(slope.den) if slope.den is not ONE else 0)
     return (rank, slope.number() is None, size, sum(map(len, slope.num.terms)), name)
+
+
+def _may_vanish(slope: Scalar) -> bool:
+    """Whether it is zero, or a sum of roots that numbers can't tell from zero: p √(1 + x²/p²) - √(p² + x²)."""
+    if is_zero(slope) or sum(atoms.atom(index).kind == "root" for index in slope.atoms()) < 2:
+        return is_zero(slope)
+    try:
+        return abs(number(slope, {name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})) < TINY
+    except NoNumber:
+        return True
 
 
 def _pivot(value: Scalar, name: str, sources: frozenset[str], row: Scalar) -> Pivot:
@@ -271,4 +285,4 @@ def _as_square(value: Scalar, speed: str, sources: frozenset[str]) -> Pivot | No
     if set(parts) - {0, 2} or 2 not in parts:
         return None
     slope, rest = Scalar(parts[2]), Scalar(parts[0]) if 0 in parts else NOTHING
-    return None if is_zero(slope) else Pivot(speed, -(rest / slope), slope, sources)
+    return None if _may_vanish(slope) else Pivot(speed, -(rest / slope), slope, sources)

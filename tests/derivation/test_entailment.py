@@ -1,0 +1,28 @@
+"""What follows from equations: nothing is divided by what is zero in disguise."""
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.derivation.entailment import Row, known_by
+from rbpsym.notation.infix import read_infix
+
+NAMES = ("p", "x", "x_dot", "N", "g")
+
+
+def row(text: str) -> Row:
+    return Row(scalar(read_infix(text, NAMES)), frozenset({text}))
+
+
+def rank(name: str) -> int:
+    return int(name == "N")
+
+
+def test_roots_that_are_equal_are_no_divisor() -> None:
+    """p √(1 + x²/p²) = √(p² + x²) for p > 0: of such a difference nothing is concluded."""
+    zero = "(p*sqrt(1 + x**2/p**2) - sqrt(p**2 + x**2))"
+    for text, wanted in ((f"{zero}*x_dot**2 + p*g", {"x_dot"}), (f"{zero}*N + p*g", {"N"})):
+        found = known_by([row(text)], wanted, rank, {"x_dot"})
+        assert not found.squares and not found.pivots
+
+
+def test_other_roots_are() -> None:
+    found = known_by([row("(sqrt(1 + x**2) + sqrt(p**2 + x**2))*N - g")], {"N"}, rank, {"x_dot"})
+    assert [pivot.name for pivot in found.pivots] == ["N"]
