@@ -121,7 +121,7 @@ def _carried_out(draft: Draft, name: str, method: Callable) -> Mapping[str, Scal
 
 def _with_oracles(draft: Draft, found: Mapping[str, Mapping[str, Scalar] | None], simulation: bool) -> Derivation:
     study = draft.study
-    report = _simulated(draft) if simulation else None
+    report = _simulated(draft) if simulation and not study.problem.is_at_rest else None
     lagrange = start_verdict(study) if study.at_start else lagrange_verdict(study.system, study.dynamics, study.assumptions)
     agreed, letters = agreement(study, found) if found else {}, draft.context
     return Derivation(study, tuple(draft.steps), tuple(draft.skipped), agreed, report, lagrange, letters=letters)

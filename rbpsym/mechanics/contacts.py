@@ -11,13 +11,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, root, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, tidy
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector, cartesian
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.geometry import Geometry, below, components, normal
+from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, rotated
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Curve, Element, PointRef
@@ -156,13 +158,21 @@ def _outside(element: Element, geometry: Geometry, middle: Vector) -> Scalar:
 def _on_curve(element: Element, geometry: Geometry) -> Meeting:
     """The normal is the tangent turned to its left; the gap is along the other axis than that of the parameter."""
     here, curve = geometry.where(element["point"]), element["curve"]
-    rates = [_there(derivative(scalar(node), curve.name), curve, here) for node in (curve.x, curve.y)]
-    factor = below(rates)  # a positive one, as that of a line
-    way = cartesian(*(rate * factor for rate in rates))
+    rates = [derivative(scalar(node), curve.name) for node in (curve.x, curve.y)]
+    factor = _common(rates, curve.name)  # a positive one, as that of a line
+    way = cartesian(*(_there(rate * factor, curve, here) for rate in rates))
     side = -1 if element.values.get("side") == "negative" else 1
     up = way.turned() * (root(tidy(way.dot(way))).inverse() * side)
     apart = curve_gaps(element, geometry)
     return Meeting(here, up, apart[-1] if curve.axis == "x" else apart[0], toucher(element), None)
+
+
+def _common(rates: list[Scalar], name: str) -> Scalar:
+    """One over the parameters that all terms have in common."""
+    terms = [dict(monomial) for rate in rates for monomial in rate.num.terms]
+    kept = [index for index in set().union(*terms) if atoms.symbol_name(index) not in ("", None, name)]
+    lowest = {index: min(term.get(index, 0) for term in terms) for index in kept}
+    return Scalar(Poly({tuple(sorted((index, -power) for index, power in lowest.items() if power)): 1}))
 
 
 def curve_gaps(element: Element, geometry: Geometry) -> tuple[Scalar, Scalar]:
