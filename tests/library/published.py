@@ -181,7 +181,6 @@ ANSWERS = (
     ("hemisphere-rocking", "period of theta", "2*pi*sqrt(26*r/(15*g))"),
     ("bead-on-parabola", "N as a function of x", "m*g*p*(p**2 + x_0**2)/((p**2 + x**2)*sqrt(p**2 + x**2))"),
     ("bead-on-parabola", "period of x", "2*pi*sqrt(p/g)"),
-    ("bead-on-cycloid", "period of theta", "4*pi*sqrt(a/g)"),
     ("block-up-and-down-incline", "s when back begins", "v_0**2/(2*g*(sin(beta) + mu*cos(beta)))"),
     ("block-up-and-down-incline", "acceleration of s in phase back", "-g*(sin(beta) - mu*cos(beta))"),
 )  # fmt: skip
