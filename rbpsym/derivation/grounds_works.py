@@ -8,9 +8,13 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.grounds import Said, is_proved, vanishes
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED
+from rbpsym.errors import Undecided
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.events import ways_of
+from rbpsym.mechanics.motion import power
 
 MOST_ERROR = 1e-6
 
@@ -35,6 +39,35 @@ def works_cancel_as_points_move_together(said: Said) -> bool:
         state = said.system.bodies[force.on]
         speeds.append(state.velocity + (force.point - state.center).turned() * state.omega)
     return works_cancel(said) and all(vanishes(speed - speeds[0]) for speed in speeds)
+
+
+def takes_from_centre(said: Said) -> bool:
+    """And the translational one is never positive on the way from the start."""
+    return works_cancel_as_points_move_together(said) and sign(-_centre_work(said), _ahead(said)).is_nonnegative
+
+
+def gives_to_centre(said: Said) -> bool:
+    """It is never negative."""
+    return works_cancel_as_points_move_together(said) and sign(_centre_work(said), _ahead(said)).is_nonnegative
+
+
+def _centre_work(said: Said) -> Scalar:
+    """The translational work of the force of a step. Raises Undecided where it has no closed form."""
+    value = next(w for w in said.study.works if w.force == said.forces[0].name).translational.value
+    if value is None:
+        raise Undecided("the work has no closed form")
+    return value
+
+
+def _ahead(said: Said) -> Assumptions:
+    """The coordinate of the work lies ahead of the start, where it surely never comes behind it."""
+    study = said.study
+    given = study.assumptions
+    for way in ways_of(study.system, study.dynamics, _centre_work(said), study.squares, given):
+        low, high = given.range_of(way.name)
+        ahead = given.with_range(way.name, *((way.start, high) if way.sense > 0 else (low, way.start)))
+        given = ahead if starts_at_rest(said) or sign(way.square, ahead).kind == "positive" else given
+    return given
 
 
 def works_do_not_cancel(said: Said) -> bool:
@@ -70,6 +103,25 @@ def energy_is_conserved(said: Said) -> bool:
     known = said.study.potential is not None and said.study.first_integral is not None
     ideal = said.study.dynamics.workless
     return known and is_proved(said) and all(ideal.get(f.name) for f in said.system.forces if f.unknowns)
+
+
+def work_is_handed_on(said: Said) -> bool:
+    """Each of the forces does work on each of its bodies, both halves together."""
+    names = {node.name for _, step in said.step.data["terms"] for node in step.slots["forces"]}
+    rates = (power(said.system, work) for work in said.study.works if work.force in names)
+    return is_proved(said) and not any(is_zero(said.study.on_motion(rate)) for rate in rates)
+
+
+def conserved_energy_is_handed_on(said: Said) -> bool:
+    """And the energy is conserved."""
+    return energy_is_conserved(said) and work_is_handed_on(said)
+
+
+def turns_and_moves(said: Said) -> bool:
+    """There is a kinetic energy of rotation, and one of translation."""
+    states = said.system.bodies.values()
+    turns = any(not is_zero(state.omega * state.moment) for state in states)
+    return is_proved(said) and turns and not all(vanishes(state.velocity) for state in states)
 
 
 def energy_has_no_drive(said: Said) -> bool:

@@ -48,6 +48,8 @@ def point_name(ref: PointRef, pose: DrawnPose, said: Words) -> Inlines:
         return said.say(f"point.end.{_side(ref, pose)}")
     if point == "cm" and not _is_centre(ref, pose):
         return said.say("point.cm")
+    if point == "origin" and not _is_centre(ref, pose):
+        return said.say("point.origin")
     shape = pose.study.problem.body(ref.body).shape.kind
     if said.has(f"point.{shape}.{point}"):
         return said.say(f"point.{shape}.{point}")

@@ -17,6 +17,8 @@ from rbpsym.derive import derive
 from rbpsym.document.model import ItemList, Paragraph
 from rbpsym.document.notes import notes
 from rbpsym.document.phrases import has_phrase, languages, phrases
+from rbpsym.document.plots.following import leg
+from rbpsym.document.pose import DrawnPose
 from rbpsym.document.writers.plain_text import plain_text
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.notation import tree as t
@@ -174,6 +176,12 @@ SAID = [  # a problem, changes of its text, what is not said of it, what is said
     ("three-logs", {}, "rolls without slipping", "rests on the floor"),
     ("rod-tipping-over-edge", {}, "it moves along with the rod", "does not slip along what it touches"),
     ("ring-with-bob", {}, "two works, but whatever its value, they are opposite", "cancel in the sum, whatever its value"),
+    ("linear-molecule", {}, "sum of the translational and rotational", "The kinetic energy is"),
+    ("rod-falling-on-rough-floor", {}, "takes from the motion of the centre", "takes from the rotation it gives to the motion"),
+    ("half-disk-rocking", {}, "What it takes from", "so that they are opposite, whatever its value"),
+    ("step-ladder-sliding", {}, "what the force takes from one body", "goes away. What is left is"),
+    ("bead-on-turning-hoop", {}, "stay at rest", "No body turns"),
+    ("four-bar-linkage", {}, "of what was found before", "The rate of"),
 ]
 
 
@@ -242,6 +250,20 @@ SAID_OF = {
     "stepped-pulley": ("act along the same line", "act at the same point"),
     "loaded-wheel": ("", "from those of its parts"),
 }
+
+
+@pytest.mark.parametrize("name", problem_files())
+def test_friction_gives_to_what_it_is_said_to_give_to(name: str) -> None:
+    """The translational work that is told to be taken, or given, has this sign on the motion that is integrated."""
+    senses = {"work.cancels.grip": -1, "work.cancels.grip.back": 1}
+    found = derived(name)
+    told = [s for s in found.steps if s.phrase in senses and s.slots["variant"] == "one"]
+    for step in told:
+        force = step.id.split(".")[1]
+        value = next(w for w in found.study.works if w.force == force).translational.value
+        way = leg(found, dict(DrawnPose(found.study).numbers))
+        worked = senses[step.phrase] * way.values(value)
+        assert min(worked) > -1e-9 * max(worked), force
 
 
 @pytest.mark.parametrize("name", SAID_OF)

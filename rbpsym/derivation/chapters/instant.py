@@ -102,6 +102,7 @@ def _rates(
         if is_zero(row.value):
             continue
         value, factor = _plain(draft, row.value)
+        told = f"condition.{row.constraint}"
         order = ORDERS[kind] - (number >= places)
         statement = _equation(draft, value, names)
         if isinstance(statement.items[0], t.Neg):
@@ -113,7 +114,7 @@ def _rates(
                 statement,
                 f"instant.{kind}",
                 premises=[step.id, *(other.id for other in speeds)],
-                condition=StepRef(step.id),
+                condition=StepRef(told if draft.has(told) else step.id),
                 data={"of": step.id, "order": order, "factor": factor / step.data["factor"]},
             )
         )
