@@ -39,11 +39,18 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
     from rbpsym.derive import derive
 
     derivation = derive(problem, simulation=simulation)
-    answer = results(derivation.study)
+    answer = with_conditions(results(derivation.study), derivation)
+    return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
+
+
+def with_conditions(answer: dict[str, Any], derivation: Derivation) -> dict[str, Any]:
+    """The results with the conditions that the steps of their derivation ask for beside."""
     answer["valid_where"] += _opened(answer, derivation)
+    answer["valid_where"] += _owed(answer["valid_where"], derivation)
     for told, phase in zip(answer["phases"], derivation.phases, strict=False):
         _opened(told, phase.derivation)
-    return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
+        told["valid_where"] += _owed(told["valid_where"], phase.derivation)
+    return answer
 
 
 def _opened(told: dict[str, Any], derivation: Derivation) -> list[str]:
@@ -65,6 +72,21 @@ def _questions(study: Study) -> Iterator[dict[str, Any]]:
 
     for found in own_answers(study):
         yield unanswered(found.text, found.reason) if isinstance(found, Refused) else record(found)
+
+
+RESULTS = ("motion", "reactions")  # chapters whose steps tell what stands in the answer; other roads to it ask for more
+
+
+def _owed(told: list[str], derivation: Derivation) -> list[str]:
+    """What the steps of the results ask for beside what is `told`: divisors that have cancelled in the values."""
+    found: list[str] = []
+    for step in derivation.steps:
+        if step.rule == "first_integral" or (step.chapter in RESULTS and not step.id.startswith("motion.from_")):
+            for duty in step.certificate.verdict.open_obligations:
+                value, op = derivation.letters.value(duty.relation.items[0]), duty.relation.ops[0]
+                asked = _demands([Demand(value, op), *([Demand(-value, op)] if op == "!=" else [])], derivation.study)
+                found += [] if {*told, *found} & {*asked} else asked[:1]
+    return found
 
 
 def text(value: Scalar | None, study: Study | None = None) -> str | None:
