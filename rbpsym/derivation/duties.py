@@ -26,8 +26,13 @@ def duties(view: View, step: Step) -> tuple[Obligation, ...]:
     """The obligations of a step that was proved, with what discharges them."""
     found: dict[Condition, None] = dict.fromkeys(_conditions(view, step))
     firm = [value for one in found if one.op == ">" for value in (one.value, _along(view, one.value)) if value is not None]
-    kept = (one for one in found if one.value.number() is None and not (one.op == "!=" and _is_in(one.value, firm)))
+    kept = (one for one in found if one.value.number() is None and not _is_said(one, firm))
     return tuple(_discharged(view, one) for one in kept)
+
+
+def _is_said(one: Condition, firm: list[Scalar]) -> bool:
+    """Whether what is positive says it already: ≥ 0 of the very value, ≠ 0 of each factor."""
+    return one.value in firm if one.op == ">=" else one.op == "!=" and _is_in(one.value, firm)
 
 
 def _is_in(value: Scalar, others: list[Scalar]) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rbpsym.derivation.assertions import Said
+from rbpsym.derivation.grounds import is_steady
 from rbpsym.derivation.step import BodyRef, Derivation, Step, StepRef
 from rbpsym.document.breaking import lines, table_width
 from rbpsym.document.model import Block, Display, Inlines, Math, Paragraph, Table, Text
@@ -231,7 +232,4 @@ def by_kind(steps: Iterable[Step], kinds: Sequence[str]) -> list[list[Step]]:
 
 def is_constant(step: Step, derivation: Derivation) -> bool:
     """Is a force the same all along the motion?"""
-    used = t.names(step.statement)
-    return not derivation.study.system.has_clock and used.isdisjoint(
-        c.name for c in derivation.study.problem.coordinates
-    )
+    return is_steady(Said(derivation.study, step))

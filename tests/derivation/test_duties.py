@@ -2,9 +2,15 @@
 
 import pytest
 
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.derivation.duties import _is_said
 from rbpsym.derive import derive
+from rbpsym.equality.domain import Condition
+from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from tests.library.derived import NAMES, derived, problem
+
+X, Y = symbol("x"), symbol("y")
 
 
 def test_factors_that_do_not_vanish_are_left_out_and_nothing_is_told_twice():
@@ -22,3 +28,17 @@ def test_who_divides_by_a_speed_says_so(name: str) -> None:
         if step.id.endswith("motion.from_energy"):
             told = {to_machine(one.relation) for one in step.certificate.verdict.open_obligations}
             assert any("_dot" in text and text.endswith("!= 0") for text in told), told
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_positive_is_not_said_to_be_not_negative_beside(name: str) -> None:
+    for step in derived(name).all_steps:
+        open_ = [one.relation for one in step.certificate.verdict.open_obligations]
+        strict = [relation.items[0] for relation in open_ if relation.ops == (">",)]
+        assert not [r for r in open_ if r.ops == (">=",) and r.items[0] in strict], step.id
+
+
+@pytest.mark.parametrize(("op", "value", "said"), [(">=", X, True), ("!=", X, True), (">=", X * Y, False), ("!=", Y, False)])
+def test_one_condition_is_told_for_two(op: str, value: Scalar, said: bool) -> None:
+    """x > 0 says x ≥ 0 and x ≠ 0, and nothing of y."""
+    assert _is_said(Condition(t.ZERO, op, value), [X]) is said

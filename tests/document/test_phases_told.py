@@ -27,3 +27,7 @@ def test_only_a_later_phase_with_a_time_in_it_says_from_when_it_is_counted(name)
 
 def test_the_belt_runs_on_with_a_time_of_its_own():
     assert COUNTED in said_in(derived("cylinder-on-belt"))
+
+
+def test_what_is_constant_is_said_to_be_constant_also_where_something_is_driven():
+    assert "Along the motion B, D and N are constant" in said_in(derived("cylinder-on-belt"))
