@@ -115,6 +115,11 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
 }
 
 
+def feature(known: Given, key: str) -> Scalar | None:
+    """What is told of the whole motion; None where kinetic friction acts, with which it ends when the slip stops."""
+    return FEATURES[key][1](known) if all(known.study.dynamics.ideal.values()) else None
+
+
 # --- when it comes somewhere
 
 

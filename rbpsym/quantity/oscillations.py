@@ -130,7 +130,7 @@ def of_course(world: ProblemWorld, key: str, name: str) -> Bound:
     """What is told of the motion of a coordinate as a function of the time."""
     key = OTHERWISE.get(key, key)
     known = solutions.given(world.study, name) if name in world.study.system.independent else None
-    value = None if known is None else solved.FEATURES[key][1](known)
+    value = None if known is None else solved.feature(known, key)
     if value is None:
         raise StatementError(f"the motion of “{name}” has no {key} that is known in closed form")
     return number(value, f"course {name} {key}")

@@ -96,8 +96,7 @@ def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: Stat
 
 def feature(draft: Draft, known: Given, name: str, key: str) -> None:
     """A step for what is asked of the solution, if it has that."""
-    letter, find = solved.FEATURES[key]
-    value = find(known)
+    letter, value = solved.FEATURES[key][0], solved.feature(known, key)
     if value is None:
         return
     is_one = len(draft.study.system.independent) == 1
