@@ -38,7 +38,11 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
     """
     from rbpsym.derive import derive
 
-    derivation = derive(problem, simulation=simulation)
+    return answer_of(derive(problem, simulation=simulation))
+
+
+def answer_of(derivation: Derivation) -> dict[str, Any]:
+    """The same of what is derived already."""
     answer = with_conditions(results(derivation.study), derivation)
     return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
 

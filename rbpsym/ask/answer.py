@@ -207,7 +207,7 @@ def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Quest
         if name == "t":
             raise NoClosedForm(f"“{question.quantity}” depends on the time, which is not known there", instead=BY_NUMBERS)
         if moment.state.places.get(name) == symbol(name):
-            raise NoClosedForm(f"“{question.quantity}” depends on {name}, which has no closed form there", instead=BY_NUMBERS)
+            raise NoClosedForm(f"“{question.quantity}” depends on {name}, for which no closed form was found", instead=BY_NUMBERS)
         raise StatementError(
             f"“{question.quantity}” still depends on {name} there",
             instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."?',

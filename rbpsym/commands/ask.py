@@ -39,11 +39,10 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     """
     from rbpsym.ask.moments import Asked
     from rbpsym.ask.numbers import read_numbers
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.shelf import found, stated
     from rbpsym.errors import ReadError
-    from rbpsym.statement.loader import load_problem
 
-    problem = load_problem(found(name, ("problem",))[1])
+    problem = stated(found(name, ("problem",))[1])
     questions = questions or tuple(problem.questions)
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')

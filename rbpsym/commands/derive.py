@@ -43,14 +43,13 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
     The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided.
     """
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.shelf import found, stated
     from rbpsym.commands.solve import exit_code
     from rbpsym.derive import derive
-    from rbpsym.statement.loader import load_problem
 
     _, path = found(name, ("problem",))
     with Progress(f"deriving {name}"):
-        derivation = derive(load_problem(path), simulation=simulation)
+        derivation = derive(stated(path), simulation=simulation)
     if why:
         from rbpsym.commands.why import why as traced
 

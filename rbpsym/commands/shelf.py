@@ -6,9 +6,15 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
 
 from rbpsym.errors import ReadError
 from rbpsym.statement.library import course_files, not_found, problem_files, worksheet_files
+
+if TYPE_CHECKING:
+    from rbpsym.statement.model import Problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +82,17 @@ def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> 
     if path.is_file():
         return kind_of_file(path, kinds), path
     raise missing(name_or_file, shelves, kinds)
+
+
+def stated(path: Path) -> Problem:
+    """The problem of a file; of one's own it is said which parameters nothing uses."""
+    from rbpsym.statement.loader import load_problem
+    from rbpsym.statement.unused import unused
+
+    problem = load_problem(path)
+    for name in unused(problem) if path not in problem_files().values() else ():
+        click.echo(f"{path}: the parameter “{name}” is used nowhere in the statement", err=True)
+    return problem
 
 
 def kind_of_file(path: Path, kinds: tuple[str, ...]) -> str:

@@ -51,12 +51,11 @@ def command(name: str, as_json: bool, simulation: bool) -> int:
 
 def _answer(name: str, simulation: bool) -> tuple[Problem, dict[str, Any]]:
     from rbpsym.commands.progress import Progress
-    from rbpsym.commands.shelf import found
+    from rbpsym.commands.shelf import found, stated
     from rbpsym.solve import solve
-    from rbpsym.statement.loader import load_problem
 
     _, path = found(name, ("problem",))
-    problem = load_problem(path)
+    problem = stated(path)
     with Progress(f"deriving {name}"):
         return problem, solve(problem, simulation=simulation)
 

@@ -10,11 +10,11 @@ from typing import Any
 
 import click
 
+from rbpsym.commands.shelf import stated
 from rbpsym.derivation.step import Derivation
 from rbpsym.derive import derive
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
-from rbpsym.statement.loader import load_problem
 from rbpsym.statement.model import Problem
 
 PAUSE = 0.08  # seconds between two looks
@@ -85,7 +85,7 @@ class KeptDerivations:
 
     def derivation(self, path: Path) -> Derivation:
         """The derivation of a problem file as it is now. Raises what loading and deriving raise."""
-        problem, before = load_problem(path), self.found.get(path)
+        problem, before = stated(path), self.found.get(path)
         if before is not None and core(before.study.problem) == core(problem):
             self.found[path] = reworded(before, problem)
         else:

@@ -55,7 +55,7 @@ def _centre_work(said: Said) -> Scalar:
     """The translational work of the force of a step. Raises Undecided where it has no closed form."""
     value = next(w for w in said.study.works if w.force == said.forces[0].name).translational.value
     if value is None:
-        raise Undecided("the work has no closed form")
+        raise Undecided("no closed form was found for the work")
     return value
 
 

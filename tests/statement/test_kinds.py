@@ -24,10 +24,11 @@ VALUES = {
     "bodies": ["rod", "disk"],
     "two bodies": ["rod", "disk"],
     "line": "x = ell",
+    "curve": "y = x^2/ell",
     "name": "kappa",
     "path": ["O", "rod.end"],
 }
-# What a kind needs instead: only a disk rolls, and a line (the default here) leaves no room for a circle.
+# What a kind needs instead: only a disk rolls, and a line (the default here) leaves no room for a circle or a curve.
 OWN = {
     "touch": {"body": "disk", "of": "rod"},
     "rolling": {"body": "disk", "of": "rod"},
@@ -35,7 +36,7 @@ OWN = {
     "prescribed-angle": {"of": "disk"},
     **{name: {"of": "disk"} for name in ("contact", "guide", "slider", "sticking")},
 }
-LEFT_OUT = ("circle", "radius")
+LEFT_OUT = ("circle", "radius", "curve")
 # Of each field kind, what can't be.
 WRONG = {
     "expression": ["", "((", "nobody", None, True, [], "1 +"],
@@ -46,6 +47,7 @@ WRONG = {
     "bodies": ["rod", [], ["nobody"], 3],
     "two bodies": [["rod"], ["rod", "rod"], ["rod", "nobody"], "rod", ["rod", 1]],
     "line": ["x", "x = ", "= 0", "x = y = 0", "x*y = 0", "0 = 0", "x = 1/y", "sin(x) = 0", 3, "", "x < 0"],
+    "curve": ["x", "y = ", "y = nobody", "x = y = 0", "y = y^2/ell", "y < x", 3, "", ["0"], ["0", "nobody"], ["0", None]],
     "choice": ["neither", 3, "", ["space"]],
     "name": ["", "a b", "pi", 3],
     "path": [

@@ -198,12 +198,12 @@ def _derived(text: str, simulation: bool) -> int:
     """The exit code of a derivation, its results as JSON and as text, and its notes."""
     from rbpsym.commands.solve import lines
     from rbpsym.derive import derive
-    from rbpsym.solve import results
+    from rbpsym.solve import answer_of
     from rbpsym.statement import load_text
 
     problem = load_text(text, file="mutant.toml")
     derivation = derive(problem, simulation=simulation)
-    answer = {**results(derivation.study), "verdicts": derivation.summary()}
+    answer = answer_of(derivation)
     json.dumps(answer)
     assert all(isinstance(line, str) for line in lines(answer, problem))
     assert writer("tex")(notes(derivation))
