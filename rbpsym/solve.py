@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import PLAIN
 from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.derivation.step import Derivation
@@ -181,7 +182,6 @@ def symbols(study: Study) -> dict[str, dict[str, str]]:
 
 def _accelerations(study: Study) -> dict[str, str] | None:
     """Accelerations of all coordinates, also of those that the constraints tie to others."""
-    from rbpsym.algebra.calculus import substitute
     from rbpsym.algebra.evaluate import time_derivative
 
     if study.instant is not None:
@@ -245,8 +245,6 @@ def _works(study: Study) -> dict[str, Any]:
 
 def _half(half: Work, study: Study) -> dict[str, str | None]:
     """One coordinate: the integrand over it; several: the sum with d_<coordinate> as factors."""
-    from rbpsym.algebra.scalar import symbol
-
     if len(half.parts) > 1:
         integrand = sum((part * symbol(study.letters.free(f"d_{name}")) for name, part in half.parts.items()), NOTHING)
     else:
@@ -350,9 +348,6 @@ def _balance(study: Study) -> dict[str, Any] | None:
 
 def _there(item: Balance) -> Scalar | None:
     """The square of the frequency, in the coordinate of the place."""
-    from rbpsym.algebra.calculus import substitute
-    from rbpsym.algebra.scalar import symbol
-
     square = item.frequency_squared
     return None if square is None else substitute(square, {item.place: symbol(item.name)})
 

@@ -44,7 +44,8 @@ class _Moment:
 
     def new(self, value: Scalar) -> Scalar:
         """A value of the system after; its speeds stay as unknowns."""
-        return substitute(value, self.places)
+        tied = {f"{n}_dot": rate for n, rate in self.after.scope.rates.items() if f"{n}_dot" not in self.after.speeds}
+        return substitute(substitute(value, tied), self.places)
 
 
 def strike(before: System, after: System, impulses: tuple[Element, ...], places: Values, speeds: Values) -> Struck:
