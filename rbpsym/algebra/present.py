@@ -42,7 +42,7 @@ from rbpsym.algebra.grouping import (
 from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.signs import is_upside_down, positive_first, turned
+from rbpsym.algebra.signs import is_upside_down, positive_first, turned, turned_below
 from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key
 from rbpsym.notation import tree as t
 
@@ -88,6 +88,7 @@ def present_ratio(
     further, upper = (1, []) if num == ONE else _groups(num, style, factor)
     upper, lower = without_shared(upper, lower)
     coefficient, upper = turned(Fraction(b) * further / (a * more), upper, style)
+    coefficient, lower = turned_below(coefficient, lower, style)
     node = _quotient(abs(coefficient), times(high, inverse(low)), upper, [n for n, _ in lower], style, as_ratio)
     return t.neg(node) if coefficient < 0 else node
 

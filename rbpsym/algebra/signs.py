@@ -41,6 +41,15 @@ def turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: S
     return coefficient, pieces
 
 
+PRODUCTS = (t.Add, t.Mul, t.Neg, t.Sym)
+
+
+def turned_below(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
+    """The same of a denominator without numbers, powers and functions: -c/(a - b) is printed c/(b - a)."""
+    plain = all(isinstance(part, PRODUCTS) for node, _ in pieces for part in t.walk(node))
+    return turned(coefficient, pieces, style) if plain else (coefficient, pieces)
+
+
 def _may_turn(node: t.Add, style: Style) -> bool:
     return _compared(node.terms[0], getattr(node.terms[1], "arg", None)) not in style.greater
 

@@ -49,6 +49,16 @@ def test_a_sum_stands_before_a_function():
     assert [type(factor) for factor in found.factors] == [t.Add, t.Fn]
 
 
+def test_a_minus_goes_into_a_difference_below_the_bar():
+    """-c/(a - b) is printed c/(b - a), unless a is known to be the greater, or the difference has numbers or functions."""
+    m, ell, c, g = (symbol(name) for name in ("m", "ell", "c", "g"))
+    for difference, is_turned in ((c - ell, True), (m * c - ell, True), (4 * c - 3 * m, False), (ell - c, False)):
+        value = -(g + m + ell) / difference
+        found = present(value, Style(STYLE.rank, greater=frozenset({("ell", "c")})))
+        assert same(scalar(found), value)
+        assert not isinstance(found, t.Neg) or not is_turned
+
+
 def test_no_fraction_below_a_fraction():
     m, ell, g = (symbol(name) for name in ("m", "ell", "g"))
     value = (m * ell ** (-2) * g**2 + 1).num
