@@ -44,18 +44,13 @@ def solve(problem: Problem, *, simulation: bool = True) -> dict[str, Any]:
 
 def answer_of(derivation: Derivation) -> dict[str, Any]:
     """The same of what is derived already."""
-    answer = with_conditions(results(derivation.study), derivation)
-    return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
-
-
-def with_conditions(answer: dict[str, Any], derivation: Derivation) -> dict[str, Any]:
-    """The results with the conditions that the steps of their derivation ask for beside."""
+    answer = results(derivation.study)
     answer["valid_where"] += _opened(answer, derivation)
     answer["valid_where"] += _owed(answer["valid_where"], derivation)
     for told, phase in zip(answer["phases"], derivation.phases, strict=False):
         _opened(told, phase.derivation)
         told["valid_where"] += _owed(told["valid_where"], phase.derivation)
-    return answer
+    return {**answer, "questions": list(_questions(derivation.study)), "verdicts": derivation.summary()}
 
 
 def _opened(told: dict[str, Any], derivation: Derivation) -> list[str]:

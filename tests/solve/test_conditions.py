@@ -7,7 +7,7 @@ from rbpsym.algebra.scalar import Scalar
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.notation.infix import read_infix
-from rbpsym.solve import results, solve, with_conditions
+from rbpsym.solve import answer_of, solve
 from rbpsym.statement import load_text
 from tests.library.derived import NAMES, unsimulated
 
@@ -46,7 +46,7 @@ def under_results(derivation):
 @pytest.mark.parametrize("name", NAMES)
 def test_what_a_page_asks_for_the_answer_asks_for(name):
     found = unsimulated(name)
-    told = with_conditions(results(found.study), found)
+    told = answer_of(found)
     names = {*found.letters.scalars, *found.study.letters.quantities, *found.study.system.scope.rates, "t"}
     known = [Demand(found.letters.value(read_infix(text.rpartition(" ")[0].rpartition(" ")[0], names)), text.split()[-2])
              for text in (*told["valid_where"], *told["start_valid_where"])]  # fmt: skip
