@@ -20,7 +20,7 @@ NEW: dict[str, Callable[[Step], bool]] = {
     "kinematics": lambda step: step.rule in ("constraint", "no_slip", "taut", "tied"),
     "energy": lambda step: step.rule in ("conservation", "first_integral"),
 }
-LASTING = ("conservation", "substitution")  # left out one by one where they say the same as before
+LASTING = ("conservation", "substitution", "linearization")  # left out one by one where they say the same as before
 Speaker = Callable[[Derivation, str], Words]
 
 

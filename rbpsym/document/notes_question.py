@@ -10,8 +10,8 @@ from rbpsym.ask.asking import Refused
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Step, StepRef
 from rbpsym.document.chapters import ends
-from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section, Text
-from rbpsym.document.questions import question
+from rbpsym.document.model import Block, Display, Emph, Inline, Inlines, ItemList, Paragraph, Ref, Section
+from rbpsym.document.questions import question, spoken
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words, sentences
 from rbpsym.notation import tree as t
@@ -102,8 +102,8 @@ def _beside(found: Answer, said: Words) -> Iterator[Inlines]:
     """Yes or no, a sentence, the equation that is solved, where an extremum lies, each value's own condition."""
     if found.holds_so is not None:
         yield said.say("question.yes" if found.holds_so else "question.no")
-    elif found.says:
-        yield (Text(f"{found.says[0].upper()}{found.says[1:].rstrip('.')}."),)
+    elif found.says and said.language == "en":  # the language of the grammar in which the question is asked
+        yield spoken(f"{found.says[0].upper()}{found.says[1:].rstrip('.')}.", said)
     if found.equation is not None:
         yield said.say("question.solves", name=t.Sym(found.symbol), equation=t.equation(found.equation, t.ZERO))
     if found.at is not None and found.at[0] != found.symbol:

@@ -21,7 +21,12 @@ MARK = "`"  # stands around the formulas of a question in another language
 def question(text: str, said: Words) -> Inlines:
     """The question in the language of the page if the file tells it so, else as it is asked."""
     told = said.problem.questions.get(text, {}).get(said.language, "")
-    return merged(_marked(told, said) if told else _spoken(text, said))
+    return merged(_marked(told, said)) if told else spoken(text, said)
+
+
+def spoken(text: str, said: Words) -> Inlines:
+    """What is said in the words of the grammar, its names and formulas set as such."""
+    return merged(_spoken(text, said))
 
 
 def _marked(text: str, said: Words) -> Iterator[Inline]:
