@@ -16,7 +16,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import Style
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
@@ -116,6 +116,12 @@ def _next(stage: Stage, phase: Phase) -> Stage:
             instead="let the phase begin at once, or state it as a problem of its own.",
         )
     before = ENDINGS[phase.event](study, phase)
+    lost_track = [name for name, value in before.places.items() if value == symbol(name)]
+    if lost_track:
+        raise NotApplicable(
+            f"no closed form was found for {lost_track[0]} at the end of the phase before “{phase.name}”",
+            instead="state this phase as a problem of its own, or follow it in the simulation.",
+        )
     clock = None if None in (stage.clock, before.time) else stage.clock + before.time
     problem = shifted(phase, clock)
     placed = type(study)(_started(problem, study.style, before.places, {}))

@@ -19,7 +19,7 @@ def row(says, cure, constraint, bodies=None, coordinates=X, **sections):
 
 ROWS = [
     row("touches nothing", "line =", rb.rolling("disk")),
-    row("has both a line and a circle", "write line", rb.rolling("disk", "y = 0", circle="O", radius="R")),
+    row("has both a circle and a line", "write line", rb.rolling("disk", "y = 0", circle="O", radius="R")),
     row("does not say how large the circle", 'radius = "R"', rb.rolling("disk", circle="O")),
     row("has a radius, but touches a line", "“rim”", rb.rolling("disk", "y = 0", radius="R")),
     row("has the side “inside”, which a line hasn't", "positive", rb.rolling("disk", "y = 0", side="inside")),
