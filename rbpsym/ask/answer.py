@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
@@ -14,7 +14,7 @@ from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, shortest
 from rbpsym.ask.in_time import at_time
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
-from rbpsym.ask.question import Question, is_jump
+from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import Verdict
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
@@ -36,8 +36,9 @@ class Found:
     """What was found for a quantity: its values as they are named (one, or x and y of a vector), those of the answer, and
     of what these are functions: "" (a moment, or nothing), "position", "state". `works`: rate and closed form of the works in
     it; `ways`: in which sense a speed is taken, and what is `asked` for that; `told`: the chapter that says it;
-    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `since`:
-    what it was at the moment from which a change is counted; `about`: how which mass is spread, about which point."""
+    `speeds`: those that a resistance gives as functions of the place; `kept`: those that conserved momenta give; `since`: what
+    it was at the moment from which a change is counted, and the works of the phases between; `about`: how which mass is
+    spread, about which point."""
 
     study: Study
     named: tuple[Scalar, ...]
@@ -50,7 +51,7 @@ class Found:
     asked: tuple[Demand, ...] = ()
     speeds: Mapping[str, Scalar] = field(default_factory=dict)
     kept: Mapping[str, Scalar] = field(default_factory=dict)
-    since: Found | None = None
+    since: tuple[Found, ...] = ()
     about: tuple[str, str | None] | None = None
 
 
@@ -113,7 +114,8 @@ def answer(asked: Asked, question: Question, letter: str = LETTER) -> Answer:
 def found_of(asked: Asked, question: Question) -> Found:
     """What is found for a quantity, not certified yet. Raises StatementError as `answer` does."""
     if question.quantity in ("time", "the time"):
-        return _time(asked, question)
+        ends = (question.when, question.since) if question.since else (question.when,)
+        return _since(*(_time(asked, replace(question, when=end)) for end in ends))
     return _along(asked, question) if question.when is None else _then(asked, question)
 
 
@@ -166,9 +168,45 @@ def _then(asked: Asked, question: Question) -> Found:
     if question.of:
         raise StatementError("what is asked at one moment is no function", instead="leave out “as a function of …”.")
     _bound(asked, question, None)  # an unknown word is told before a moment is looked for
-    is_done_before = question.when.kind == "begins" and re.search(r"\bwork\b", question.quantity)
-    when = replace(question.when, kind="until") if is_done_before else question.when
-    return _at_moment(asked, question, moment_of(asked, when, question))
+    if not re.search(r"\bwork\b", question.quantity):
+        ends = [moment_of(asked, when, question) for when in (question.when, question.since) if when]
+        return _since(*(_at_moment(asked, question, end) for end in ends))
+    return _work(asked, question)
+
+
+def _work(asked: Asked, question: Question) -> Found:
+    """A work until a moment, from the very start, that of the phase that is named, or another moment: phase by phase."""
+    when, since, before = question.when, question.since, None
+    found = _at_moment(asked, question, moment_of(asked, replace(when, kind=DONE_BEFORE.get(when.kind, when.kind)), question))
+    first = asked.named(question.phase) if question.phase else found.moment.place if when.kind == "over" else 0
+    if since is not None:
+        since = replace(since, kind="begins") if since.kind == "until" else since
+        before = _at_moment(asked, question, moment_of(asked, since, question))
+        first, before = before.moment.place, None if before.moment.how == "start" else before
+    if first > found.moment.place:
+        raise StatementError(BACKWARDS, instead="ask the other way round.")
+    between = asked.names[first : found.moment.place]
+    ends = [moment_of(asked, When("end", (name,)), question) for name in between]
+    if re.search(r"\b(net|external) work", question.quantity) and any(asked.stage(e.place + 1).began.is_blow for e in ends):
+        raise StatementError("a blow between does work too", instead="ask phase by phase: “… from PHASE to PHASE”.")
+    acting = [{force.name for force in asked.study(place).system.forces} for place in range(found.moment.place + 1)]
+    named = set(re.findall(r"\w+", question.quantity)) & acting[-1]  # what does not act yet in a phase does no work in it
+    return _since(found, before, [_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
+
+
+DONE_BEFORE = {"begins": "until"}  # what is done when a phase begins was done before
+BACKWARDS = "the first of both moments comes after the second"
+
+
+def _since(found: Found, before: Found | None = None, done: Sequence[Found] = ()) -> Found:
+    """What is counted from the moment `before` (None: the start), with the works `done` in the phases between."""
+    if before is not None and before.moment.place > found.moment.place:
+        raise StatementError(BACKWARDS, instead="ask the other way round.")
+    for part, way in (*((part, 1) for part in done), *([(before, -1)] if before else ())):
+        pairs = list(zip(found.named, found.values, part.values, strict=True))
+        named, values = (tuple(counted[k] + counted[2] * way for counted in pairs) for k in (0, 1))
+        found = replace(found, named=named, values=tuple(map(short, values)), since=(*found.since, part))
+    return found
 
 
 def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
@@ -176,14 +214,7 @@ def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
     world, study, named = asked.world(place), asked.study(place), parts(bound)
     works = _works(world, named)
     values = _at(world, named, works, moment, question)
-    if question.since is None:
-        return Found(study, named, values, moment=moment, works=works, about=bound.about)
-    before = moment_of(asked, question.since, question)
-    if before.place != moment.place:
-        raise StatementError("both moments must lie in one phase", instead="ask phase by phase.")
-    since = _at_moment(asked, replace(question, when=question.since, since=None), before)
-    gained, values = ([b - a for a, b in zip(since.values, found, strict=True)] for found in (named, values))
-    return Found(study, tuple(gained), tuple(map(short, values)), moment=moment, works=works, since=since)
+    return Found(study, named, values, moment=moment, works=works, about=bound.about)
 
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:

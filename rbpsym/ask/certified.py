@@ -52,9 +52,9 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
     before = tuple(_before(asked, place))
-    if found.since is not None:
-        first = certified(asked, replace(question, when=question.since, since=None), found.since)
-        before = tuple(replace(step, id=f"since.{step.id}") for step in first.steps if step not in before) + before
+    for k, part in enumerate(found.since):
+        first = certified(asked, question, part, LETTER if not k else f"{LETTER}_{k}")
+        before += tuple(replace(step, id=f"since.{k}.{step.id}") for step in first.steps if step not in before)
     draft = _told_by(asked, found) if found.told else Draft(found.study)
     if found.about is not None:
         _spread(draft, found)
@@ -162,7 +162,8 @@ def _last(draft: Draft, found: Found, name: str) -> Step:
     if data.get("told") and data["turned"] == "itself":
         said = [row[-1] for row in t.relations(draft.context.steps[data["told"]].statement)]
         told = next((node for node in said if is_zero(draft.context.value(node) - found.values[0])), said[-1])
-        rows = [t.equation(t.Sym(letters[0]), told)]
+        is_letter = isinstance(told, t.Sym) and told.name not in names_in(found.values[0])  # told is the value, not its name
+        rows = rows if is_letter else [t.equation(t.Sym(letters[0]), told)]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:

@@ -35,7 +35,7 @@ HOW = "no closed form was found; the value is that of the motion, integrated fro
 def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -> tuple[tuple[float, ...], t.Node]:
     """The value of a quantity at a moment, and the formula that tells its dimension. Raises StatementError where the motion
     does not come there, or a contact is lost before."""
-    if question.when is None or question.of:
+    if question.when is None or question.of or question.since:
         what = "without a closed form, a value is found at one moment only"
         raise StatementError(what, instead="say when: “… where theta = 0”.")
     place = asked.named(question.phase) if question.phase else 0

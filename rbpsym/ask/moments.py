@@ -129,28 +129,40 @@ class Asked:
 def moment_of(asked: Asked, when: When, question: Question) -> Moment:
     """The moment that the words mean. Raises StatementError where the motion never comes there."""
     place = asked.named(question.phase) if question.phase else None
+    if question.manner and when.kind in ("reaches", "rests"):
+        if found := _in_time(asked, when, place, question.manner):
+            return found
+        raise NoClosedForm(f"no closed form was found for the moment “{when.text}” in this case", instead=BY_NUMBERS)
     try:
         found, refused = MOMENTS[when.kind](asked, when, place), None
     except StatementError as error:
         found, refused = None, error
     if when.kind in ("reaches", "rests") and (found is None or (found.state.time is None and "time" in question.quantity)):
-        found = _in_time(asked, when, place, question.manner) or found
+        found = _in_time(asked, when, place) or found
     if found is None:
         raise refused
     return found
 
 
-def _in_time(asked: Asked, when: When, place: int | None, manner: str) -> Moment | None:
+def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> Moment | None:
     """The moment by the motion as a function of the time, where that is known."""
     from rbpsym.ask import in_time
 
     world = asked.world(place or 0)
     name = when.words[0] if when.words else world.study.system.independent[0]
-    value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
     with suppress(NotApplicable):
+        if name == "t":
+            return in_time.at_time(asked, place or 0, _instant(world, when.words[1]), manner)
+        value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
         found = in_time.reached(asked, place or 0, f"{name}_dot" if when.kind == "rests" else name, value, manner)
         return replace(found, state=clear(world.study, found.state))
     return None
+
+
+def _instant(world: ProblemWorld, text: str) -> Scalar:
+    node = read_infix(text, world.names)
+    require_dimension(node, world.dimensions, TIME, "the time")
+    return scalar(node)
 
 
 def _begins(asked: Asked, when: When, place: int | None) -> Moment:
@@ -282,8 +294,7 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
     world = asked.world(place or 0)
     node = read_infix(text, world.names)
     if name == "t":
-        require_dimension(node, world.dimensions, TIME, "the time")
-        return in_time.at_time(asked, place or 0, scalar(node))
+        return in_time.at_time(asked, place or 0, _instant(world, text))
     if _is_force(asked, name, place):
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)

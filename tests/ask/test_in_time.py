@@ -156,6 +156,7 @@ def test_cases_of_damping_are_told_with_their_conditions() -> None:
     }
     for case, told in conditions.items():
         assert [to_text(node) for node in answered(asked, f"x as a function of t, {case}").valid] == told
+        assert [to_text(node) for node in answered(asked, f"x where t = m/b, {case}").valid] == told
     sure = Asked(on_line("-k*x - 3*sqrt(m*k)*x_dot"))
     assert answered(sure, "x as a function of t").valid == ()
 
