@@ -21,7 +21,7 @@ from rbpsym.document.notes import notes
 from rbpsym.document.numbering import numbered
 from rbpsym.document.pictures import drawings, figures_of
 from rbpsym.document.writers import writer
-from rbpsym.solve import results
+from rbpsym.solve import answer_of
 from rbpsym.statement.loader import load_problem
 
 HERE = Path(__file__).parent
@@ -39,22 +39,26 @@ def write(pages: Path, extra: Path) -> None:
         [drawn] = drawings([(figure.scenes, notation)], "svg", 0)
         (pages / f"{entry.name}.svg").write_bytes(drawn)
         (extra / "problems" / f"{entry.name}.html").write_text(writer("html")(document), encoding="utf-8")
-        if not derivation.study.at_start:
+        if moves(derivation):
             moving = explorer((derivation.study.problem,))
             (extra / "problems" / f"{entry.name}-explorer.html").write_text(moving, encoding="utf-8")
         (pages / f"{entry.name}.md").write_text("\n".join(page(entry, derivation, figure.alt)), encoding="utf-8")
     (pages / "index.md").write_text("\n".join(index(problems)), encoding="utf-8")
 
 
+def moves(derivation: Derivation) -> bool:
+    """Whether a motion is told, not the start alone or how mass is spread."""
+    return not (derivation.study.at_start or derivation.study.problem.is_at_rest)
+
+
 def page(entry: Entry, derivation: Derivation, alt: str) -> Iterator[str]:
     """The page of a problem."""
     problem = derivation.study.problem
-    answer = results(derivation.study) | {"verdicts": derivation.summary()}
-    title, *told = (click.unstyle(line) for line in lines(answer, problem))
+    title, *told = (click.unstyle(line) for line in lines(answer_of(derivation), problem))
     yield f"# {title}\n"
     yield f"```{{image}} {entry.name}.svg\n:alt: {' '.join(alt.split())}\n:width: 24em\n```\n"
-    notes_, moves = (f"../problems/{entry.name}{end}.html" for end in ("", "-explorer"))
-    see = "" if derivation.study.at_start else f' · <a href="{moves}">See it move</a>'
+    notes_, moving = (f"../problems/{entry.name}{end}.html" for end in ("", "-explorer"))
+    see = f' · <a href="{moving}">See it move</a>' if moves(derivation) else ""
     yield f'```{{raw}} html\n<p><a href="{notes_}">The derivation</a>{see}</p>\n```\n'
     yield f"Source: {problem.source}.\n" if problem.source else ""
     yield "## Results\n\n```text\n" + "\n".join(told) + "\n```\n"
