@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rbpsym.notation.glyphs import Notation
     from rbpsym.statement.model import Problem
 
-FINE, DOUBTFUL = 0, 1
+FINE, DOUBTFUL, UNANSWERED = 0, 1, 2
 
 
 @click.command("ask")
@@ -42,12 +42,13 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
     from rbpsym.commands.shelf import found, stated
     from rbpsym.errors import ReadError
 
-    problem = stated(found(name, ("problem",))[1])
+    problem = stated(found(name, ("problem",))[1], questions)
     questions = questions or tuple(problem.questions)
     if not questions:
         raise ReadError(f"nothing is asked about {name}", instead='add a question: rbpsym ask NAME "N at the start".')
     numbers, asked = read_numbers(given, problem) if given else None, Asked(problem)
-    told = [_told(asked, text, numbers) for text in questions]
+    tell = _told if len(questions) == 1 else _told_or_refused
+    told = [tell(asked, text, numbers) for text in questions]
     records = [record for _, record in told]
     if as_json:
         import json
@@ -55,6 +56,8 @@ def command(name: str, questions: tuple[str, ...], as_json: bool, given: str | N
         click.echo(json.dumps(records[0] if len(records) == 1 else records, indent=2, ensure_ascii=False))
     else:
         click.echo("\n\n".join("\n".join(lines(answer, record, numbers, problem)) for answer, record in told))
+    if any("error" in record for record in records):
+        return UNANSWERED
     return FINE if all(record["verdict"] == "PROVED" for record in records) else DOUBTFUL
 
 
@@ -72,6 +75,17 @@ def _told(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None
             raise
         return None, record_integrated(asked, read_question(text), numbers)
     return answer, record(answer, numbers)
+
+
+def _told_or_refused(asked: Asked, text: str, numbers: Given | None) -> tuple[Answer | None, dict[str, Any]]:
+    """The same; for a question without an answer the sentence that says why, as the reason and as the "error"."""
+    from rbpsym.ask.telling import unanswered
+    from rbpsym.errors import RbpsymError
+
+    try:
+        return _told(asked, text, numbers)
+    except RbpsymError as error:
+        return None, {**unanswered(text, str(error)), "error": str(error)}
 
 
 def lines(found: Answer | None, record: Mapping[str, Any], numbers: Given | None, problem: Problem) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -84,13 +84,14 @@ def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> 
     raise missing(name_or_file, shelves, kinds)
 
 
-def stated(path: Path) -> Problem:
-    """The problem of a file; of one's own it is said which parameters nothing uses."""
+def stated(path: Path, asked: tuple[str, ...] = ()) -> Problem:
+    """The problem of a file; of one's own it is said which parameters nothing uses, also not what is `asked` beside it."""
     from rbpsym.statement.loader import load_problem
     from rbpsym.statement.unused import unused
 
     problem = load_problem(path)
-    for name in unused(problem) if path not in problem_files().values() else ():
+    whole = replace(problem, questions=(*problem.questions, *asked))
+    for name in unused(whole) if path not in problem_files().values() else ():
         click.echo(f"{path}: the parameter “{name}” is used nowhere in the statement", err=True)
     return problem
 

@@ -81,6 +81,14 @@ def test_several_questions_give_a_list_and_a_range_a_table() -> None:
     assert told[0]["table"][-1]["theta"] == pytest.approx(math.radians(70))
 
 
+def test_a_question_without_an_answer_leaves_the_others_theirs() -> None:
+    questions = ("N_w at the start", "N_q at the start", "N_f at the start")
+    told = json.loads(run("sliding-ladder", *questions, "--json", code=2))
+    assert ["error" in each for each in told] == [False, True, False]
+    assert [each["verdict"] for each in told] == ["PROVED", "UNDECIDED", "PROVED"] and "N_q" in told[1]["error"]
+    assert told[1]["error"].splitlines()[0] in run("sliding-ladder", *questions, code=2)
+
+
 def test_what_has_no_closed_form_is_integrated_and_that_is_said() -> None:
     given = "ell = 1.5 m, g = 9.81 m/s^2, theta_0 = 5 deg, M = 1 kg"
     told = json.loads(run("rod-pendulum", "time until theta = 0", "--json", "--with", given, code=1))

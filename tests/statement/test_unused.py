@@ -52,3 +52,8 @@ def test_the_commands_say_it(tmp_path, monkeypatch, command) -> None:
     (tmp_path / "mine.toml").write_text('title = "Mine"\n' + TEXT, encoding="utf-8")
     first, *more = command
     assert "“zeta” is used nowhere" in run(first, "mine.toml", *more).stderr
+
+
+def test_what_is_asked_uses_a_name(tmp_path) -> None:
+    (tmp_path / "mine.toml").write_text('title = "Mine"\n' + TEXT, encoding="utf-8")
+    assert "used nowhere" not in run("ask", str(tmp_path / "mine.toml"), "speed of x where x = r + zeta").stderr
