@@ -142,7 +142,7 @@ def require_numbers(study: Study, values: Iterable[Scalar], known: Collection[st
         raise StatementError(f"a number is missing for {told}", instead=f'add it: --with "…, {missing[0]} = …".')
 
 
-def value_at(study: Study, values: Sequence[Scalar], valid: Iterable[t.Node], numbers: Mapping[str, float]) -> list[float]:
+def value_at(study: Study, values: Sequence[Scalar], valid: Sequence[t.Node], numbers: Mapping[str, float]) -> list[float]:
     """The values at some numbers. Raises StatementError for a letter without one, or where a condition is not met."""
     require_numbers(study, values, numbers)
     for node in valid:
@@ -155,7 +155,9 @@ def value_at(study: Study, values: Sequence[Scalar], valid: Iterable[t.Node], nu
     try:
         return [number(value, numbers) for value in values]
     except NoNumber as error:
-        raise StatementError(f"the answer has no value at these numbers: {error.what}", instead="change a number.") from None
+        needs = ", ".join(to_text(node) for node in valid)  # at the very edge of one of these
+        hint = f"change a number, or ask for another case: this one needs {needs}." if needs else "change a number."
+        raise StatementError(f"the answer has no value at these numbers: {error.what}", instead=hint) from None
 
 
 def _holds(gap: Scalar, op: str, numbers: Mapping[str, float]) -> bool:

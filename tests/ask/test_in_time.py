@@ -13,6 +13,7 @@ import pytest
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
+from rbpsym.ask.numbers import value_at
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation.infix import read_infix
@@ -157,6 +158,9 @@ def test_cases_of_damping_are_told_with_their_conditions() -> None:
     for case, told in conditions.items():
         assert [to_text(node) for node in answered(asked, f"x as a function of t, {case}").valid] == told
         assert [to_text(node) for node in answered(asked, f"x where t = m/b, {case}").valid] == told
+    edge, found = NUMBERS | {"m": 1.0, "k": 1.0, "b": 2.0}, answered(asked, "x where t = m/b, underdamped")
+    with pytest.raises(RbpsymError, match="another case: this one needs 4mk − b² > 0"):
+        value_at(found.study, found.values, found.valid, edge)
     sure = Asked(on_line("-k*x - 3*sqrt(m*k)*x_dot"))
     assert answered(sure, "x as a function of t").valid == ()
 
