@@ -12,7 +12,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask import in_time
-from rbpsym.ask.lasting import contacts_last
+from rbpsym.ask.lasting import contacts_last, held, lasts_to
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
@@ -27,7 +27,6 @@ from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.pushing import start_valid
-from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -46,8 +45,9 @@ TOLD = (
 )  # fmt: skip
 
 
-def certified(asked: Asked, question: Question, found: Found, letter: str = LETTER) -> Answer:
-    """The answer, which is given the letter, with its steps and its verdict."""
+def certified(asked: Asked, question: Question, found: Found, letter: str = LETTER, *, is_ground: bool = False) -> Answer:
+    """The answer, which is given the letter, with its steps and its verdict; the ground of another answer (`is_ground`) is
+    a formula, and does not say how far the motion lasts."""
     from rbpsym.ask.answer import Answer
 
     place = found.moment.place if found.moment else asked_place(asked, found.study)
@@ -71,9 +71,12 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     steps = needed(draft.steps, last)
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
+    is_asked = found.moment is not None and not found.told and not is_ground
+    lasts, open_ = lasts_to(found.study, found.moment) if is_asked else ((), ())
+    comes += map(undecided, open_)
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
-    valid = _valid(draft, found, (*before, *steps))
+    valid = _valid(draft, found, lasts, (*before, *steps))
     return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps))
 
 
@@ -250,21 +253,22 @@ def _rows(statement: t.Node) -> tuple[t.Chain, ...]:
     return statement.rows if isinstance(statement, t.System) else (statement,)
 
 
-def _valid(draft: Draft, found: Found, steps: tuple[Step, ...]) -> tuple[t.Node, ...]:
-    """The conditions under which it holds: what the steps ask for, and the motion that is stated."""
+def _valid(draft: Draft, found: Found, lasts: tuple[Demand, ...], steps: tuple[Step, ...]) -> tuple[t.Node, ...]:
+    """The conditions under which it holds: what the steps ask for, and the motion that is stated, which `lasts` so far."""
     told = (step.certificate.verdict.open_obligations for step in steps if step.certificate)
     duties = [duty.relation for open_ in told for duty in open_]
     own = (t.relations(duty) for duty in duties)
     asked = [Demand(value, op) for rows in own for left, op, _ in rows if (value := _valued(draft, left)) is not None]
     if found.moment is not None and found.moment.watched:
         asked = [Demand(substitute(one.value, {"t": found.moment.state.time}), one.op) for one in asked]
-    wanted = (*_demands(found), *asked)
+    stated = (*_demands(found), *lasts)
+    wanted = (*stated, *asked)
     never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)
     if never is not None:
         what = to_machine(present(never.value))
         raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
     left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
-    return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(_demands(found)))))
+    return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(stated))))
 
 
 def _valued(draft: Draft, node: t.Node) -> Scalar | None:
@@ -282,10 +286,9 @@ def _demands(found: Found) -> Iterator[Demand]:
         yield from (demand for _, demand in contacts_last(study, {n: symbol(n) for n in study.system.coordinates}))
     if found.told:
         return
-    kept = [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
-    moves = found.of == "position" or (found.moment is not None and found.moment.how != "start")
     moving = study.system.scope.rates.keys()
-    yield from (d for d in (*kept, *grips(study.friction_needs)) if moves or not names_in(d.value) & moving)
+    if found.moment is None:
+        yield from (d for d in held(study) if found.of == "position" or not names_in(d.value) & moving)
     try:
         yield from start_valid(study) or ()
     except LimitError:

@@ -28,7 +28,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     kept = [pair for pair in quantities.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
     stem = f"{letter}_".lower() if "_" not in letter else letter.lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
-    grounds = [certified(world.asked, *pair, name) for pair, name in zip(kept, names, strict=True)]
+    grounds = [certified(world.asked, *pair, name, is_ground=True) for pair, name in zip(kept, names, strict=True)]
     name = found.symbol or (found.place or ("",))[0]
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     left = settle((*found.valid, *more), world.motion.assumptions)

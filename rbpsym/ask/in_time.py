@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -20,6 +20,7 @@ from rbpsym.mechanics.endings import State, uniform_motion
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.state import of_coordinate
+from rbpsym.mechanics.study import Study
 
 
 def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:
@@ -30,13 +31,22 @@ def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solv
             moved = uniform_motion(study, time)
             with suppress(NotApplicable):
                 moved = replace(moved, valid=_valid(solutions.courses_of(study), time))
-            return Moment(place, moved, "time")
+            return Moment(place, replace(moved, valid=(*moved.valid, *_within(study, moved.places))), "time")
     found = solutions.courses_of(study, manner)
     at = {"t": time}
     places = {name: without_logarithms(substitute(one.whole, at)) for name, one in found.items()}
     speeds = {name: without_logarithms(substitute(one.speed, at)) for name, one in found.items()}
-    state = State(time, places, speeds, _valid(found, time))
-    return Moment(place, state, "time", courses=found, is_small=solutions.SMALL in manner)
+    is_small = solutions.SMALL in manner  # near a place of rest, which lies in the range
+    state = State(time, places, speeds, (*_valid(found, time), *(() if is_small else _within(study, places))))
+    return Moment(place, state, "time", courses=found, is_small=is_small)
+
+
+def _within(study: Study, places: Mapping[str, Scalar]) -> Iterator[Demand]:
+    """The places lie in the ranges that are declared of the coordinates."""
+    for name, place in places.items():
+        for end, side in zip(study.assumptions.range_of(name), (1, -1), strict=True):
+            if end is not None:
+                yield Demand(short((place - end) * side), ">=")
 
 
 def _valid(found: Mapping[str, Course], time: Scalar) -> tuple[Demand, ...]:

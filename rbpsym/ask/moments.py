@@ -23,7 +23,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
-from rbpsym.mechanics.endings import ENDINGS, State, at_start, comes_to_rest, force_taken, is_before
+from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.solutions import Course
@@ -231,7 +231,8 @@ def _told(error: RbpsymError | None, event: str, subject: str) -> RbpsymError:
         what = {"lost": "does not vanish", "reaches": "does not come to this value", "rests": "does not come to rest",
                 "no slip": "does not stop slipping", "slips": "does not begin to slip",
                 "takes": "does not have this value"}[event]  # fmt: skip
-        return StatementError(f"“{subject}” {what} in this motion, as far as is known", instead=error.instead)
+        far = " at any of the numbers that were tried" if UNKNOWN in error.what else ", as far as is known"
+        return StatementError(f"“{subject}” {what} in this motion{far}", instead=error.instead)
     return error or StatementError("this moment is not known")
 
 

@@ -164,6 +164,16 @@ def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> 
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 
+def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+    """The whole motion of a coordinate as `way_to` says it; with the other side of the start, to which it comes back from
+    a place where it turns round."""
+    way, within = way_to(world, name, None, given)
+    if not world.study.system.scope.start.get(f"{name}_dot", NOTHING) or is_sure((way.square,), name, within):
+        return [(way, within)]
+    back = replace(way, sense=-way.sense)
+    return [(way, within), (back, _on_way(back, None, where_met(given, way.asked)))]
+
+
 def _on_way(way: Way, end: Scalar | None, given: Assumptions) -> Assumptions:
     ahead = given.with_range(way.name, *_ends(way, given.range_of(way.name)))
     end = _turning(way, ahead) if end is None else end

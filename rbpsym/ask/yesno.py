@@ -27,7 +27,7 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
-        demands = [*_demands(world, condition)]
+        demands = [*least_values(world, condition)]
         surely = settle(condition.asked, world.motion.assumptions) or ()
     except Undecided as error:
         return Finding(undecided(error.what))
@@ -70,7 +70,7 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
     return does(world, f"{force} stays positive{rest}", opposite=True)
 
 
-def _demands(world: Scene, condition: Wanted) -> Iterator[Demand]:
+def least_values(world: Scene, condition: Wanted) -> Iterator[Demand]:
     """What has to hold of the parameters: each least value on the way is positive."""
     op = ">=" if condition.closed else ">"
     given = where_met(condition.given, (*condition.asked, *world.demands))

@@ -28,7 +28,7 @@ from rbpsym.mechanics.ways import taken
 def under(context: Context, step: Step, *ops: str) -> Context:
     """The context in which the printed conditions of the step are met (those with these operators; else all)."""
     demands = [demand for demand in _printed(context, step) if demand.op in (ops or (demand.op,))]
-    return replace(context, assumed=assuming(context.assumptions, demands)) if demands else context
+    return replace(context, assumed=assuming(context.assumptions, demands, tighter=True)) if demands else context
 
 
 def _printed(context: Context, step: Step) -> list[Demand]:

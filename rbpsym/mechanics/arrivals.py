@@ -25,6 +25,7 @@ from rbpsym.mechanics.state import State, of_coordinate
 from rbpsym.mechanics.study import Study
 
 EDGE = 1e-9
+NEAR_ENDS = (0.02, 0.98)
 
 
 def mover(study: Study) -> str | None:
@@ -41,10 +42,10 @@ def mover(study: Study) -> str | None:
     return moving[0] if len(moving) == 1 and moving[0] in study.squares else None
 
 
-def state_at(study: Study, name: str, place: Scalar) -> State:
-    """All coordinates and speeds where the one that changes has a value, its speed from the first integral; a coordinate
-    that is not known there is its own letter."""
-    there = floating(place - study.system.scope.start[name], sample(study.problem))
+def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> State:
+    """All coordinates and speeds where the one that changes has a value, its speed from the first integral, in the `sense`
+    in which it comes there (0: that at the sample numbers); a coordinate that is not known there is its own letter."""
+    there = sense or floating(place - study.system.scope.start[name], sample(study.problem))
     speed = positive_root(study, substitute(study.squares[name], {name: place})) * (-1 if there < 0 else 1)
     here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
     for other, rate in study.kept_speeds.items():
@@ -65,12 +66,12 @@ def _followed(study: Study, name: str, speed: str) -> Scalar:
     return symbol(other) if gained is None else study.system.scope.start[other] + gained
 
 
-def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand]] | None:
+def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Demand], int] | None:
     """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
-    the motion comes to one, and where it is the first; None if there is none in closed form. Raises NotApplicable where one
-    without may come before."""
+    the motion comes to one, where it is the first, and the sense in which it comes; None if there is none in closed form.
+    Raises NotApplicable where one without may come before."""
     start, is_open = study.system.scope.start[name], False
-    for numbers in samples(study.problem):
+    for numbers in _tried(study, start):
         way = Way(name, start, -1 if floating(_drive(study, name), numbers) < 0 else 1, study.squares[name])
         factors = [factor for gap in gaps for factor in factors_in(gap, name)]
         known = (place for factor in factors for place in places_ahead(factor, way, study.assumptions))
@@ -78,11 +79,20 @@ def first_met(study: Study, name: str, *gaps: Scalar) -> tuple[Scalar, list[Dema
         place = min(ahead, key=lambda item: item[0])[1] if ahead else None
         asked = None if place is None else _conditions(study, way, place, gaps, numbers)
         if asked is not None and all(floating(demand.value, numbers) >= 0 for demand in asked):
-            return place, asked
+            return place, asked, way.sense
         is_open = is_open or (place is not None and asked is None)
     if is_open:
         raise NotApplicable(f"whether “{name}” comes so far is not decided: the speed may vanish before, where no formula tells")
     return None
+
+
+def _tried(study: Study, start: Scalar) -> Iterator[Numbers]:
+    """Sample numbers; then those with a start that no parameter declares close to the ends of its range."""
+    yield from samples(study.problem)
+    numbers = sample(study.problem)
+    for name in names_in(start) & set(study.problem.implicit):
+        ends = [None if end is None else floating(end, numbers) for end in study.assumptions.range_of(name)]
+        yield from ({**numbers, name: ends[0] + (ends[1] - ends[0]) * part} for part in NEAR_ENDS if None not in ends)
 
 
 def _conditions(

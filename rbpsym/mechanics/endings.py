@@ -120,11 +120,11 @@ def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar) -> Sta
     found = first_met(study, name, *gaps)
     if found is None:
         raise _no_closed_form(f"the place where “{phase.subject}” {what}") if what else _never(study, phase, UNKNOWN)
-    place, asked = found
+    place, asked, sense = found
     valid = settle(asked, study.assumptions)
     if valid is None:
         raise _never(study, phase)
-    return replace(state_at(study, name, place), valid=valid)
+    return replace(state_at(study, name, place, sense), valid=valid)
 
 
 def comes_to_rest(study: Study, phase: Phase) -> State:

@@ -1,0 +1,143 @@
+"""An answer at a moment holds as long as contacts and friction last on the way to it, and within the declared ranges."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.ask.asking import ask
+from rbpsym.notation.machine import to_machine
+from rbpsym.statement.loader import load_text
+
+DISK = """
+title = "Rolling disk on a spring"
+[parameters]
+m = "mass: mass"
+R = "length: radius"
+k = "stiffness: spring"
+ell = "length: natural length"
+x_0 = "length < ell: displacement at first"
+mu = "number: static friction"
+g = "acceleration: gravity"
+[points]
+A = ["-ell", "R"]
+[coordinates.x]
+dimension = "length"
+start = "x_0"
+[coordinates.phi]
+[bodies.disk]
+shape = "disk"
+mass = "m"
+radius = "R"
+center = ["x", "R"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[interactions.S]
+type = "spring"
+between = ["A", "disk.center"]
+stiffness = "k"
+natural_length = "ell"
+[constraints.N]
+type = "rolling"
+body = "disk"
+line = "y = 0"
+friction = "f"
+limit = "mu"
+"""
+ROD = """
+title = "Rod falls on rough ground"
+[parameters]
+m = "mass: mass"
+L = "length: length"
+mu = "number: static friction"
+g = "acceleration: gravity"
+[coordinates.theta]
+start = "theta_0"
+range = ["0", "pi/2"]
+[bodies.rod]
+shape = "rod"
+mass = "m"
+length = "L"
+start = "O"
+angle = "pi/2 - theta"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "sticking"
+point = "rod.start"
+line = "y = 0"
+side = "positive"
+friction = "f"
+limit = "mu"
+"""
+TUBE = """
+title = "A bead in a tube that is turned evenly"
+[parameters]
+m = "mass: bead"
+M = "mass: tube"
+L = "length: length of the tube"
+r_0 = "length < L: place at first"
+Omega = "angular speed: angular speed"
+[coordinates.r]
+dimension = "length"
+start = "r_0"
+range = ["0", "L"]
+[coordinates.phi]
+start = "0"
+speed = "Omega"
+[bodies.tube]
+shape = "rod"
+mass = "M"
+length = "L"
+start = "O"
+angle = "phi"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["r*cos(phi)", "r*sin(phi)"]
+[constraints.F]
+type = "pivot"
+point = "tube.start"
+[constraints.N]
+type = "guide"
+point = "bead.center"
+line = "y = 0"
+of = "tube"
+[constraints.C]
+type = "prescribed-angle"
+body = "tube"
+angle = "Omega*t"
+"""
+SMOOTH = ROD.replace('limit = "mu"', "").replace('mu = "number: static friction"', "")
+ASKED = [
+    *((DISK, question, "3*mu*m*g - k*x_0 >= 0") for question in (
+        "f at the start", "acceleration of x at the start", "speed of x where x = 0", "time until x = 0", "x as a function of t",
+        "speed of x where x = -x_0/2",
+    )),
+    *((ROD, question, "mu*(4 - 3*sin(theta_0)**2) - 3*sin(theta_0)*cos(theta_0) >= 0") for question in (
+        "f at the start", "N at the start", "angular acceleration of rod at the start",
+    )),
+    (SMOOTH, "N where theta = pi/3", "pi - 3*theta_0 > 0"),
+]  # fmt: skip
+
+
+def conditions(text: str, question: str):
+    [found] = ask(load_text(text), question)
+    return found, [to_machine(node) for node in found.valid]
+
+
+@pytest.mark.parametrize(("text", "question", "told"), ASKED, ids=lambda value: str(value)[-30:])
+def test_the_worst_on_the_way_is_a_condition(text: str, question: str, told: str) -> None:
+    found, said = conditions(text, question)
+    assert found.verdict.is_proved and told in said
+
+
+def test_what_is_not_decided_on_the_way_is_not_proved_and_leaves_no_free_coordinate() -> None:
+    found, said = conditions(ROD, "angular velocity where theta = pi/2")
+    assert "last so far is not decided" in found.verdict.reason
+    assert not any("theta" in one.replace("theta_0", "") for one in said)
+
+
+def test_a_declared_range_is_a_condition_of_a_motion_in_time() -> None:
+    _, said = conditions(TUBE, "r as a function of t")
+    assert any("L" in one and "exp" in one for one in said)
