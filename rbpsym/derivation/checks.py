@@ -349,8 +349,10 @@ def divides(factor: Scalar, value: Scalar) -> Verdict:
     from rbpsym.algebra.division import divide
     from rbpsym.algebra.normal import normal
 
-    whole = divide(normal(value.num), normal(factor.num))
-    if whole is None:
+    num, by = normal(value.num), normal(factor.num)
+    common = dict(num.content()[1])
+    is_there = all(common.get(index, 0) >= power for index, power in by.content()[1] if power > 0)
+    if not is_there or divide(num, by) is None:  # x/y is no reason why x should vanish with y
         return Verdict(UNDECIDED, reason="the factor was not found in the force again")
     return Verdict(PROVED, how="the factor divides the force")
 
