@@ -90,7 +90,7 @@ def stated(path: Path, asked: tuple[str, ...] = ()) -> Problem:
     from rbpsym.statement.unused import unused
 
     problem = load_problem(path)
-    whole = replace(problem, questions={**problem.questions, **dict.fromkeys(asked, {})})
+    whole = replace(problem, questions={**problem.questions, **{text: {} for text in asked}})
     for name in unused(whole) if path not in problem_files().values() else ():
         click.echo(f"{path}: the parameter “{name}” is used nowhere in the statement", err=True)
     return problem
