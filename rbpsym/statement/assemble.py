@@ -56,7 +56,9 @@ def assemble(table: Table, name: str) -> Problem:
     reader = CoordinateReader(table, scope)
     coordinates = tuple(reader.read())
     parameters = (*parameters, *reader.implicit.values())
-    scope = replace(_scope_of(parameters, coordinates), coordinates=reader.dimensions)
+    named = {getattr(c.start, "name", None): c for c in coordinates}
+    starts = tuple(replace(named[name], quantity=quantity) for name, quantity in reader.implicit.items() if name in named)
+    scope = replace(_scope_of(parameters, (*coordinates, *starts)), coordinates=reader.dimensions)
     scope = replace(scope, points=_points(table, scope))
     bodies = read_bodies(table, scope)
     around = Surroundings(scope, bodies)

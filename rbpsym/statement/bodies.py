@@ -10,7 +10,7 @@ from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension
 from rbpsym.statement.elements import kind_of_element
 from rbpsym.statement.kinds import ShapeKind
 from rbpsym.statement.model import Body, Pair, PlacedShape, Shape
-from rbpsym.statement.premises import contradicts
+from rbpsym.statement.premises import LEFT_OPEN, contradicts
 from rbpsym.statement.references import CM, check_name
 from rbpsym.statement.scope import Scope, read_expression, read_pair
 from rbpsym.statement.shapes import DENSITY_DIMENSIONS, SHAPES
@@ -123,7 +123,7 @@ def _shape(table: Table, kind: ShapeKind, scope: Scope, where: str) -> tuple[Sha
 
 def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node | None) -> tuple[Shape, Node | None]:
     sizes = _sizes(table, kind, scope, where)
-    _check_extent(size_of(kind, sizes) if kind.size else ONE, table, scope, where)
+    _check_extent(size_of(kind, sizes) if kind.size else ONE, table, scope, where, mass)
     density = _density(table, kind, scope, where) if mass is None or ("density" in table and kind.density) else None
     try:
         return shape_of(kind, sizes, Material(mass, density, frozenset(scope.all))), mass
@@ -131,9 +131,12 @@ def _simple(table: Table, kind: ShapeKind, scope: Scope, where: str, mass: Node 
         raise table.error(f"the density of {where} is zero in all", "write how it varies: 1 + s/ell.", "density") from None
 
 
-def _check_extent(size: Node, table: Table, scope: Scope, where: str) -> None:
-    if found := contradicts(size, "positive", scope.given):
-        cure = "go round its corners counter-clockwise." if "vertices" in table else "change one of its sizes."
+def _check_extent(size: Node, table: Table, scope: Scope, where: str, mass: Node | None = None) -> None:
+    """A size of either sign does no harm to one shape of known mass: its moments hold squares of its sizes."""
+    found = contradicts(size, "positive", scope.given)
+    if found and (found != LEFT_OPEN or mass is None):
+        bound = 'change one of its sizes, or bound it, as in "length > r: outer radius".'
+        cure = "go round its corners counter-clockwise." if "vertices" in table else bound
         raise table.error(f"{where} has no extent: its size is {found}", cure, "shape")
 
 
@@ -205,7 +208,7 @@ def _composite(table: Table, scope: Scope, where: str) -> tuple[Shape, Node | No
     placed = tuple(_placed_part(part, mass, scope) for part, mass in zip(parts, masses, strict=True))
     mass = _mass(table, scope, where) if "mass" in table else total_mass(placed)
     if mass is not None and (found := contradicts(mass, "nonnegative", scope.given)):
-        raise table.error(f"the mass of {where} is {found}", "what is cut out can't have more mass than the rest.")
+        raise table.error(f"the mass of {where} is {found}", "bound what is cut out: it can't have more mass than the rest.")
     return compose(placed), mass
 
 

@@ -1,8 +1,8 @@
 """What is declared of quantities — signs and ranges — and which expressions contradict it.
 
-Signs are decided by `equality.signs`: what is not so for any values that are declared is refused where it stands.
-What holds for some of them and fails for others is left to the obligations of the steps that need it. The algebra
-is imported only where the form of an expression does not tell.
+Signs are decided by `equality.signs`: what is not so for any values that are declared is refused where it stands, and so
+is a size (a mass, a length, a stiffness) that is negative for some of them. What else holds for some and fails for others
+is left to the obligations of the steps that need it. The algebra is imported only where the form does not tell.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 BROKEN = {"!=": ("zero",), ">=": ("negative",), ">": ("negative", "zero", "nonpositive")}
 OPS = {"positive": ">", "nonnegative": ">=", "nonzero": "!="}
 NEVER = {"nonpositive": "never positive"}
+SIZES = ("positive", "nonnegative", "zero")
+LEFT_OPEN = "of a sign that the declared signs and ranges leave open"
 BY_FORM = {1: "positive", 0: "zero", -1: "negative"}
 
 
@@ -72,12 +74,14 @@ def _value(node: Node) -> Scalar | None:
 def sign_of(node: Node, given: Declared = NOTHING_DECLARED) -> str | None:
     """What is surely the sign of an expression (see `equality.signs.SignResult`), or None."""
     plain = _by_form(node, given.signs)
-    if plain is not None:
-        return BY_FORM[plain]
+    return BY_FORM[plain] if plain is not None else _by_value(node, given, factoring=False)
+
+
+def _by_value(node: Node, given: Declared, *, factoring: bool) -> str | None:
     from rbpsym.equality.signs import sign
 
     value = _value(node)
-    return None if value is None else sign(value, given.assumptions, factoring=False).kind
+    return None if value is None else sign(value, given.assumptions, factoring=factoring).kind
 
 
 def _by_form(node: Node, signs: Mapping[str, str]) -> int | None:
@@ -101,9 +105,14 @@ FORMS = {
 
 
 def contradicts(node: Node, wanted: str, given: Declared) -> str:
-    """What an expression is instead of `wanted` ("positive", ...); "" if it may be so."""
-    found = sign_of(node, given) if wanted in OPS else None
-    return NEVER.get(found, found) if found in BROKEN.get(OPS.get(wanted, ""), ()) else ""
+    """What an expression is instead of `wanted` ("positive", ...), or may be; "" if it is so, or zero at the worst."""
+    if wanted not in OPS:
+        return ""
+    found = sign_of(node, given)
+    if found in BROKEN[OPS[wanted]]:
+        return NEVER.get(found, found)
+    found = found or _by_value(node, given, factoring=True)
+    return "" if found in SIZES else LEFT_OPEN
 
 
 def surely_above(left: Node | None, right: Node | None, given: Declared, *, or_equal: bool = False) -> bool:

@@ -14,7 +14,7 @@ from rbpsym.notation.tree import Add, Node, Num, Sym, walk
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
-from rbpsym.statement.premises import NOTHING_DECLARED, Declared, contradicts, without_value
+from rbpsym.statement.premises import LEFT_OPEN, NOTHING_DECLARED, Declared, contradicts, without_value
 from rbpsym.statement.source import SourceItem, did_you_mean, kind_of, relocate, written
 
 ORIGIN: Pair = (Num(0), Num(0))
@@ -159,11 +159,12 @@ def _check_values(node: Node, scope: Scope, what: str, sign: str) -> None:
     given = scope.given.without(scope.variables)
     if found := without_value(node, given):
         raise _at(found[0], f"{what} {found[1]}", "write what has a value for the numbers that are declared.")
-    if found := contradicts(node, sign, given):
+    found = contradicts(node, sign, given)
+    if found and not (found == LEFT_OPEN and scope.variables):  # where in the body it varies is not known here
         raise _at(node, f"{what} must be {sign}, but this is {found}", SIGNS_ARE_PREMISES)
 
 
-SIGNS_ARE_PREMISES = "it is so for all numbers that the declared signs and ranges allow: write another expression."
+SIGNS_ARE_PREMISES = 'declare bounds for which it is so, as in "mass > m: mass of the block", or write another expression.'
 
 
 def _at(node: Node, what: str, instead: str = "") -> StatementError:

@@ -13,8 +13,7 @@ from tests.library.derived import NAMES, unsimulated
 
 FALLING = """
 [parameters]
-m = "mass"
-M = "mass"
+m = "mass, nonnegative"
 g = "acceleration"
 [coordinates.y]
 dimension = "length"
@@ -22,7 +21,7 @@ start = "0"
 speed = "0"
 [bodies.block]
 shape = "particle"
-mass = "M - m"
+mass = "m"
 center = ["0", "-y"]
 [interactions.W]
 type = "gravity"
@@ -31,7 +30,7 @@ type = "gravity"
 
 def test_a_divisor_that_cancels_is_told():
     found = solve(load_text(FALLING), simulation=False)
-    assert found["accelerations"] == {"y": "g"} and found["valid_where"] in (["M - m != 0"], ["m - M != 0"])
+    assert found["accelerations"] == {"y": "g"} and found["valid_where"] == ["m != 0"]
 
 
 def under_results(derivation):

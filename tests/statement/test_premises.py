@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement import load_text
-from rbpsym.statement.premises import Declared, contradicts, sign_of, surely_above, without_value
+from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.interactions import INTERACTIONS
+from rbpsym.statement.premises import LEFT_OPEN, Declared, contradicts, sign_of, surely_above, without_value
+from rbpsym.statement.shapes import SHAPES
 from tests.statement.sound import SOUND
 
 SIGNS = {"a": "positive", "b": "positive", "c": "real", "n": "nonnegative"}
@@ -57,8 +63,10 @@ def test_sign(text: str, sign: str | None) -> None:
     [
         ("a - 2*a", "positive", "negative"),
         ("-c**2", "positive", "never positive"),
-        ("-c**2", "nonnegative", ""),
-        ("a - b", "positive", ""),
+        ("-c**2", "nonnegative", LEFT_OPEN),
+        ("a - b", "positive", LEFT_OPEN),
+        ("c", "nonnegative", LEFT_OPEN),
+        ("a**2 - a*b + b**2", "positive", ""),
         ("b - b", "positive", "zero"),
         ("b - b", "nonnegative", ""),
         ("-a", "", ""),
@@ -92,6 +100,7 @@ def test_may_have_a_value(text: str) -> None:
     [
         ('length = "ell"', 'length = "«ell - ell»"', "“length” of the body “rod” must be positive, but this is zero"),
         ('mass   = "m"', 'mass   = "«m - 2*m»"', "must be nonnegative, but this is negative"),
+        ('mass   = "m"', 'mass   = "«m - M»"', LEFT_OPEN),
         ('angle  = "theta - pi/2"', 'angle  = "«asin(2)» + theta"', "takes asin of what is outside its domain"),
         ('stiffness = "k"\n', 'stiffness = "«-k*cos(0)»"\n', "must be positive, but this is negative"),
     ],
@@ -108,3 +117,25 @@ def test_refused_at_its_place(old: str, new: str, says: str) -> None:
     assert (
         text.split("\n")[place.line - 1][place.column - 1 :][: place.width] == new[new.index("«") + 1 : new.index("»")]
     )
+
+
+
+SIZES = {f.name for table in (SHAPES, INTERACTIONS, CONSTRAINTS) for kind in table.values() for f in kind.fields if f.sign}
+SIZED = re.compile(rf'^(mass|{"|".join(sorted(SIZES))})( *= *)"(?!O")(.*)"', re.M)
+EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
+STATED = [(path, found) for path in sorted(EXAMPLES.rglob("*.toml")) for found in SIZED.finditer(path.read_text("utf-8"))]
+
+
+@pytest.mark.parametrize(("path", "found"), STATED, ids=[f"{path.stem} {found[1]} {k}" for k, (path, found) in enumerate(STATED)])
+def test_a_size_of_either_sign_is_refused(path: Path, found: re.Match) -> None:
+    """Every size of every kind, as a multiple of a difference that what is declared does not settle."""
+    text = path.read_text("utf-8")
+    changed = f'{text[: found.start()]}{found[1]}{found[2]}"({found[3]})*(n_1 - n_2)"{text[found.end() :]}'
+    with pytest.raises(RbpsymError, match=LEFT_OPEN):
+        load_text(changed.replace("[parameters]\n", '[parameters]\nn_1 = "number: one"\nn_2 = "number: two"\n', 1))
+
+
+def test_a_bound_settles_the_sign() -> None:
+    bounded = SOUND.replace('M   = "mass, nonnegative:', 'M   = "mass > m:').replace('mass   = "M"', 'mass   = "M - m"')
+    assert bounded != SOUND
+    load_text(bounded)

@@ -56,7 +56,7 @@ def body(shape: str, mass: str | None = "M", **keys: object) -> Body:
         parameters={
             "M": "mass",
             "a": "length",
-            "b": "length",
+            "b": "length > a",
             "c": "length",
             "J": "moment of inertia",
             "psi": "angle",

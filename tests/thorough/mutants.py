@@ -49,6 +49,7 @@ AREAS: Mapping[str, tuple[int, tuple[str, ...]]] = {
             "teaching/exports/canvas.py",
         ),
     ),
+    "ask": (60, ("ask/*.py",)),
 }  # fmt: skip
 LIMIT = 100  # seconds of the processor until a mutant counts as killed by time
 QUIET = ("-p", "no:xdist", "-p", "no:cacheprovider", "-x", "--hypothesis-seed=0", "--no-header", "-W", "ignore")
