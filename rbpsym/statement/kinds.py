@@ -21,7 +21,7 @@ class Field:
     the expression(s), None if free; `default` is what an absent key means, written as in the
     file (None: the key is required; "": absent, or left to the mechanics). `may_use` says of
     what the expression may be made: "parameters", "time" (and parameters), "coordinates" (and
-    those) or "speeds" (and all). `sign` is "positive" or "nonnegative" where a value that is plainly not so is
+    those) or "speeds" (and all). `sign` is "positive" or "nonnegative" where a value that is not known to be so is
     refused.
     """
 
