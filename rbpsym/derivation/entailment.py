@@ -18,7 +18,6 @@ from rbpsym.algebra.normal import is_zero, shorten
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, times
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
 from rbpsym.algebra.squares import with_squares
-from rbpsym.numeric.formulas import compiled
 
 TINY = 1e-9
 
@@ -237,6 +236,8 @@ def _may_vanish(slope: Scalar) -> bool:
     """Whether it is zero, or a sum of roots that numbers can't tell from zero: p √(1 + x²/p²) - √(p² + x²)."""
     if is_zero(slope) or sum(atoms.atom(index).kind == "root" for index in slope.atoms()) < 2:
         return is_zero(slope)
+    from rbpsym.numeric.formulas import compiled  # numpy is slow to load, and seldom asked
+
     [found] = compiled([slope])({name: 1 + k / 7 for k, name in enumerate(sorted(names_in(slope)), 1)})
     return not abs(found) >= TINY  # also where it has no value
 

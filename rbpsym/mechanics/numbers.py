@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
@@ -37,10 +38,10 @@ FUNCTIONS: Mapping[str, Callable[[float], float]] = {
 class Values:
     """Values of scalars where the names have these numbers, each sine and root computed once."""
 
-    __slots__ = ("known", "names")
+    __slots__ = ("functions", "known", "names")
 
-    def __init__(self, names: Numbers) -> None:
-        self.names, self.known = names, {atoms.PI: math.pi}
+    def __init__(self, names: Numbers, functions: Mapping[str, Callable[[Any], Any]] = FUNCTIONS) -> None:
+        self.names, self.known, self.functions = names, {atoms.PI: math.pi}, functions
 
     def of(self, value: Scalar) -> float:
         """The value (KeyError for a name without a number)."""
@@ -67,7 +68,7 @@ class Values:
             value = self.names[found.arg]
         else:
             inner = self.of(found.arg) if isinstance(found.arg, Scalar) else self._poly(found.arg)
-            value = FUNCTIONS[found.kind](inner)
+            value = self.functions[found.kind](inner)
         self.known[index] = value
         return value
 

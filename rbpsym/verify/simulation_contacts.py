@@ -15,9 +15,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
-from rbpsym.notation import tree
-from rbpsym.notation.tree import Node
+from rbpsym.mechanics.numbers import FUNCTIONS, Values
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import runs, tensions
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
@@ -41,6 +41,7 @@ NEWTON = 8
 Complex = list[complex]
 Point = tuple[complex, complex]
 GROUND_SPOT = Spot(-1, 0.0, 0.0)
+COMPLEX_FUNCTIONS = {kind: getattr(cmath, function.__name__) for kind, function in FUNCTIONS.items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,12 +136,10 @@ def curve(element: Element, mechanism: Mechanism, start: State) -> Curve:
 def _bent(element: Element, mechanism: Mechanism, start: State) -> Curve:
     """A curve by its parameter: an axis, or what is nearest to the point, followed from where the point starts."""
     touching, bend = mechanism.spot(element["point"]), element["curve"]
-    side = -1 if element.values.get("side") == "negative" else 1
+    side, place = -1 if element.values.get("side") == "negative" else 1, (scalar(bend.x), scalar(bend.y))
 
-    def at(u: complex) -> complex:
-        """The place, its y as what j would be in a second complex plane: a pair."""
-        values = {**mechanism.numbers, bend.name: u}
-        return np.array([complex_value(node, values) for node in (bend.x, bend.y)])
+    def at(u: complex) -> np.ndarray:
+        return np.array(Values({**mechanism.numbers, bend.name: u}, COMPLEX_FUNCTIONS).row(place))
 
     def along(u: complex) -> np.ndarray:
         return (8 * (at(u + H) - at(u - H)) - at(u + 2 * H) + at(u - 2 * H)) / (12 * H)
@@ -171,26 +170,6 @@ def _bent(element: Element, mechanism: Mechanism, start: State) -> Curve:
         return x * nx + y * ny
 
     return Curve(gap, normal, touching, 0.0, -1)
-
-
-RULES: Mapping[type, Callable[[Node, list[complex]], complex]] = {
-    tree.Add: lambda node, parts: sum(parts),
-    tree.Neg: lambda node, parts: -parts[0],
-    tree.Mul: lambda node, parts: math.prod(parts),
-    tree.Div: lambda node, parts: parts[0] / parts[1],
-    tree.Pow: lambda node, parts: parts[0] ** (parts[1].real if not parts[1].imag else parts[1]),
-    tree.Sqrt: lambda node, parts: cmath.sqrt(parts[0]),
-    tree.Group: lambda node, parts: parts[0],
-    tree.Num: lambda node, parts: complex(node.value),
-    tree.Fn: lambda node, parts: (cmath.log if node.name == "ln" else getattr(cmath, node.name))(parts[0]),
-}
-
-
-def complex_value(node: Node, values: Mapping[str, complex]) -> complex:
-    """The value of a tree at complex numbers."""
-    if isinstance(node, tree.Sym):
-        return complex(cmath.pi if node.name == "pi" else values[node.name])
-    return RULES[type(node)](node, [complex_value(part, values) for part in tree.children(node)])
 
 
 def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:

@@ -78,19 +78,10 @@ def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
     return Bench(Derived(study.system, told(study), None, study.squares, {}, {}), numbers)
 
 
-def _compare(
-    phase: Phase,
-    study: Study,
-    after: Stage,
-    numbers: Mapping[str, float],
-    errors: Errors,
-    ended: Callable[[float], object] = lambda time: None,
-) -> None:
-    """`ended` is told how long the phase before has lasted."""
+def _compare(phase: Phase, study: Study, after: Stage, numbers: Mapping[str, float], errors: Errors) -> None:
     bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), after.began
     derived = {name: number(value, numbers) for name, value in began.before.places.items()}
     end = _end(bench, phase, study, derived, numbers)
-    ended(end.time)
     if began.before.time is not None:
         errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
     guess = [derived[name] for name in bench.placement.names]

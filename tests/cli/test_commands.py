@@ -35,8 +35,11 @@ def test_list_can_be_searched():
     assert none.exit_code == 2 and "“perpetual” and “motion”" in none.stderr
 
 
-@pytest.mark.parametrize("args", [("--help",), ("list",), ("solve", "--help"), ("notes", "--help")])
-def test_help_and_list_are_light(args):
+SOLVES = ("solve", "sliding-ladder", "--json", "--no-simulation")
+
+
+@pytest.mark.parametrize("args", [("--help",), ("list",), ("solve", "--help"), ("notes", "--help"), SOLVES])
+def test_help_list_and_solving_are_light(args):
     code = (
         "import sys; sys.argv = ['rbpsym', *sys.argv[1:]]\n"
         "from rbpsym.cli import main\n"
@@ -49,7 +52,7 @@ def test_help_and_list_are_light(args):
 
 
 def test_solve_json_is_the_contract():
-    done = process("solve", "sliding-ladder", "--json", "--no-simulation")
+    done = process(*SOLVES)
     assert done.returncode == 0, done.stderr
     answer = json.loads(done.stdout)
     assert answer["accelerations"]["theta"] == "-3*g/(4*ell)*cos(theta)"

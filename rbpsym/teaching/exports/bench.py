@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from hashlib import sha256
+from itertools import islice
 from typing import Any
 
 from rbpsym.document.model import Block, FigureBlock, Inlines
@@ -152,10 +153,7 @@ def nearest_pairs(key: OrderKey) -> list[tuple[int, int]]:
 def free_pairs(key: OrderKey, most: int = 2) -> list[tuple[int, int]]:
     """Some pairs that may stand either way, so that not every pair is bound."""
     closed = set(key.before)
-    while True:
-        more = {(i, k) for i, j in closed for h, k in closed if h == j} - closed
-        if not more:
-            break
+    while more := {(i, k) for i, j in closed for h, k in closed if h == j} - closed:
         closed |= more
     count = len(key.pieces)
     found = [(i, j) for i in range(count) for j in range(i + 1, count) if not {(i, j), (j, i)} & closed]
@@ -164,17 +162,13 @@ def free_pairs(key: OrderKey, most: int = 2) -> list[tuple[int, int]]:
 
 def orders(key: OrderKey, most: int = 24) -> list[tuple[int, ...]] | None:
     """All right orders; None if they are more than `most`."""
-    found: list[tuple[int, ...]] = []
 
-    def grow(order: tuple[int, ...]) -> None:
-        if len(found) > most:
-            return
-        if len(order) == len(key.pieces):
-            found.append(order)
-            return
-        for place in range(len(key.pieces)):
-            if place not in order and all(i in order for i, j in key.before if j == place):
-                grow((*order, place))
+    def grown(order: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+        places = [place for place in range(len(key.pieces)) if place not in order]
+        yield from () if places else [order]
+        for place in places:
+            if all(i in order for i, j in key.before if j == place):
+                yield from grown((*order, place))
 
-    grow(())
+    found = list(islice(grown(()), most + 1))
     return found if len(found) <= most else None

@@ -17,6 +17,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
+from rbpsym.equality.factoring import primes
 from rbpsym.equality.verdict import Verdict, undecided
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of
@@ -118,7 +119,7 @@ def _split(base: t.Node, exponent: Fraction, given: Assumptions) -> Iterator[Pow
     if isinstance(base, t.Group):
         yield from _split(base.arg, exponent, given)
     elif isinstance(base, t.Num) and 0 < base.value < LARGEST_NUMBER:
-        yield from _primes(Fraction(base.value), exponent)
+        yield from ((t.Num(prime), exponent * count) for prime, count in primes(Fraction(base.value)).items())
     elif isinstance(base, (t.Mul, t.Div, t.Pow, t.Sqrt)) and _is_positive(base, given):
         parts = {
             t.Mul: lambda: [(factor, exponent) for factor in base.factors],
@@ -142,16 +143,3 @@ def _is_positive(node: t.Node, given: Assumptions) -> bool:
         return number_of(node.exponent) is not None and _is_positive(node.base, given)
     made = isinstance(node, (t.Mul, t.Div, t.Add, t.Sqrt, t.Group))
     return made and all(_is_positive(part, given) for part in t.children(node))
-
-
-def _primes(value: Fraction, exponent: Fraction) -> Iterator[Power]:
-    for number, sign in ((value.numerator, 1), (value.denominator, -1)):
-        prime = 2
-        while number > 1:
-            count = 0
-            prime = prime if prime * prime <= number else number
-            while number % prime == 0:
-                number, count = number // prime, count + 1
-            if count:
-                yield t.Num(prime), exponent * count * sign
-            prime += 1
