@@ -12,6 +12,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import lru_cache
 from math import comb, lcm
+from typing import Any, TypeVar
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import remembered, spend
@@ -21,6 +22,7 @@ from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
 
 Bases = tuple[tuple[Monomial, int], ...]
+T = TypeVar("T", bound=Any)  # polynomials or numbers
 
 
 def is_zero(value: Scalar) -> bool:
@@ -117,15 +119,20 @@ def _constant_turn(turns: int | Fraction) -> tuple[Poly, Poly]:
 def _multiple(m: Monomial, denominator: int, times: int) -> tuple[Poly, Poly]:
     angle = Poly({m: Fraction(1, denominator) if denominator > 1 else 1})
     point = tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
-    result = (ONE, ZERO)
-    for _ in range(abs(times)):
-        result = turn(result, point)
-    return result if times >= 0 else (result[0], -result[1])
+    return turned(point, times, (ONE, ZERO))
 
 
-def turn(a: tuple[Poly, Poly], b: tuple[Poly, Poly]) -> tuple[Poly, Poly]:
+def turn(a: tuple[T, T], b: tuple[T, T]) -> tuple[T, T]:
     """(cos, sin) of the sum of two angles."""
     return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
+
+
+def turned(point: tuple[T, T], times: int, result: tuple[T, T]) -> tuple[T, T]:
+    """(cos, sin) of so many times an angle, beyond the angle of `result`."""
+    step = point if times >= 0 else (point[0], -point[1])
+    for _ in range(abs(times)):
+        result = turn(result, step)
+    return result
 
 
 def partner(index: int) -> int | None:
@@ -172,6 +179,12 @@ def _signed_row(n: int) -> tuple[int, ...]:
 def _squared(poly: Poly) -> set[int]:
     """Atoms that occur to a power of two or more."""
     return {i for m in poly.terms for i, e in m if e > 1}
+
+
+def short(value: Scalar) -> Scalar:
+    """The value with sin² + cos² = 1 used where that makes it shorter."""
+    num = shorten(value.num)
+    return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
 
 @remembered

@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
-from rbpsym.derivation.checks_places import UNSEEN, under, way_to
+from rbpsym.derivation.checks_places import UNSEEN, own_place, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
@@ -44,10 +44,6 @@ def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
     gain = context.on_motion(time_derivative(rate, scope))
     speed = primitive(gain, "t") + context.start(rate)
     return primitive(speed, "t") + context.start(value), speed
-
-
-def _of(context: Context, name: str) -> Scalar:
-    return context.study.system.dependent.get(name, symbol(name))
 
 
 def _at(time: Scalar, value: Scalar) -> Scalar:
@@ -83,9 +79,9 @@ def _left(context: Context, step: Step) -> Scalar:
     """What is left of the slip, or of the way to the value, as a function of the time."""
     phase, system = step.data["ending"].phase, context.study.system
     if phase.event == "reaches":
-        return _course(context, _of(context, phase.subject))[0] - scalar(phase.value)
+        return _course(context, own_place(context, phase.subject))[0] - scalar(phase.value)
     if phase.event == "rests":
-        return _course(context, _of(context, phase.subject))[1]
+        return _course(context, own_place(context, phase.subject))[1]
     if phase.event == "time":
         return symbol("t") - scalar(phase.value)
     slip = slip_at(system, system.element(phase.subject))
@@ -111,9 +107,9 @@ def _gap(context: Context, phase: Phase) -> Scalar:
     """What vanishes where a phase ends."""
     system, along = context.study.system, context.study.reactions_along_motion
     if phase.event == "reaches":
-        return _of(context, phase.subject) - scalar(phase.value)
+        return own_place(context, phase.subject) - scalar(phase.value)
     if phase.event == "rests":
-        return context.along(time_derivative(_of(context, phase.subject), system.scope) ** 2)
+        return context.along(time_derivative(own_place(context, phase.subject), system.scope) ** 2)
     if phase.event == "takes":
         return along[phase.subject] - scalar(phase.value)
     element = system.element(phase.subject)
@@ -138,7 +134,7 @@ def state_then(context: Context, step: Step) -> Verdict:
 
 
 def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
-    place, speed = _course(context, _of(context, name))
+    place, speed = _course(context, own_place(context, name))
     return same(context, _at(ending.state.time, place if what == "place" else speed), stated)
 
 
@@ -146,7 +142,7 @@ def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> V
     """By the first integral: the square of the stated speed is that of the motion at the stated place; by momenta that are
     kept, where they give it."""
     here = {n: v for n, v in ending.state.places.items() if n in context.study.system.independent}
-    value = _of(context, name)
+    value = own_place(context, name)
     if f"{name}_dot" in context.study.kept_speeds:
         return _kept(context, ending, what, name, stated)
     if what == "place":

@@ -163,10 +163,11 @@ def _within(context: Context, step: Step) -> Iterator[Verdict]:
             if None not in (low, high):
                 found = _beyond(context, low, high)
                 is_end = not found.is_proved and is_zero(low - high)  # an end belongs to the range if the start is there
-                yield Verdict(PROVED) if is_end and is_zero(context.start(_of(context, name)) - place) else found
+                yield Verdict(PROVED) if is_end and is_zero(context.start(own_place(context, name)) - place) else found
 
 
-def _of(context: Context, name: str) -> Scalar:
+def own_place(context: Context, name: str) -> Scalar:
+    """A coordinate in terms of the free ones."""
     return context.study.system.dependent.get(name, symbol(name))
 
 

@@ -14,9 +14,9 @@ from typing import Protocol
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.normal import is_zero, shorten
+from rbpsym.algebra.normal import is_zero, short
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, times
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.squares import with_squares
 
 TINY = 1e-9
@@ -84,12 +84,6 @@ class Known:
 def _note(pivot: Pivot, notes: Notes) -> None:
     for id in pivot.sources:
         notes.use(id)
-
-
-def short(value: Scalar) -> Scalar:
-    """The value with sin² + cos² = 1 used where that makes it shorter."""
-    num = shorten(value.num)
-    return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
 
 # --- the same by numbers: whether it is worth while, and with which rows

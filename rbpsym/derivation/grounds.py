@@ -52,7 +52,7 @@ class Said:
     @property
     def rows(self) -> Sequence[t.Chain]:
         """The relations of the step."""
-        return self.step.statement.rows if isinstance(self.step.statement, t.System) else (self.step.statement,)
+        return t.rows(self.step.statement)
 
     def slot(self, name: str) -> str:
         """The name of the body or the letter in a slot."""

@@ -16,7 +16,7 @@ from rbpsym.document.model import Display, Emph, Inlines, Math, Ref, Strong, Tab
 from rbpsym.notation import boxes as b
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.layout import layout, layout_rows
-from rbpsym.notation.tree import Node, System
+from rbpsym.notation.tree import Node, rows
 
 EMPTY = b.Row(())
 
@@ -50,7 +50,7 @@ def node_width(node: Node, notation: Notation = DEFAULT) -> float:
 @lru_cache(maxsize=4096)
 def lines(node: Node, notation: Notation, column: float) -> tuple[DisplayLine, ...]:
     """The lines of a displayed formula in a column of that many em."""
-    parts = node.rows if isinstance(node, System) else (node,)
+    parts = rows(node)
     lefts = [width(layout_rows(part, notation).rows[0][0]) for part in parts]
     widest_left = max((left for left in lefts if left <= 0.5 * column), default=0.0)
     room = [column - max(widest_left - left, 0.0) for left in lefts]

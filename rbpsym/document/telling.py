@@ -22,11 +22,6 @@ TOO_WIDE = 51.0  # em: a table that is wider could not be read
 PARTIES = ("earth", "ground", "agent", "string", "link", "spring", "damper")
 
 
-def relations(step: Step) -> tuple[t.Chain, ...]:
-    """The relations of a step's statement."""
-    return step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
-
-
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:
     """Each force: the vector, on what and where it acts, by whom, its torque about cm and each origin."""
     origins = list(derivation.study.origins)
@@ -52,7 +47,7 @@ def in_one_table(steps: list[Step], derivation: Derivation, said: Words) -> list
 
 
 def _entry(step: Step, origins: list[str], pose: DrawnPose, said: Words) -> Iterator[Inlines]:
-    rows = relations(step)
+    rows = t.rows(step.statement)
     torques = rows[-1 - len(origins) :]
     yield (Math(rows[0]),) if len(rows) > len(torques) else (Math(step.slots["force"]),)
     kind = "couple" if len(rows) == len(torques) else "acts"
@@ -102,7 +97,7 @@ def _whose(step: Step, several: bool, said: Words) -> Inlines:
 
 def _halves(step: Step) -> tuple[Inlines, ...]:
     """The two works with their symbols; a half that there is not is zero."""
-    found = {_half(row): row for row in relations(step)}
+    found = {_half(row): row for row in t.rows(step.statement)}
     return tuple(
         (Math(t.equation(found[half].items[0], found[half].items[-1])),) if half in found else (Math(t.ZERO),)
         for half in ("T", "theta")
@@ -215,7 +210,7 @@ def is_tall(steps: Sequence[Step], said: Words) -> bool:
 
 def joined(steps: Sequence[Step], said: Words) -> Display:
     """The formulas of several steps below each other, with one number."""
-    rows = tuple(row for step in steps for row in relations(step))
+    rows = tuple(row for step in steps for row in t.rows(step.statement))
     first, *others = (said.prefix + step.id for step in steps)
     return Display(t.System(rows), first, True, all(step.is_result for step in steps), also=tuple(others))
 

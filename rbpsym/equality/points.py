@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import lcm, tan
 
 from rbpsym.algebra import atoms
+from rbpsym.algebra.normal import turn, turned
 from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.trig import PI_TERM
@@ -69,13 +70,13 @@ class Point:
         """(cos, sin) of an angle."""
         result: Turn = (Fraction(1), Fraction(0))
         for m, c in angle.terms.items():
-            result = _after(result, self._part(m, Fraction(c)))
+            result = turn(result, self._part(m, Fraction(c)))
         return result
 
     def _part(self, m: Monomial, c: Fraction) -> Turn:
         name = angle_name(m)
         if name in self.angles:
-            return _multiple(self.angles[name], int(c * self.parts[name]))
+            return turned(self.angles[name], int(c * self.parts[name]), QUARTERS[0])
         if m == PI_TERM and (2 * c).denominator == 1:
             return QUARTERS[int(2 * c) % 4]
         return e.turn_of(self._monomial(m) * c)
@@ -87,18 +88,6 @@ QUARTERS: tuple[Turn, ...] = tuple((Fraction(c), Fraction(s)) for c, s in ((1, 0
 def power(number: Number, exponent: int) -> Number:
     """An integer power. Raises Outside for a negative power of zero."""
     return number**exponent if exponent >= 0 else e.reciprocal(number) ** -exponent
-
-
-def _after(a: Turn, b: Turn) -> Turn:
-    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
-
-
-def _multiple(point: tuple[Fraction, Fraction], times: int) -> Turn:
-    step = point if times >= 0 else (point[0], -point[1])
-    result: Turn = QUARTERS[0]
-    for _ in range(abs(times)):
-        result = _after(result, step)
-    return result
 
 
 def _unknown(point: Point, arg: object) -> Number:

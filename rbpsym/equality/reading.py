@@ -14,7 +14,7 @@ from math import prod
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
-from rbpsym.algebra.normal import Bases, turn
+from rbpsym.algebra.normal import Bases, turn, turned
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
 from rbpsym.algebra.scalar import Scalar, lift
 from rbpsym.algebra.trig import PI_TERM, cosine, sine
@@ -215,19 +215,10 @@ def _turn_of(reading: Reading, angle: Poly) -> Turn:
     for m, c in angle.terms.items():
         if m == PI_TERM:
             constant_angle = Scalar(Poly({m: c}))
-            step = cosine(constant_angle).num, sine(constant_angle).num
+            point = turn(point, (cosine(constant_angle).num, sine(constant_angle).num))
         else:
-            step = _multiple(_base(reading, m, parts[m]), int(c * parts[m]))
-        point = turn(point, step)
+            point = turned(_base(reading, m, parts[m]), int(c * parts[m]), point)
     return point
-
-
-def _multiple(point: Turn, times: int) -> Turn:
-    step = point if times >= 0 else (point[0], -point[1])
-    result = (ONE, ZERO)
-    for _ in range(abs(times)):
-        result = turn(result, step)
-    return result
 
 
 def _base(reading: Reading, m: Monomial, parts: int) -> Turn:

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.normal import is_zero, shorten
+from rbpsym.algebra.normal import is_zero, short
 from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, quotient, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,12 +86,6 @@ def _eliminated(row: Row, pivot: Row, name: str) -> Row:
         if key != name:
             result[key] = short(row.get(key, NOTHING) - factor * pivot.get(key, NOTHING))
     return _cleaned(result)
-
-
-def short(value: Scalar) -> Scalar:
-    """The value with sin² + cos² = 1 used where that makes it shorter."""
-    num = shorten(value.num)
-    return value if num is value.num else Scalar(num) if value.den is ONE else quotient(num, value.den)
 
 
 def _back_substituted(

@@ -17,7 +17,7 @@ from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import EX, EY, Vector
-from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
+from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import short, solve_linear
@@ -285,10 +285,3 @@ def _varies(coefficient: Scalar, draft: Draft) -> bool:
 def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Node:
     """unknown = form that keeps both sides of the equation (= the same with all that cancels taken out)."""
     return t.equation(t.Sym(name), *with_shorter(draft, raw, value))
-
-
-def with_shorter(draft: Draft, raw: t.Node, value: Scalar) -> list[t.Node]:
-    """The form, and the one that all cancelling leads to if it is much shorter or a quantity drops out."""
-    shown = draft.show(value, factor=True)
-    cancels = t.names(shown) < t.names(raw)
-    return [raw, shown] if cancels or length(shown) <= MUCH_SHORTER * length(raw) else [raw]

@@ -45,11 +45,10 @@ def _equations(draft: Draft, name: str):
         rows.append(t.equation(spin, turn) if spin != t.ZERO else t.equation(turn, t.ZERO))
     if not rows:
         return None
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     return draft.add(
         f"free_body.{name}",
         "balance",
-        statement,
+        t.system(rows),
         "newton_euler.body",
         body=BodyRef(name),
         forces=[force_node(draft, f) for f in forces],

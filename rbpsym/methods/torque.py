@@ -10,7 +10,7 @@ from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.signs import positive_first
 from rbpsym.algebra.vector import Space
-from rbpsym.derivation.draft import Draft, acceleration_symbol
+from rbpsym.derivation.draft import Draft, acceleration_symbol, length
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import short, solve_linear
@@ -97,7 +97,7 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     shown = t.add(*positive_first([draft.show(part) for part in parts if part]))
     draft.context.vectors[name] = Space(z=balance.right)
     together = draft.show(balance.right, factor=True)
-    shorter = len(list(t.walk(together))) < 0.8 * len(list(t.walk(shown)))
+    shorter = length(together) < 0.8 * length(shown)
     items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
     left = names_in(balance.right)  # a normal force may have no torque, and yet stay in that of its friction
     silent = [f for f in forces if f.unknowns and not left & set(f.unknowns)]

@@ -88,12 +88,11 @@ def _integrals(draft: Draft, item: ForceWork) -> None:
     rows = [row for row in rows if row is not None]
     if not rows:
         return
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     silent = not item.translational.parts and not item.rotational.parts
     draft.add(
         f"work.{item.force}.{item.on}",
         "work",
-        statement,
+        t.system(rows),
         "work.none" if silent else "work.integrals",
         premises=draft.those(f"force.{item.force}.{item.on}", f"velocity.{item.on}", f"turning.{item.on}"),
         body=BodyRef(item.on),

@@ -8,7 +8,7 @@ characters of the source it was read from) takes no part in comparison.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
@@ -378,6 +378,16 @@ def div(num: Node, den: Node) -> Node:
     if isinstance(num, Num) and num.value < 0:
         return neg(div(Num(-num.value), den))
     return num if den == ONE else ZERO if num == ZERO else Div(num, den)
+
+
+def system(rows: Sequence[Node]) -> Node:
+    """Rows that hold together; a single one as it is."""
+    return rows[0] if len(rows) == 1 else System(tuple(rows))
+
+
+def rows(statement: Node) -> tuple[Node, ...]:
+    """The rows of a statement; one that is no system is one row."""
+    return statement.rows if isinstance(statement, System) else (statement,)
 
 
 def half_square(factor: Node, base: Node) -> Node:

@@ -16,6 +16,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import at_most, spend
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import FIRST_POINTS, find_witness, scalars_equal
@@ -164,7 +165,7 @@ def is_refuted(a: Scalar, b: Scalar, assumptions: Assumptions) -> bool:
 
 def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Scalar, t.Node]]:
     study, found = pool.derivation.study, []
-    own, moving = size(shown(right, study)), speeds_in(right)
+    own, moving = length(shown(right, study)), speeds_in(right)
     seen: dict[str, int] = {}
     for place, wrong in enumerate(pool.wrongs):
         if target.kind not in (*wrong.misconception.about, ANY):
@@ -173,22 +174,17 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
         if value is None or speeds_in(value) - moving:
             continue
         formula = shown(value, study)
-        if size(formula) > LONGEST * own + 6 or not fits(formula, study, target.dimension):
+        if length(formula) > LONGEST * own + 6 or not fits(formula, study, target.dimension):
             continue
         again = seen[wrong.misconception.name] = seen.get(wrong.misconception.name, -1) + 1
         general = len(wrong.misconception.about) > SPECIFIC
-        found.append(((again, general, abs(size(formula) - own) > own / 2, place), value, formula))
+        found.append(((again, general, abs(length(formula) - own) > own / 2, place), value, formula))
     return [(rank[-1], value, formula) for rank, value, formula in sorted(found, key=lambda item: item[0])]
 
 
 def shown(value: Scalar, study: Study) -> t.Node:
     """A value as it is printed: right and wrong ones in the same way."""
     return present(value, study.style, factor=True)
-
-
-def size(node: t.Node) -> int:
-    """How many parts a formula has."""
-    return sum(1 for _ in t.walk(node))
 
 
 def speeds_in(value: Scalar) -> set[str]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rbpsym.algebra.evaluate import Value
+from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import STANDARD, Step
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
@@ -126,7 +127,7 @@ def _is_plain(node: t.Node) -> bool:
     """Something to write down: neither a number, nor a bare name, nor a vector, nor too long."""
     if isinstance(node, (t.Num, t.Sym)) or any(isinstance(part, VECTORS) for part in t.walk(node)):
         return False
-    return sum(1 for _ in t.walk(node)) <= LARGEST_BLANK
+    return length(node) <= LARGEST_BLANK
 
 
 def is_negated(statement: t.Node, path: Path) -> bool:
@@ -187,7 +188,7 @@ def shares(points: Fraction, weights: Sequence[int]) -> list[Fraction]:
 
 def gist(statement: t.Node) -> list[t.Node]:
     """A statement row by row, each without what stands between its first and its last side."""
-    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    rows = t.rows(statement)
     return [t.equation(row.items[0], row.items[-1]) if _is_equality(row) else row for row in rows]
 
 

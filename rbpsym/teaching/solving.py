@@ -14,6 +14,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
+from rbpsym.derivation.draft import length
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import reactions_by_acceleration
@@ -21,7 +22,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching import bench as b
 from rbpsym.teaching.bench import ProblemBench, formula_of
-from rbpsym.teaching.distractors import shown, size
+from rbpsym.teaching.distractors import shown
 from rbpsym.teaching.lines import WEIGHTS, gist
 from rbpsym.teaching.misconceptions.model import with_inertia
 from rbpsym.teaching.model import FollowOn, Item, Measure
@@ -134,7 +135,7 @@ def numeric_line(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, 
 def _filler(bench: b.ProblemBench, target: Target, setting: b.ItemSetting) -> Fill | None:
     formula = number_formula(bench, target)
     known = b.numbers_at(setting.situation, number_names(bench, target))
-    return filler(formula, known) if size(formula) <= LONGEST else None
+    return filler(formula, known) if length(formula) <= LONGEST else None
 
 
 def number_names(bench: b.ProblemBench, target: Target) -> frozenset[str]:

@@ -33,6 +33,6 @@ def claims(statements: Iterable[t.Node]) -> frozenset[Claim]:
 
 
 def _claims(statement: t.Node) -> Iterator[Claim]:
-    for row in statement.rows if isinstance(statement, t.System) else (statement,):
+    for row in t.rows(statement):
         if isinstance(row, t.Chain) and len(row.items) > 1 and row.items[-1] != t.ZERO:
             yield row.items[0], row.items[-1]

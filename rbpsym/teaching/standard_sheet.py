@@ -8,10 +8,10 @@ from dataclasses import replace
 from itertools import islice
 
 from rbpsym.algebra.present import present
+from rbpsym.derivation.draft import length
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import Prepared, ProblemBench
-from rbpsym.teaching.distractors import size
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content
@@ -83,7 +83,7 @@ def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level:
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:
     """Is the answer a formula that no one would write by hand?"""
     value = task.target and task.target.value(bench.study)
-    return value is not None and size(present(value, bench.study.style)) > LONGEST
+    return value is not None and length(present(value, bench.study.style)) > LONGEST
 
 
 def _made(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepared]:

@@ -18,12 +18,12 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.asking import found_in
+from rbpsym.derivation.chapters.inertia import turns_about
 from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef
 from rbpsym.equality.dimensions import dimension_of
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.motion import along_motion
 from rbpsym.mechanics.study import Study
 from rbpsym.methods.net_work import HALVES
@@ -171,17 +171,9 @@ def _reaction(study: Study, name: str) -> Scalar | None:
 
 def axes(study: Study) -> Mapping[str, tuple[str, Scalar]]:
     """Bodies that turn rigidly about a fixed point that is not their centre of mass: (its name, distance²)."""
-    found: dict[str, tuple[str, Scalar]] = {}
-    moving = [*study.system.coordinates, "t"]
-    for name, state in study.system.bodies.items():
-        for label, origin in study.origins.items():
-            arm = state.center - origin
-            square = tidy(arm.dot(arm))
-            if not state.omega or is_zero(square) or any(depends_on(square, q) for q in moving):
-                continue
-            if is_zero(energy.orbital_momentum(state, origin) - state.mass * square * state.omega):
-                found.setdefault(name, (label, square))
-    return found
+    places = {name: turns_about(study, state).items() for name, state in study.system.bodies.items()}
+    first = {name: next((place for place in found if place[1]), None) for name, found in places.items()}
+    return {name: place for name, place in first.items() if place is not None}
 
 
 def _moments(derivation: Derivation) -> Iterator[Target]:
@@ -266,7 +258,7 @@ def force_symbol(derivation: Derivation, force: str, on: str) -> t.Node:
 def work_symbol(derivation: Derivation, letter: str, force: str, on: str) -> str:
     """The name of a work as the derivation writes it."""
     for step in (s for s in derivation.steps if s.id == f"work.{force}.{on}"):
-        rows = step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
+        rows = t.rows(step.statement)
         for row in rows:
             if row.items[0].name.startswith(f"cal_W_{letter}_"):
                 return row.items[0].name

@@ -17,7 +17,7 @@ from rbpsym.algebra.calculus import derivative, names_in, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.ideal import vanishes_on
-from rbpsym.algebra.modular import PRIME, NoImage, value_of
+from rbpsym.algebra.modular import PRIME, NoImage
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol, total
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.assumptions import Assumptions
@@ -26,7 +26,7 @@ from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.elimination import residue, solve_linear
 from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
@@ -71,16 +71,12 @@ def regular_verdict(matrix: Sequence[Sequence[Scalar]]) -> Verdict:
     proves that the determinant does not vanish identically.
     """
     try:
-        images = [[_image(entry) for entry in row] for row in matrix]
+        images = [[residue(entry) for entry in row] for row in matrix]
     except (NoImage, ZeroDivisionError, ValueError):
         return undecided("the determinant of the mass matrix could not be computed at a point")
     if _determinant(images):
         return proved("determinant not zero modulo a prime")
     return undecided("the determinant of the mass matrix is zero at the point that was tried")
-
-
-def _image(entry: Scalar) -> int:
-    return value_of(entry.num) * pow(value_of(entry.den), -1, PRIME) % PRIME
 
 
 def _determinant(rows: list[list[int]]) -> int:

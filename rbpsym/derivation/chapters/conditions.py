@@ -85,7 +85,7 @@ def _geometric(draft: Draft, element: Element, given: Given) -> None:
     draft.add(
         f"condition.{element.name}",
         "constraint",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         f"kinematics.condition.{_kind(element)}",
         level=STANDARD if ties else FULL,
         variant="tie" if ties else "identity",

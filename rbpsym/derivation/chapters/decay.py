@@ -131,14 +131,13 @@ def _conditions(draft: Draft, item: Equilibrium, powers: Powers, id: str, mark: 
             rows.append(t.equation(draft.define(draft.free(f"H_{len(rows) + 1}"), value), shown))
             needed = essential(value, draft.study.assumptions)
             left[needed] = t.relation(draft.show(needed, factor=True), ">", t.ZERO)
-    said = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = {"level": STANDARD if all(length(row) <= LONGEST for row in rows) else FULL, "is_result": False}
     data = {"powers": powers, "conditions": tuple(left)}
     alone = len(item.linear.factors) == 1 and not item.linear.zeros
     alone = alone and (item.nature.proved == "asymptotic" or item.nature.conditions)
     of = "whole" if alone else "part"
     phrase = f"hurwitz.{'open' if left else 'met'}.{of}"
-    _add(draft, item, f"hurwitz.{id}", "hurwitz", said, phrase, conditions=[*left.values()], data=data, **told)
+    _add(draft, item, f"hurwitz.{id}", "hurwitz", t.system(rows), phrase, conditions=[*left.values()], data=data, **told)
 
 
 FACTORS = {2: _rate, 3: _pair}

@@ -162,7 +162,7 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
         draft.add(
             f"state.{what}",
             "end_state",
-            rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+            t.system(rows),
             f"phases.state.{what}",
             premises=draft.those("moment", "place"),
             count=len(rows),

@@ -70,11 +70,10 @@ def _entry(draft: Draft, force: Force) -> None:
         value = torque(force, origin)
         letter = draft.define(draft.free(f"tau_{label}_{tag(draft, force)}"), value)
         rows.append(t.equation(letter, torque_node(draft, force, origin)))
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     draft.add(
         f"force.{force.name}.{force.on}",
         "torque",
-        statement,
+        t.system(rows),
         f"forces.{force.law}",
         body=BodyRef(force.on),
         by=_party(draft, force),

@@ -106,7 +106,7 @@ def _balance(draft: Draft, blow: Blow, name: str):
     return draft.add(
         f"impulse.{name}",
         "impulse",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         "phases.impulse",
         premises=draft.those("state.speed", "state.place"),
         body=BodyRef(name),
@@ -173,7 +173,7 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
             draft.add(
                 f"after.{kind}",
                 "solution",
-                shown[0] if len(shown) == 1 else t.System(tuple(shown)),
+                t.system(shown),
                 f"phases.after.{kind}",
                 premises=[step.id for step in steps],
                 sources=[StepRef(step.id) for step in steps],
@@ -184,7 +184,7 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
 
 def _equations(statement: t.Node, scope: Scope) -> list[Scalar]:
     """Left minus right of each row, with the letters of what is unknown."""
-    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    rows = t.rows(statement)
     return [scalar(row.items[0], scope) - scalar(row.items[-1], scope) for row in rows]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, root
@@ -16,19 +16,21 @@ from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics import energy
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import Moments, mass_moments, tidy
+from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import MassElement, Shape
 
 
-def turns_about(draft: Draft, name: str, state: BodyState) -> dict[str, Scalar]:
+def turns_about(study: Study, state: BodyState) -> dict[str, Scalar]:
     """Origins about which the body turns rigidly → square of the distance of its centre of mass."""
     found = {}
-    for label, origin in draft.study.origins.items():
+    for label, origin in study.origins.items():
         arm = state.center - origin
         square = tidy(arm.dot(arm))
-        moving = [*draft.study.system.coordinates, "t"]
+        moving = [*study.system.coordinates, "t"]
         if any(depends_on(square, q) for q in moving) or not state.omega:
             continue
         if is_zero(energy.orbital_momentum(state, origin) - state.mass * square * state.omega):
@@ -41,7 +43,7 @@ def turning_together(draft: Draft, label: str) -> bool:
     states = draft.study.system.bodies
     omega = next(iter(states.values())).omega
     alike = bool(omega) and all(is_zero(state.omega - omega) for state in states.values())
-    return alike and all(label in turns_about(draft, name, state) for name, state in states.items())
+    return alike and all(label in turns_about(draft.study, state) for state in states.values())
 
 
 def moment_about(draft: Draft, label: str) -> t.Sym:
@@ -57,19 +59,18 @@ def moment_of(draft: Draft, name: str, label: str) -> t.Sym:
     return about if about.name in draft.context.scalars else t.Sym(draft.of_body("I", name))
 
 
-def together(draft: Draft, label: str) -> None:
-    """The moments of inertia about a common axis add."""
-    names = list(draft.study.system.bodies)
-    letters = [moment_of(draft, name, label) for name in names]
-    total = sum((draft.context.scalars[letter.name] for letter in letters), NOTHING)
+def together(draft: Draft, label: str, names: Iterable[str], letters: list[t.Sym], phrase: str, *, final: bool = False) -> None:
+    """The moments of inertia of several bodies about one place add; a `final` sum is a result, and factored."""
+    total = short(sum((draft.context.scalars[letter.name] for letter in letters), NOTHING))
     whole = draft.define(draft.free(f"I_{label}"), total)
     draft.add(
         f"moment.together.{label}",
         "identity",
-        t.equation(whole, t.add(*letters), draft.show(total)),
-        "inertia.together",
-        premises=[f"moment.{name}.{label}" for name in names] + [f"moment.{name}" for name in names],
+        t.equation(whole, t.add(*letters), draft.show(total, factor=final)),
+        phrase,
+        premises=[f"moment.{name}{tail}" for tail in (f".{label}", "") for name in names],
         point=t.Sym(label),
+        is_result=final,
     )
 
 
@@ -99,7 +100,8 @@ def write(draft: Draft) -> None:
         _steiner(draft, name, state, moment)
     for label in draft.study.origins:
         if len(draft.study.system.bodies) > 1 and turning_together(draft, label):
-            together(draft, label)
+            names = tuple(draft.study.system.bodies)
+            together(draft, label, names, [moment_of(draft, name, label) for name in names], "inertia.together")
 
 
 def moment_of_mass(draft: Draft, state: BodyState, moment: t.Sym, shape: Shape, slot: BodyRef | PhraseRef) -> None:
@@ -136,9 +138,7 @@ def _integrated(draft: Draft, state: BodyState, moment: t.Sym, shape: Shape, slo
     if not centred:
         center_of_mass(draft, state, shape, slot)
     if centred or shifted is not None:
-        integral = _sum(
-            draft, [_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements]
-        )
+        integral = t.add(*(_integral(draft, e, _square(e, shifted), _as_square(draft, e, shifted)) for e in elements))
         radius = t.BodyIntegral(t.Pow(t.Sym(draft.context.radius), t.TWO), name)
         whole = [radius] if name in draft.study.system.bodies else []
         draft.add(
@@ -158,7 +158,7 @@ def _spread(draft: Draft, elements: tuple[MassElement, ...]) -> dict[str, object
     """How the mass is spread: its density along a line, over a surface or in a volume, if it is one piece."""
     if len(elements) != 1 or elements[0].kind == "point":
         return {"variant": "pieces"}
-    return {"variant": elements[0].kind, "density": _density(draft, elements[0])}
+    return {"variant": elements[0].kind, "density": _tidied(draft, elements[0].density)}
 
 
 def _shifted_rod(elements: tuple[MassElement, ...], state: BodyState) -> tuple[Scalar, Scalar] | None:
@@ -183,7 +183,7 @@ def _square(element: MassElement, center: tuple[Scalar, Scalar] | None) -> Scala
 def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node | None = None) -> t.Node:
     """density × ∫∫ weight × measure, the sign of a removed part in front."""
     found = draft.show(weight * scalar(element.measure), factor=True) if node is None else t.mul(node, element.measure)
-    density = _density(draft, element)
+    density = _tidied(draft, element.density)
     if not element.ranges:
         found = t.mul(density, found)
         return t.neg(found) if element.sign < 0 else found
@@ -194,11 +194,6 @@ def _integral(draft: Draft, element: MassElement, weight: Scalar, node: t.Node |
         found = t.Integral(found, item.variable, _tidied(draft, item.lower), _tidied(draft, item.upper))
     found = found if inside else t.mul(density, found)
     return t.neg(found) if element.sign < 0 else found
-
-
-def _density(draft: Draft, element: MassElement) -> t.Node:
-    """The density as it is written, or worked out where that is shorter or spares a fraction in a fraction."""
-    return _tidied(draft, element.density)
 
 
 def _tidied(draft: Draft, own: t.Node) -> t.Node:
@@ -216,10 +211,6 @@ def _repeats(node: t.Node) -> bool:
     return any(isinstance(part, t.Mul) and len(set(part.factors)) < len(part.factors) for part in t.walk(node))
 
 
-def _sum(draft: Draft, parts: list[t.Node]) -> t.Node:
-    return t.add(*parts)
-
-
 def center_of_mass(draft: Draft, state: BodyState, shape: Shape, slot: BodyRef | PhraseRef) -> None:
     """Where the centre of mass is in the body, from the first moments of the mass."""
     moments, elements = mass_moments(shape, state.inertia), shape.elements
@@ -233,9 +224,8 @@ def center_of_mass(draft: Draft, state: BodyState, shape: Shape, slot: BodyRef |
         integral = t.add(*(_integral(draft, e, w) for e, w in zip(elements, weights, strict=True)))
         mean = t.mul(t.div(t.ONE, draft.show(state.mass)), integral)
         rows.append(t.equation(letter, mean, draft.show(place)))
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     phrase = "inertia.center_still" if draft.study.problem.is_at_rest else "inertia.center"
-    draft.add(f"center.{state.name}", "mass_integral", statement, phrase, body=slot)
+    draft.add(f"center.{state.name}", "mass_integral", t.system(rows), phrase, body=slot)
 
 
 def _by_parallel_axis(draft: Draft, state: BodyState, moment: t.Sym, elements, slot: BodyRef | PhraseRef) -> None:
@@ -275,7 +265,7 @@ def is_centred(draft: Draft, name: str) -> bool:
 
 
 def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
-    for label, square in turns_about(draft, name, state).items():
+    for label, square in turns_about(draft.study, state).items():
         if not square:
             continue
         about = state.moment + state.mass * square
@@ -290,7 +280,7 @@ def _steiner(draft: Draft, name: str, state: BodyState, moment: t.Sym) -> None:
             premises=[f"moment.{name}"],
             body=BodyRef(name),
             point=t.Sym(label),
-            data={"body": name, "point": _fixed_point(draft, state, label), "value": about},
+            data={"body": name, "point": in_frame(state, draft.study.origins[label]), "value": about},
         )
 
 
@@ -309,11 +299,6 @@ def _closed(draft: Draft, letter: t.Node, sum_: t.Node, spelled: t.Node, value: 
     """letter = sum (= one term, if the sum is one)."""
     shown = draft.show(value)
     return t.equation(letter, sum_, spelled) if len(value.num) > 1 else t.equation(letter, sum_, spelled, shown)
-
-
-def _fixed_point(draft: Draft, state: BodyState, label: str) -> tuple[Scalar, Scalar]:
-    """The fixed point in the frame of the body."""
-    return in_frame(state, draft.study.origins[label])
 
 
 def in_frame(state: BodyState, place: Vector) -> tuple[Scalar, Scalar]:

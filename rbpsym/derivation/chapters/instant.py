@@ -152,7 +152,7 @@ def _laws(draft: Draft, body: str, speeds: list[Step]) -> list[Step]:
                 draft.add(
                     f"instant.{part}.{body}",
                     "start_law",
-                    statements[0] if len(statements) == 1 else t.System(tuple(statements)),
+                    t.system(statements),
                     f"instant.{part}",
                     premises=[f"law.{part}.{body}", *(step.id for step in speeds)],
                     body=BodyRef(body),

@@ -45,7 +45,7 @@ def _circle(draft: Draft, name: str, state: BodyState) -> None:
     moving = [*draft.study.system.coordinates, "t"]
     if not draft.is_single or not square or not state.velocity or any(depends_on(square, q) for q in moving):
         return
-    if "O" in turns_about(draft, name, state) or not is_centred(draft, name):
+    if "O" in turns_about(draft.study, state) or not is_centred(draft, name):
         return
     x, y = (draft.define(draft.of_body(axis, name), tidy(getattr(state.center, axis))) for axis in ("x", "y"))
     draft.add(

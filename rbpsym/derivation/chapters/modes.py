@@ -76,7 +76,7 @@ def _stability(draft: Draft, item: Equilibrium, place: int) -> None:
     draft.add(
         f"stability.{place}",
         "minors",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         "oscillations.minors",
         level=FULL,
         premises=[f"equilibrium.{place}"],
@@ -116,7 +116,7 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
     draft.add(
         f"modes.{place}",
         "normal_modes",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         "oscillations.modes",
         count=len(rows),
         is_result=True,

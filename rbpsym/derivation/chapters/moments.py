@@ -9,7 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
-from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_frame, moment_of_mass
+from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_frame, moment_of_mass, together
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.mechanics.elimination import short
@@ -66,7 +66,7 @@ def about(draft: Draft, names: tuple[str, ...], label: str, place: Vector | None
         return
     letters = [_of_body(draft, name, label, place) for name in names]
     if len(names) > 1:
-        _together(draft, names, letters, label)
+        together(draft, label, names, letters, "inertia.about.all", final=True)
 
 
 def _is_kept(draft: Draft, arm: Vector) -> bool:
@@ -198,26 +198,10 @@ def _center(draft: Draft, name: str, state: BodyState, pieces: list[Piece]) -> s
             rows.append(t.equation(letter, t.div(t.add(*terms), draft.show(state.mass)), draft.show(value, factor=True)))
         if rows:
             data = {"body": name, "point": (state.inertia.x, state.inertia.y)}
-            statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-            draft.add(id, "mass_center", statement, "inertia.center_of_parts", body=BodyRef(name), is_result=True, data=data)
+            draft.add(id, "mass_center", t.system(rows), "inertia.center_of_parts", body=BodyRef(name), is_result=True, data=data)
     return id
 
 
 def _weighed(draft: Draft, piece: Piece, place: Scalar) -> t.Node:
     found = t.mul(draft.show(piece.state.mass), draft.show(tidy(place)))
     return found if piece.sign > 0 else t.neg(found)
-
-
-def _together(draft: Draft, names: tuple[str, ...], letters: list[t.Sym], label: str) -> None:
-    """The moments of inertia of several bodies about one place add."""
-    total = short(sum((draft.context.scalars[letter.name] for letter in letters), NOTHING))
-    whole = draft.define(draft.free(f"I_{label}"), total)
-    draft.add(
-        f"moment.together.{label}",
-        "identity",
-        t.equation(whole, t.add(*letters), draft.show(total, factor=True)),
-        "inertia.about.all",
-        premises=[f"moment.{name}.{label}" for name in names] + [f"moment.{name}" for name in names],
-        point=t.Sym(label),
-        is_result=True,
-    )

@@ -76,7 +76,7 @@ def _as_one(draft: Draft, body: str, label: str, orbital: Scalar, spin: Scalar) 
     state = draft.study.system.bodies[body]
     total = orbital + spin
     value = (along_z(draft, total),) if orbital and spin and len(total.num) == 1 else ()
-    if turns_about(draft, body, state).get(label):
+    if turns_about(draft.study, state).get(label):
         about = t.Sym(draft.free(f"I_{label}" if draft.is_single else f"I_{body}_{label}"))
         if about.name in draft.context.scalars:
             return (t.mul(about, t.Vec(draft.of_body("omega", body))), *value)

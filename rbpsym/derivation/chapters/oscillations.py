@@ -8,7 +8,7 @@ from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters import decay, modes, open_balance
-from rbpsym.derivation.draft import MUCH_SHORTER, Draft, length
+from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.derivation.step import FULL
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
@@ -36,7 +36,7 @@ def _rest(draft: Draft) -> None:
     draft.add(
         "rest",
         "rest",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         "oscillations.rest",
         level=FULL,
         premises=draft.those(*(f"motion.{n}" for n in draft.study.system.independent)),
@@ -52,7 +52,7 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     draft.add(
         f"equilibrium.{place}",
         "equilibrium",
-        rows[0] if len(rows) == 1 else t.System(tuple(rows)),
+        t.system(rows),
         f"oscillations.{nature}" + (".alone" if item.stable else ""),
         level=FULL,
         premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
@@ -99,7 +99,7 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     square, damping = _square(item), NOTHING
     if item.linear.is_damped:
         damping = short(item.linear.damping[0][0] / item.inertia[0][0])
-    shown = _forms(draft, _frequency(draft, item, square), square)
+    shown = with_shorter(draft, _frequency(draft, item, square), square)
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     pull = _linear(draft, shown[-1], deviation)
     drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
@@ -157,13 +157,6 @@ def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:
         if stiffness.den is ONE and inertia.den is ONE:
             return present_ratio(stiffness.num, inertia.num, draft.study.style, as_ratio=True)
     return draft.show(square, factor=True)
-
-
-def _forms(draft: Draft, raw: t.Node, square: Scalar) -> list[t.Node]:
-    """Stiffness over inertia, and what it comes to if that is much shorter or a quantity drops out."""
-    shown = draft.show(square, factor=True)
-    cancels = t.names(shown) < t.names(raw)
-    return [raw, shown] if cancels or length(shown) <= MUCH_SHORTER * length(raw) else [raw]
 
 
 def _linear(draft: Draft, shown: t.Node, deviation: t.Node) -> t.Node:

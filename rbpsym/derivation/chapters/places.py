@@ -229,7 +229,7 @@ def tied(draft: Draft) -> None:
 
 def _solved_already(statement: t.Node) -> list[str]:
     """Names that stand alone on the left of a condition, and not on the right of it."""
-    rows = statement.rows if isinstance(statement, t.System) else (statement,)
+    rows = t.rows(statement)
     pairs = [(row.items[0], row.items[-1]) for row in rows]
     return [left.name for left, right in pairs if isinstance(left, t.Sym) and left.name not in t.names(right)]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Display, Inlines, Paragraph
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench
-from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import gist, lines_to, piece, precedence
 from rbpsym.teaching.misconceptions.model import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
@@ -114,13 +114,10 @@ def brief(step: Step, rules: frozenset[str]) -> Step:
 
 def _reads_well(wrong: Step, right: Step) -> bool:
     """The wrong line is one that a student would write: not “= 0” for what matters, not much longer than the right one."""
-    ends = [row.items[-1] for row in _rows(wrong) if isinstance(row, t.Chain)]
+    ends = [row.items[-1] for row in t.rows(wrong.statement) if isinstance(row, t.Chain)]
     is_empty = t.ZERO in ends and wrong.rule in ("mass_integral", "parallel_axis", "differentiation")
-    return not is_empty and size(wrong.statement) <= 2 * size(right.statement) + 6
+    return not is_empty and length(wrong.statement) <= 2 * length(right.statement) + 6
 
-
-def _rows(step: Step) -> tuple[t.Node, ...]:
-    return step.statement.rows if isinstance(step.statement, t.System) else (step.statement,)
 
 
 def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Told, ...]) -> Prepared:
