@@ -60,7 +60,7 @@ class Draft:
         step = Step(
             self._unique(id, {step.id for step in self.steps}),
             rule,
-            t.without_repeats(statement),
+            _without_repeats(statement),
             self.chapter,
             phrase,
             slots,
@@ -214,3 +214,14 @@ def with_shorter(draft: Draft, raw: t.Node, value: Scalar) -> list[t.Node]:
 def acceleration_symbol(name: str) -> t.Sym:
     """The acceleration of a coordinate as a tree."""
     return t.Sym(f"{name}_ddot")
+
+
+def _without_repeats(statement: t.Node) -> t.Node:
+    """a = b = b as a = b, in each row."""
+    if isinstance(statement, t.System):
+        return t.System(tuple(_without_repeats(row) for row in statement.rows))
+    if not isinstance(statement, t.Chain) or len(statement.items) < 3:
+        return statement
+    pairs = zip(statement.items, statement.items[1:], statement.ops, strict=False)
+    kept = [(item, op) for before, item, op in pairs if op != "=" or item != before]
+    return t.Chain((statement.items[0], *(item for item, _ in kept)), tuple(op for _, op in kept))

@@ -247,17 +247,6 @@ def equation(*items: Node) -> Chain:
     return Chain(tuple(items), ("=",) * (len(items) - 1))
 
 
-def without_repeats(statement: Node) -> Node:
-    """a = b = b as a = b, in each row."""
-    if isinstance(statement, System):
-        return System(tuple(without_repeats(row) for row in statement.rows))
-    if not isinstance(statement, Chain) or len(statement.items) < 3:
-        return statement
-    pairs = zip(statement.items, statement.items[1:], statement.ops, strict=False)
-    kept = [(item, op) for before, item, op in pairs if op != "=" or item != before]
-    return Chain((statement.items[0], *(item for item, _ in kept)), tuple(op for _, op in kept))
-
-
 def relation(left: Node, op: str, right: Node) -> Chain:
     """One relation `left op right`."""
     return Chain((left, right), (op,))

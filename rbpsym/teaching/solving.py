@@ -7,7 +7,6 @@ left as symbols in the mechanics, and the same engine makes the later quantity o
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-from dataclasses import fields
 from itertools import combinations
 
 from rbpsym.algebra import atoms
@@ -46,17 +45,13 @@ def filler(node: t.Node, names: Container[str]) -> Fill | None:
     """
     if isinstance(node, t.Sym):
         return (lambda given, name=node.name: given[name]) if node.name in names else None
-    parts = {name: _of_part(getattr(node, name), names) for name in _inner(node)}
+    parts = {name: _of_part(getattr(node, name), names) for name in t.parts(type(node))}
     changing = {name: fill for name, fill in parts.items() if fill is not None}
     if not changing:
         return None
-    kept = {name: getattr(node, name) for name in _inner(node) if name not in changing}
+    kept = {name: getattr(node, name) for name in t.parts(type(node)) if name not in changing}
     kind = type(node)
     return lambda given: kind(**kept, **{name: fill(given) for name, fill in changing.items()})
-
-
-def _inner(node: t.Node) -> list[str]:
-    return [item.name for item in fields(node) if item.name != "span"]
 
 
 def _of_part(value: object, names: Container[str]) -> Callable | None:

@@ -16,13 +16,6 @@ _CALLS = ("diff", "integrate", "ev", "at", "del")
 RESERVED = frozenset({*keyword.kwlist, *_WORDS, *_CALLS})
 
 
-def renamed(node: t.Node, names: Mapping[str, str]) -> t.Node:
-    """The tree with other names."""
-    if isinstance(node, t.Sym):
-        return t.Sym(names.get(node.name, node.name))
-    return t.mapped(node, lambda part: renamed(part, names))
-
-
 def exported_names(names: Iterable[str], problem: Problem, reserved: Iterable[str] = ()) -> dict[str, str]:
     """Our name -> the name to type there: as the problem prints it (omega for theta_dot), if that is free."""
     taken: dict[str, str] = {}
@@ -35,10 +28,9 @@ def exported_names(names: Iterable[str], problem: Problem, reserved: Iterable[st
 
 def maxima(node: t.Node, names: Mapping[str, str]) -> str:
     """A formula for Maxima."""
-    text = to_machine(renamed(node, names)).replace("**", "^")
-    return re.sub(r"\bpi\b", "%pi", text)
+    return re.sub(r"\bpi\b", "%pi", sympy_text(node, names).replace("**", "^"))
 
 
 def sympy_text(node: t.Node, names: Mapping[str, str]) -> str:
     """A formula for sympy, as text that is data there."""
-    return to_machine(renamed(node, names))
+    return to_machine(t.renamed(node, {name: t.Sym(typed) for name, typed in names.items()}))
