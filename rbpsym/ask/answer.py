@@ -212,9 +212,20 @@ def _since(found: Found, before: Found | None = None, done: Sequence[Found] = ()
 def _at_moment(asked: Asked, question: Question, moment: Moment) -> Found:
     place, bound = _bound(asked, question, moment.place)
     world, study, named = asked.world(place), asked.study(place), parts(bound)
+    if moment.how == "start" and place == 0 and asked.begun and _is_long(study, named):
+        return _at_moment(asked.begun, question, moment_of(asked.begun, When("start"), question))
     works = _works(world, named)
     values = _at(world, named, works, moment, question)
     return Found(study, named, values, moment=moment, works=works, about=bound.about)
+
+
+def _is_long(study: Study, named: Sequence[Scalar]) -> bool:
+    """Whether what the laws give for these values at every place is too long to be read, where only the start is asked."""
+    solved = {**study.solved.reactions, **(study.solved.accelerations or {})}
+    return any(len(solved[n].num) * len(solved[n].den) > LONG for value in named for n in names_in(value) & solved.keys())
+
+
+LONG = 60  # terms, those above times those below
 
 
 def _at(world: ProblemWorld, named, works, moment: Moment, question: Question) -> tuple[Scalar, ...]:

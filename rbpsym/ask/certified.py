@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,7 +14,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.ask import in_time
 from rbpsym.ask.lasting import contacts_last, held, lasts_to
-from rbpsym.ask.moments import Asked
+from rbpsym.ask.moments import Asked, value_in
 from rbpsym.ask.question import Question
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.derivation.checks_values import TURNED
@@ -76,7 +77,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     comes += map(undecided, open_)
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
-    valid = _valid(draft, found, lasts, (*before, *steps))
+    valid = _valid(draft, found, lasts, before, steps)
     return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps))
 
 
@@ -253,14 +254,20 @@ def _rows(statement: t.Node) -> tuple[t.Chain, ...]:
     return statement.rows if isinstance(statement, t.System) else (statement,)
 
 
-def _valid(draft: Draft, found: Found, lasts: tuple[Demand, ...], steps: tuple[Step, ...]) -> tuple[t.Node, ...]:
-    """The conditions under which it holds: what the steps ask for, and the motion that is stated, which `lasts` so far."""
-    told = (step.certificate.verdict.open_obligations for step in steps if step.certificate)
-    duties = [duty.relation for open_ in told for duty in open_]
-    own = (t.relations(duty) for duty in duties)
-    asked = [Demand(value, op) for rows in own for left, op, _ in rows if (value := _valued(draft, left)) is not None]
-    if found.moment is not None and found.moment.watched:
-        asked = [Demand(substitute(one.value, {"t": found.moment.state.time}), one.op) for one in asked]
+def _valid(
+    draft: Draft, found: Found, lasts: tuple[Demand, ...], before: tuple[Step, ...], steps: tuple[Step, ...]
+) -> tuple[t.Node, ...]:
+    """The conditions under which it holds: what the steps, and those `before` its phase, ask for, and the motion that is
+    stated, which `lasts` so far."""
+    moment, (earlier, own) = found.moment, (_duties(part) for part in (before, steps))
+    duties = [*earlier, *own]
+    first, asked = (_asked(draft, part) for part in (earlier, own))
+    if moment is not None and moment.how == "start" and not found.study.at_start:
+        with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
+            asked = [Demand(value_in(found.study, one.value, moment.state), one.op) for one in asked]
+    asked = [*first, *asked]
+    if moment is not None and moment.watched:
+        asked = [Demand(substitute(one.value, {"t": moment.state.time}), one.op) for one in asked]
     stated = (*_demands(found), *lasts)
     wanted = (*stated, *asked)
     never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)
@@ -269,6 +276,16 @@ def _valid(draft: Draft, found: Found, lasts: tuple[Demand, ...], steps: tuple[S
         raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
     left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
     return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(stated))))
+
+
+def _duties(steps: Sequence[Step]) -> list[t.Node]:
+    told = (step.certificate.verdict.open_obligations for step in steps if step.certificate)
+    return [duty.relation for open_ in told for duty in open_]
+
+
+def _asked(draft: Draft, duties: Sequence[t.Node]) -> list[Demand]:
+    rows = (row for duty in duties for row in t.relations(duty))
+    return [Demand(value, op) for left, op, _ in rows if (value := _valued(draft, left)) is not None]
 
 
 def _valued(draft: Draft, node: t.Node) -> Scalar | None:

@@ -61,11 +61,10 @@ def held(study: Study) -> list[Demand]:
 def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """What the same ask of the parameters at a moment and on the whole way to it, and what of that is not decided. Raises
     StatementError where they surely do not last so far."""
-    from rbpsym.ask.moments import image_of
+    from rbpsym.ask.moments import value_in
 
     if moment.how in ("start", "rest"):
-        image = image_of(study, moment.state)
-        return tuple(Demand(short(substitute(demand.value, image)), demand.op) for demand in held(study)), ()
+        return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and moment.watched[0] in study.system.coordinates)
     try:
         return tuple(_on_way(study, moment.state.places if is_place else None)), ()

@@ -21,10 +21,12 @@ from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover, state_at
-from rbpsym.mechanics.at_start import study_of
+from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to_rest, force_taken, is_before
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.instant import has_start
 from rbpsym.mechanics.phases import Stage, known_stages
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
@@ -74,6 +76,12 @@ class Asked:
         if self.problem.phases:
             return study_of(replace(self.problem, phases=()))
         return self.known or study_of(self.problem)
+
+    @cached_property
+    def begun(self) -> Asked | None:
+        """The same of which only the start is told, where its conditions may be solved there."""
+        start = StartStudy(replace(self.problem, phases=()))
+        return Asked(start.problem, start) if has_start(start.problem) and start.ties and not self.first.at_start else None
 
     @property
     def names(self) -> list[str]:
@@ -343,3 +351,8 @@ def image_of(study: Study, state: State) -> dict[str, Scalar]:
     """What stands for coordinates, speeds and time in a state."""
     found = {**state.places, **{f"{name}_dot": speed for name, speed in state.speeds.items()}}
     return found if state.time is None else {**found, "t": state.time}
+
+
+def value_in(study: Study, value: Scalar, state: State) -> Scalar:
+    """What a value is in a state, accelerations and unknown forces too."""
+    return short(substitute(study.begun(value), image_of(study, state)))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym.algebra.scalar import Scalar
@@ -18,14 +18,16 @@ class Assumptions:
 
     ranges: name → (lower, upper), an open interval; a bound may hold other names (θ₀ < θ), None
     means no bound. A name that has a range with lower bound 0 counts as positive.
+    reached: (name, side) of each bound that the quantity may have itself, side being 0 (lower) or 1.
     """
 
     signs: Mapping[str, str] = field(default_factory=dict)
     ranges: Mapping[str, Range] = field(default_factory=dict)
+    reached: frozenset[tuple[str, int]] = frozenset()
 
     @cached_property
     def _content(self) -> int:
-        return hash((frozenset(self.signs.items()), frozenset(self.ranges.items())))
+        return hash((frozenset(self.signs.items()), frozenset(self.ranges.items()), self.reached))
 
     def __hash__(self) -> int:
         return self._content
@@ -40,16 +42,22 @@ class Assumptions:
 
     def with_signs(self, more: Mapping[str, str]) -> Assumptions:
         """The same with further (or other) signs."""
-        return Assumptions({**self.signs, **more}, self.ranges)
+        return replace(self, signs={**self.signs, **more})
 
-    def with_range(self, name: str, lower: Scalar | None, upper: Scalar | None) -> Assumptions:
-        """The same with another range of one name."""
-        return Assumptions(self.signs, {**self.ranges, name: (lower, upper)})
+    def with_range(self, name: str, lower: Scalar | None, upper: Scalar | None, reached: Iterable[int] = ()) -> Assumptions:
+        """The same with another range of one name; `reached` are the sides (0, 1) that belong to it."""
+        sides = {(n, side) for n, side in self.reached if n != name} | {(name, side) for side in reached}
+        return Assumptions(self.signs, {**self.ranges, name: (lower, upper)}, frozenset(sides))
+
+    def sides_of(self, name: str) -> frozenset[int]:
+        """The sides (0, 1) of its range that a name may reach."""
+        return frozenset(side for n, side in self.reached if n == name)
 
     def without(self, *names: str) -> Assumptions:
         """The same with nothing assumed of these names."""
         signs = {name: sign for name, sign in self.signs.items() if name not in names}
-        return Assumptions(signs, {name: r for name, r in self.ranges.items() if name not in names})
+        ranges = {name: r for name, r in self.ranges.items() if name not in names}
+        return Assumptions(signs, ranges, frozenset(end for end in self.reached if end[0] not in names))
 
 
 NONE = Assumptions()

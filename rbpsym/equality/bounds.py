@@ -38,10 +38,11 @@ def of_symbol(name: str, assumptions: Assumptions) -> Bounds:
     if name == "pi":
         return PI_BOUNDS
     lower, upper = assumptions.range_of(name)
+    lower_in, upper_in = ((name, side) in assumptions.reached for side in (0, 1))
     by_sign = LOWEST.get(assumptions.sign_of(name), NO_BOUNDS)
-    if lower is None or _is_negative_number(lower):
-        return Bounds(by_sign.lower, upper, by_sign.lower_in) if by_sign.lower is not None else Bounds(lower, upper)
-    return Bounds(lower, upper)
+    if by_sign.lower is not None and (lower is None or _is_negative_number(lower)):
+        return Bounds(by_sign.lower, upper, by_sign.lower_in, upper_in)
+    return Bounds(lower, upper, lower_in, upper_in)
 
 
 def _is_negative_number(bound: Scalar) -> bool:
@@ -49,64 +50,66 @@ def _is_negative_number(bound: Scalar) -> bool:
     return number is not None and number < 0
 
 
-def of_angle(angle: Poly, assumptions: Assumptions) -> tuple[Bound, Bound]:
-    """Between what an angle lies: each name replaced by the end of its range."""
+def of_angle(angle: Poly, assumptions: Assumptions) -> Bounds:
+    """Between what an angle lies: each name replaced by the end of its range, reached if each of these is."""
     order = sorted(angle.terms, key=lambda m: -_depth(m, assumptions))
-    ends = [Scalar(angle), Scalar(angle)]
+    ends, reached = [Scalar(angle), Scalar(angle)], [True, True]
     for side in (0, 1):
         for m in order:
             c = angle.terms[m]
             if _is_constant(m) or ends[side] is None or ends[side].num.terms.get(m) != c:
                 continue
-            end = _range_of(m, assumptions)[side if c > 0 else 1 - side]
+            found = _range_of(m, assumptions)
+            end, end_in = ((found.lower, found.lower_in), (found.upper, found.upper_in))[side if c > 0 else 1 - side]
             ends[side] = None if end is None else ends[side] + (end - Scalar(Poly({m: 1}))) * c
-    return ends[0], ends[1]
+            reached[side] &= end_in
+    return Bounds(*ends, *reached)
 
 
 def _is_constant(m: Monomial) -> bool:
     return m == UNIT or m == ((atoms.PI, 1),)
 
 
-def _range_of(m: Monomial, assumptions: Assumptions) -> tuple[Bound, Bound]:
+def _range_of(m: Monomial, assumptions: Assumptions) -> Bounds:
     name = atoms.symbol_name(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
-    found = of_symbol(name, assumptions) if name else NO_BOUNDS
-    return found.lower, found.upper
+    return of_symbol(name, assumptions) if name else NO_BOUNDS
 
 
 def _depth(m: Monomial, assumptions: Assumptions) -> int:
     """How many generators stand in the bounds: such names are replaced first."""
-    ends = [] if _is_constant(m) else _range_of(m, assumptions)
-    return sum(len(end.atoms() - {atoms.PI}) for end in ends if end is not None)
+    found = NO_BOUNDS if _is_constant(m) else _range_of(m, assumptions)
+    return sum(len(end.atoms() - {atoms.PI}) for end in (found.lower, found.upper) if end is not None)
 
 
-def of_cosine(lower: Bound, upper: Bound, is_nonnegative: IsNonnegative) -> Bounds:
-    """Bounds of the cosine of an angle in the open interval (lower, upper).
+def of_cosine(angle: Bounds, is_nonnegative: IsNonnegative) -> Bounds:
+    """Bounds of the cosine of an angle within these bounds.
 
     On a half turn from kπ to (k+1)π the cosine is monotone; from (k-1/2)π to (k+1/2)π it has
     one sign.
     """
+    lower, upper = angle.lower, angle.upper
     if lower is None or upper is None:
         return FULL_WAVE
     for k in (0, -1, 1, -2, 2, -3, 3):
         if is_nonnegative(lower - PI * k) and is_nonnegative(PI * (k + 1) - upper):
-            ends = cosine(upper), cosine(lower)
-            return Bounds(*ends) if k % 2 == 0 else Bounds(*reversed(ends))
+            found = Bounds(cosine(upper), cosine(lower), angle.upper_in, angle.lower_in)
+            return found if k % 2 == 0 else Bounds(found.upper, found.lower, found.upper_in, found.lower_in)
     quarter = PI * Fraction(1, 2)
     for k in (0, -1, 1, -2, 2):
         middle = PI * k
         if is_nonnegative(lower - middle + quarter) and is_nonnegative(middle + quarter - upper):
-            return Bounds(NOTHING, UNITY, upper_in=True) if k % 2 == 0 else Bounds(lift(-1), NOTHING, lower_in=True)
+            ends_in = angle.lower_in or angle.upper_in
+            return Bounds(NOTHING, UNITY, ends_in, True) if k % 2 == 0 else Bounds(lift(-1), NOTHING, True, ends_in)
     return FULL_WAVE
 
 
 def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:
     """Bounds of a sine or cosine; sin A = cos(A - π/2)."""
-    lower, upper = of_angle(angle, assumptions)
+    found = of_angle(angle, assumptions)
     if kind == "sin":
-        quarter = PI * Fraction(1, 2)
-        lower = None if lower is None else lower - quarter
-        upper = None if upper is None else upper - quarter
-    return of_cosine(lower, upper, is_nonnegative)
+        ends = (None if end is None else end - PI * Fraction(1, 2) for end in (found.lower, found.upper))
+        found = Bounds(*ends, found.lower_in, found.upper_in)
+    return of_cosine(found, is_nonnegative)
 
 
 def of_inverse(kind: str, arg: int) -> Bounds:
@@ -123,14 +126,15 @@ def of_inverse(kind: str, arg: int) -> Bounds:
 
 def of_half_tangent(angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:
     """Bounds of tan(a/2) for an angle a between -π and π."""
-    lower, upper = of_angle(angle, assumptions)
+    found = of_angle(angle, assumptions)
+    lower, upper = found.lower, found.upper
     if lower is not None and not is_nonnegative(lower + PI):
         return NO_BOUNDS
     if upper is not None and not is_nonnegative(PI - upper):
         return NO_BOUNDS
     if lower is None or upper is None:
         return NO_BOUNDS
-    return Bounds(_half_tangent(lower), _half_tangent(upper))
+    return Bounds(_half_tangent(lower), _half_tangent(upper), found.lower_in, found.upper_in)
 
 
 def _half_tangent(angle: Scalar) -> Bound:

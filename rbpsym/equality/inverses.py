@@ -109,10 +109,10 @@ def _is_principal(reading: Reading, angle: Scalar) -> bool:
     """Whether the angle surely lies between -π/2 and π/2."""
     if angle.den is not ONE:
         return False
-    lower, upper = of_angle(angle.num, reading.assumptions)
-    if lower is None or upper is None:
+    found = of_angle(angle.num, reading.assumptions)
+    if found.lower is None or found.upper is None:
         return False
-    ends = lower + QUARTER, QUARTER - upper
+    ends = found.lower + QUARTER, QUARTER - found.upper
     return all(sign(end, reading.assumptions, factoring=False).is_nonnegative for end in ends)
 
 

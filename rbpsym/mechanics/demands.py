@@ -50,18 +50,16 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
 
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
-    """Without what follows from the rest; what is ≥ 0 in there may be 0, so that only the others say what is not."""
+    """Without what follows from the rest."""
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]
-        strict = [other for other in others if other.op == ">"]
-        wide, firm = (sign(item.value, assuming(given, some)) for some in (others, strict))
-        wrong, follows = (firm, wide) if item.op == ">=" else (wide, firm)
+        found = sign(item.value, assuming(given, others))
         products = [sign(short(item.value * o.value), given) for o in others if ">" in (item.op, o.op) and o.op != "!="]
-        if wrong.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
+        if found.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
             return None
-        if IMPLIED[item.op](follows) or any(p.kind == "positive" for p in products):
+        if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products):
             demands = others
     return tuple(demands)
 
@@ -79,12 +77,13 @@ def assuming(given: Assumptions, demands: Iterable[Demand], *, tighter: bool = F
     """The assumptions with what the demands say of one quantity each (`tighter`: in place of wider bounds too)."""
     for demand in demands:
         if demand.op != "!=":
-            given = next(_turned(given, demand.value), None) or next(_narrowed(given, demand, tighter), given)
+            given = next(_turned(given, demand), None) or next(_narrowed(given, demand, tighter), given)
     return given
 
 
-def _turned(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:
+def _turned(given: Assumptions, demand: Demand) -> Iterator[Assumptions]:
     """± sin x > 0 or cos x > 0 as a range of x, where x lies in (-π, π)."""
+    value = demand.value
     [(index, exponent), *more] = next(iter(value.num.terms), ()) or ((0, 0),)
     name = atoms.symbol_name(next(iter(atoms.atom(index).arg.atoms()), 0)) if atoms.atom(index).kind in WAVES else None
     if value.den is ONE and len(value.num) == exponent == 1 and not more and name in given.ranges:
@@ -92,7 +91,9 @@ def _turned(given: Assumptions, value: Scalar) -> Iterator[Assumptions]:
         ends = WAVES[atoms.atom(index).kind].get(side)
         known = [None if end is None else (end / PI).number() for end in given.range_of(name)]
         if ends and None not in known and known[0] >= -1 and known[1] <= 1 and atoms.atom(index).arg == symbol(name).num:
-            yield given.with_range(name, max(ends[0], known[0]) * PI, min(ends[1], known[1]) * PI)
+            new = {side for side in (0, 1) if (ends[side], known[side])[side] > (known[side], ends[side])[side]}
+            reached = (given.sides_of(name) - new) | (set() if demand.op == ">" else new)
+            yield given.with_range(name, max(ends[0], known[0]) * PI, min(ends[1], known[1]) * PI, reached)
 
 
 HALF = Fraction(1, 2)
@@ -101,11 +102,11 @@ WAVES = {"sin": {1: (0, 1), -1: (-1, 0)}, "cos": {1: (-HALF, HALF)}}  # in units
 
 def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Assumptions]:
     """a x + b > 0 or a x² + b > 0 as a bound of x, for each x that has none yet on that side; a x > 0 as its sign."""
-    value, bare = demand.value, {1} if demand.op == ">" else set()
+    value = demand.value
     powers = {name: max(value.num.by_power(atoms.intern("symbol", name))) for name in names_in(value) - {"pi"}}
     for name in sorted(powers, key=lambda n: (powers[n], n)):
         parts = value.num.by_power(atoms.intern("symbol", name))
-        if value.den is not ONE or set(parts) not in ({0, 1}, {0, 2}, bare):
+        if value.den is not ONE or set(parts) not in ({0, 1}, {0, 2}, {1}):
             continue
         power, slope = max(parts), Scalar(parts[max(parts)])
         way, bound = WAYS.get(sign(slope, given).kind), short(-(Scalar(parts.get(0, ZERO)) / slope))
@@ -117,8 +118,12 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
                 continue
             bound = simplified_root(bound, lambda n: given.sign_of(n) == "positive")
         old = lower if way > 0 else upper
+        if old == bound and demand.op != ">":
+            continue
         if old in (None, NOTHING) or (tighter and sign((bound - old) * way, given).is_nonnegative):
-            yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)))
+            side = 0 if way > 0 else 1
+            sides = (given.sides_of(name) - {side}) | (set() if demand.op == ">" else {side})
+            yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)), sides)
 
 
 def _behind(bound: Scalar, given: Assumptions) -> set[str]:

@@ -24,7 +24,7 @@ from rbpsym.mechanics.ways import taken
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.model import Element
 
-LARGEST = 400  # terms: signs of what is longer are not looked for
+LARGEST = 4000  # terms: signs of what is longer are not looked for
 
 
 def check_start(study: Study) -> None:
@@ -80,7 +80,9 @@ def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:
-    return {**dict.fromkeys(study.system.speeds, NOTHING), **study.system.scope.start}
+    start = {**dict.fromkeys(study.system.speeds, NOTHING), **study.system.scope.start}
+    gained = {name: _at_start(value, start) for name, value in (study.solved.accelerations or {}).items()}
+    return {**{name: value for name, value in gained.items() if value is not None}, **start}
 
 
 def _at_start(value: Scalar, start: Mapping[str, Scalar]) -> Scalar | None:

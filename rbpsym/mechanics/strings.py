@@ -103,10 +103,15 @@ def _pieces(element: Element, run: tuple[Turn, ...], geometry: Geometry) -> list
         first, second = (turn.body or turn.center.label for turn in fault.ends)
         raise StatementError(
             f"the string “{element.name}” would have to cross its pulley between “{first}” and “{second}” at the start",
-            instead="let it run round the other way (cw instead of ccw), or say on which side of the pulley its ends are, "
-            'also where a coordinate follows from others: start = "-h" for a weight that hangs below it, or a range.',
+            instead=f"let it run round the other way ({_other_way(fault.ends)}), or say on which side of the pulley its ends "
+            'are, also where a coordinate follows from others: start = "-h" for a weight that hangs below it, or a range.',
             place=element.place,
         ) from None
+
+
+def _other_way(ends: tuple[Turn, Turn]) -> str:
+    said, other = ("ccw", "cw") if next(turn.sense for turn in ends if turn.sense) > 0 else ("cw", "ccw")
+    return f"{other} instead of {said}"
 
 
 def pulls(element: Element, geometry: Geometry) -> tuple[Force, ...]:

@@ -50,7 +50,10 @@ def tie(problem: Problem, inertias: Mapping[str, Inertia], given: Mapping[str, P
         done.add(place)  # also where the place that follows has no closed form: its rate says nothing new
         conditions = (*conditions, found)
         solved, implicit = solve_explicitly(conditions, names, problem)
-        rates = _rates(problem, inertias, given, solved, names)
+        try:
+            rates = _rates(problem, inertias, given, solved, names)
+        except StatementError as error:  # what was drawn well before is not with the constant that was taken
+            raise _begins_nowhere(found, solved, problem) or error from None
         _check_kept(found, rates.get(place), solved, implicit, problem)
         waiting = {place: rate for place, rate in rates.items() if place not in done}
     return Tied(solved, implicit, tuple(waiting.values()), conditions)
@@ -71,6 +74,18 @@ def _check_kept(found: Condition, again: Condition | None, solved: Mapping[str, 
         instead=f'say where things are at the start, so that its length is known: start = "{name}_0" for {name}.',
         place=next(e.place for e in problem.constraints if e.name == found.constraint),
     )
+
+
+def _begins_nowhere(found: Condition, solved: Mapping[str, Scalar], problem: Problem) -> StatementError | None:
+    """The sentence for a place that follows up to a constant, of which nothing says where it begins."""
+    for c in problem.coordinates:
+        if c.start is None and c.name in solved and depends_on(found.value, c.name):
+            return StatementError(
+                f"the constraint “{found.constraint}” tells how “{c.name}” changes, but not where it begins",
+                instead=f'say where it is at the start: start = "{c.name}_0".',
+                place=c.place,
+            )
+    return None
 
 
 def _geometry(problem: Problem, inertias: Mapping[str, Inertia], placed: Mapping[str, Pose]) -> Geometry:

@@ -203,7 +203,7 @@ def compare_problems(first: Study, second: Study, part: CoursePart) -> Lesson:
 def _common(first: Study, second: Study) -> Assumptions:
     """What is declared of the quantities of both."""
     one, other = first.assumptions, second.assumptions
-    return Assumptions({**other.signs, **one.signs}, {**other.ranges, **one.ranges})
+    return Assumptions({**other.signs, **one.signs}, {**other.ranges, **one.ranges}, other.reached | one.reached)
 
 
 def _order(pair: _Pair) -> None:

@@ -8,7 +8,7 @@ import pytest
 from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import PI, lift
 from rbpsym.algebra.trig import cosine
-from rbpsym.equality.bounds import FULL_WAVE, of_cosine, of_inverse
+from rbpsym.equality.bounds import FULL_WAVE, Bounds, of_cosine, of_inverse
 from rbpsym.equality.factoring import split
 from rbpsym.equality.masks import MINUS, PLUS
 from rbpsym.mechanics.numbers import number
@@ -28,7 +28,7 @@ def ends_of(found) -> tuple[float, float]:
 @pytest.mark.parametrize("width", [1, 5, 6, 7, 11, 12, 13, 30])
 def test_a_cosine_lies_within_its_bounds(width):
     for low in ENDS:
-        found = of_cosine(TWELFTH * low, TWELFTH * (low + width), is_nonnegative)
+        found = of_cosine(Bounds(TWELFTH * low, TWELFTH * (low + width)), is_nonnegative)
         lower, upper = ends_of(found)
         seen = [math.cos(math.pi / 12 * (low + width * k / 60)) for k in range(1, 60)]
         assert lower - 1e-12 <= min(seen) and max(seen) <= upper + 1e-12
@@ -42,16 +42,16 @@ def test_a_cosine_lies_within_its_bounds(width):
 def test_on_a_half_turn_the_bounds_are_the_values_at_the_ends(half):
     for low, high in ((0, 12), (0, 4), (3, 9), (7, 12)):
         ends = TWELFTH * (12 * half + low), TWELFTH * (12 * half + high)
-        found = of_cosine(*ends, is_nonnegative)
+        found = of_cosine(Bounds(*ends), is_nonnegative)
         assert ends_of(found) == pytest.approx(sorted(number(cosine(end), {}) for end in ends), abs=1e-12)
 
 
 @pytest.mark.parametrize("turn", range(-2, 3))
 def test_about_a_greatest_or_least_value_a_cosine_has_one_sign(turn):
     for low, high in ((-6, 6), (-1, 2)):
-        found = of_cosine(TWELFTH * (12 * turn + low), TWELFTH * (12 * turn + high), is_nonnegative)
+        found = of_cosine(Bounds(TWELFTH * (12 * turn + low), TWELFTH * (12 * turn + high)), is_nonnegative)
         assert ends_of(found) == ((-1, 0) if turn % 2 else (0, 1))
-    assert of_cosine(TWELFTH * (12 * turn - 7), TWELFTH * (12 * turn + 6), is_nonnegative) == FULL_WAVE
+    assert of_cosine(Bounds(TWELFTH * (12 * turn - 7), TWELFTH * (12 * turn + 6)), is_nonnegative) == FULL_WAVE
 
 
 INVERSES = {"asin": (math.asin, (-1, 1)), "acos": (math.acos, (-1, 1)), "atan": (math.atan, (-1e9, 1e9))}

@@ -6,7 +6,9 @@ import random
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import PI
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.masks import MINUS, PLUS, ZERO
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.numbers import number
@@ -130,13 +132,38 @@ def test_a_formula_has_a_value_where_its_conditions_hold(text):
         assert hold(asked, at) == found
 
 
-SAID = [("2*x", ">", (0, None)), ("-x", ">", (None, 0)), ("6 - 2*x", ">", (None, 3)), ("x", ">=", None)]
+SAID = [
+    ("2*x", ">", (0, None), "positive"), ("-x", ">", (None, 0), "negative"), ("6 - 2*x", ">", (None, 3), None),
+    ("x", ">=", (0, None), "nonnegative"), ("-x", ">=", (None, 0), "nonpositive"), ("x - 3", ">=", (3, None), "positive"),
+]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "op", "ends"), SAID)
-def test_what_a_condition_says_of_one_quantity_is_a_bound_of_it(text, op, ends):
-    """Ranges are without their ends: that x ≥ 0 is no range from 0 on, in which x would be positive."""
+@pytest.mark.parametrize(("text", "op", "ends", "kind"), SAID)
+def test_what_a_condition_says_of_one_quantity_is_a_bound_of_it(text, op, ends, kind):
+    """An end that x ≥ 0 lets x have belongs to the range, so that x is not positive there."""
     found = assuming(GIVEN, [Demand(scalar(read_infix(text, NAMES)), op)])
-    told = tuple(None if end is None else end.number() for end in found.range_of("x"))
-    assert told == (ends or (None, None))
-    assert (sign(scalar(read_infix("x", NAMES)), found).kind == "positive") == (ends is not None and ends[0] is not None)
+    assert tuple(None if end is None else end.number() for end in found.range_of("x")) == ends
+    assert sign(scalar(read_infix("x", NAMES)), found).kind == kind
+
+
+ANGLE_NAMES, MASSES = ("m", "theta"), (0.5, 1.0, math.pi / 3, 2.0, 3.0)
+ANGLES = Assumptions({"m": "positive"}, {"theta": (-PI, PI)})
+WEAK = ("sin(theta)", "-sin(theta)", "cos(theta)", "theta - m", "m - theta", "theta", "2*theta - pi", "1 - m", "m**2 - 4")
+ASKED = (*WEAK, "cos(theta) + 1", "sin(theta - m)", "m - 1", "1 - sin(theta)", "theta*(m - 2)", "sin(2*theta)")
+
+
+@pytest.mark.parametrize("text", WEAK)
+def test_where_a_weak_condition_holds_as_an_equality_signs_allow_for_it(text):
+    """At each place, the ends with it, at which `text` ≥ 0, a formula has a sign that was said to be possible."""
+    known = assuming(ANGLES, [Demand(scalar(read_infix(text, ANGLE_NAMES)), ">=")])
+    weak = scalar(read_infix(text, ANGLE_NAMES))
+    twelfths = [k * math.pi / 12 for k in range(-11, 12)]
+    places = [{"theta": t, "m": m} for t in (*twelfths, *MASSES) for m in MASSES if -math.pi < t < math.pi]
+    held = [at for at in places if number(weak, at) >= -1e-12]
+    assert any(abs(number(weak, at)) < 1e-12 for at in held)
+    for formula in ASKED:
+        value = scalar(read_infix(formula, ANGLE_NAMES))
+        mask = sign(value, known).mask
+        for at in held:
+            seen = number(value, at)
+            assert mask & (ZERO if abs(seen) < 1e-12 else PLUS if seen > 0 else MINUS), (formula, at, seen)

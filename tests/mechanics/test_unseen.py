@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
@@ -216,6 +218,13 @@ def test_what_nothing_can_do_is_told(text: str, says: str) -> None:
 def test_a_string_that_would_cross_its_pulley_is_told_at_once() -> None:
     text = problem_files()["movable-pulley"].read_text(encoding="utf-8").replace('"-h"', '"0"')
     with pytest.raises(StatementError, match="would have to cross its pulley"):
+        derive(load_text(text), simulation=False)
+
+
+def test_what_follows_up_to_a_constant_needs_a_start_where_a_range_excludes_the_one_that_is_taken() -> None:
+    text = problem_files()["movable-pulley"].read_text(encoding="utf-8")
+    text = re.sub(r'start\s*= "-h"', 'range = ["", "0"]', text)
+    with pytest.raises(StatementError, match="but not where it begins"):
         derive(load_text(text), simulation=False)
 
 
