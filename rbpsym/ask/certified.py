@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 LETTER = "Q"
 COMES = undecided("whether the motion comes so far is not decided: the speed may vanish before, where no formula tells")
-LONGEST_NAME = 4  # nodes of what a step gives a value: ϑ², f/N, K_0 - K_1
+LONGEST_NAME = 6  # nodes of what a step gives a value: ϑ², f/(N + C), K_0 - K_1
 TOLD = (
     "solution", "first_integral", "work_done", "event_time", "event_place", "end_state",
     "course", "speed_along", "kept_speed", "reached_in_time",

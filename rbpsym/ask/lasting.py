@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
@@ -51,7 +51,7 @@ def held(study: Study) -> list[Demand]:
     kept = [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
     for need in study.friction_needs:
         if need.constraint in along and need.needed is None and need.limit is not None:
-            most, friction = along[need.constraint] * need.limit, along[need.friction]
+            most, friction = sum((along[n] for n in need.normals), NOTHING) * need.limit, along[need.friction]
             kept += [Demand(short(most + friction * side), ">=") for side in (-1, 1)]
         else:
             kept += grips((need,))

@@ -24,6 +24,7 @@ from rbpsym.errors import DimensionError, StatementError
 from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
@@ -211,9 +212,7 @@ def going_on(world: Scene, way: Way, given: Assumptions) -> tuple[Scalar, ...]:
     names = [name for element in study.problem.constraints for name in pushes(element)]
     values = [seen(world, name) for name in names]
     for element in study.problem.constraints:
-        if element.values.get("limit") is not None:
-            most, friction = seen(world, element.name) * scalar(element["limit"]), seen(world, element["friction"])
-            values += [most - friction, most + friction]
+        values += spare(element, lambda name: seen(world, name))
     other = next((n for n in moving(world, values) if n != way.name), None)
     if other is not None:
         raise StatementError(f"{names[0]} is no function of {way.name} alone, so that it may let go before")

@@ -133,7 +133,7 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
             f"the contact “{without}” has no coefficient of static friction",
             instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
         )
-    forces = [(seen(world, need.constraint) * need.limit, seen(world, need.friction)) for need in held]
+    forces = [(sum((seen(world, n) for n in need.normals), NOTHING) * need.limit, seen(world, need.friction)) for need in held]
     values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
     return on_way(world, values, "the friction that is needed", until, text, given)
 

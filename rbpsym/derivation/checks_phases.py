@@ -117,7 +117,7 @@ def _gap(context: Context, phase: Phase) -> Scalar:
         return context.along(slip_at(system, element) ** 2)
     if phase.event == "lost":
         return along[phase.subject]
-    grip, most = along[element["friction"]], along[element.name] * scalar(element["limit"])
+    grip, most = along[element["friction"]], sum((along[n] for n in element.normals), NOTHING) * scalar(element["limit"])
     return (most - grip) * (most + grip)
 
 

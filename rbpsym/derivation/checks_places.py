@@ -197,6 +197,6 @@ def _holds(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verd
             met = _follows(Demand(here(name), ">="), printed, context.assumptions)
             yield Verdict(PROVED) if met else compare(NOTHING, here(name), context.assumptions, strict=False)
         if element.values.get("limit") is not None:
-            grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
+            grip, most = here(element["friction"]), sum(map(here, element.normals), NOTHING) * scalar(element["limit"])
             for side in (grip, -grip):
                 yield compare(side, most, context.assumptions, strict=False)

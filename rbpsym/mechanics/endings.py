@@ -20,7 +20,7 @@ from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.friction import geometry_of, spare
 from rbpsym.mechanics.numbers import sample, samples
 from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
@@ -110,8 +110,7 @@ def grip_ends(study: Study, phase: Phase) -> State:
     along, name = study.reactions_along_motion, mover(study)
     if not along or name is None:
         raise _no_closed_form(f"the place where “{phase.subject}” slips")
-    grip, limit = along[element["friction"]], along[element.name] * scalar(element["limit"])
-    return _met(study, phase, name, "slips", grip - limit, grip + limit)
+    return _met(study, phase, name, "slips", *spare(element, along.__getitem__))
 
 
 def _met(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar) -> State:

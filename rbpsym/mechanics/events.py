@@ -13,7 +13,6 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.equality.assumptions import Assumptions
@@ -22,6 +21,7 @@ from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
@@ -117,9 +117,7 @@ def _why_open(names: set[str]) -> str:
 def _grips(system: System, along: Mapping[str, Scalar]) -> Iterator[Scalar]:
     """What stays positive as long as friction stays below its limits."""
     for element in system.problem.constraints:
-        if element.values.get("limit") is not None:
-            most = along[element.name] * scalar(element["limit"])
-            yield from (most - along[element["friction"]], most + along[element["friction"]])
+        yield from spare(element, along.__getitem__)
 
 
 def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: Assumptions) -> list[Way]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
@@ -15,6 +15,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.system import System
+from rbpsym.statement.model import Element
 
 
 def geometry_of(system: System) -> Geometry:
@@ -39,16 +40,25 @@ def slips(system: System) -> dict[str, Scalar]:
     return {name: substitute(speed, system.dependent) for name, speed in speeds.items()}
 
 
+def spare(element: Element, value: Callable[[str], Scalar]) -> tuple[Scalar, ...]:
+    """μ N - f and μ N + f of a contact whose static friction has a limit, from the values of forces by their names."""
+    if element.values.get("limit") is None:
+        return ()
+    most = scalar(element["limit"]) * sum(map(value, element.normals), NOTHING)
+    return most - value(element["friction"]), most + value(element["friction"])
+
+
 @dataclass(frozen=True, slots=True)
 class FrictionNeed:
     """Static friction keeps a contact from slipping as long as |ratio| = |f|/N ≤ the coefficient.
 
-    `ratio` is f/N as a function of the state (of the position alone, where the speed is known);
-    `needed` is |f|/N if its sign is decided. `limit` is the declared coefficient, `holds` whether it
+    `ratio` is f/N as a function of the state (of the position alone, where the speed is known), N being the sum of
+    `normals`; `needed` is |f|/N if its sign is decided. `limit` is the declared coefficient, `holds` whether it
     is enough (None: it depends, or no coefficient is declared).
     """
 
     constraint: str
+    normals: tuple[str, ...]
     friction: str
     ratio: Scalar
     needed: Scalar | None
@@ -69,9 +79,9 @@ ENOUGH = {"positive": True, "nonnegative": True, "zero": True, "negative": False
 
 
 def _need(element, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> FrictionNeed:
-    ratio = short(reactions[element["friction"]] / reactions[element.name])
+    ratio = short(reactions[element["friction"]] / sum((reactions[name] for name in element.normals), NOTHING))
     way = SIZES.get(sign(ratio, assumptions).kind)
     needed = None if way is None else ratio * way
     limit = None if element["limit"] is None else scalar(element["limit"])
     holds = None if None in (needed, limit) else ENOUGH.get(sign(limit - needed, assumptions).kind)
-    return FrictionNeed(element.name, element["friction"], ratio, needed, limit, holds)
+    return FrictionNeed(element.name, element.normals, element["friction"], ratio, needed, limit, holds)

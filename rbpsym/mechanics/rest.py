@@ -17,6 +17,7 @@ from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.ways import taken
@@ -230,6 +231,4 @@ def _of_forces(system: System, dynamics: Dynamics, at: At, given: Assumptions) -
     for element in system.problem.constraints:
         for name in pushes(element):
             yield Demand(here(name), ">=")
-        if element.values.get("limit") is not None:
-            grip, most = here(element["friction"]), here(element.name) * scalar(element["limit"])
-            yield from (Demand(most - grip, ">="), Demand(most + grip, ">="))
+        yield from (Demand(left, ">=") for left in spare(element, here))

@@ -30,6 +30,7 @@ def check_unknowns(problem: Problem, table: Table) -> None:
     """Refuse names of unknown forces that can't be; also for the problem of a later phase."""
     _unknowns_differ(problem, table)
     _unknown_names(problem, table)
+    _beside(problem)
 
 
 def unknowns_of(element: Element) -> dict[str, Dimension]:
@@ -101,6 +102,25 @@ def _unknown_names(problem: Problem, table: Table) -> None:
             what, instead = fault_of_name(name)
             if what:
                 raise StatementError(what, instead=instead, place=element.place)
+
+
+def _beside(problem: Problem) -> None:
+    """What a contact has beside it is a smooth contact of the same body with the same surface."""
+    known = {element.name: element for element in problem.constraints}
+    surface = ("line", "of", "circle", "radius", "curve")
+    for element in problem.constraints:
+        name = element.values.get("beside")
+        other = known.get(name)
+        if name is None:
+            continue
+        if other is None:
+            raise element.error(f"has “{name}” beside it, which does not exist", did_you_mean(name, known, "constraints"))
+        is_other = other.kind != "contact" or other["coefficient"] is not None or other["point"].body != element["point"].body
+        if is_other or any(element.values.get(key) != other.values.get(key) for key in surface):
+            raise element.error(
+                f"has “{name}” beside it, which is no smooth contact of the same body with the same surface",
+                instead='that one is a type = "contact" without a coefficient, with the same line and another point.',
+            )
 
 
 def _ranges(problem: Problem, table: Table) -> None:

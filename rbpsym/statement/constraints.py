@@ -64,6 +64,13 @@ _LIMIT = Field(
     default="",
     sign="nonnegative",
 )
+_BESIDE = Field(
+    "beside",
+    "constraint",
+    "a smooth contact of the same body with the same surface, for a body that stands on two points: the friction is that of "
+    "both, and its limit rests on both normal forces",
+    default="",
+)
 _POINT = Field("point", "point", "the point that touches")
 _ROUND = Field("body", "body", "the round body that touches")
 _RIM = Field("rim", "expression", "radius at which it touches; absent: its own", LENGTH, default="", sign="positive")
@@ -159,7 +166,7 @@ CONSTRAINTS: dict[str, ElementKind] = registry(
     ElementKind(
         "sticking",
         "a point touches a rough line or circle and does not slip: a normal force and static friction",
-        (_POINT, _LINE, _SIDE, *_CURVE, _FRICTION, _LIMIT),
+        (_POINT, _LINE, _SIDE, *_CURVE, _FRICTION, _LIMIT, _BESIDE),
         unknowns=(_NORMAL, _ROUGH),
     ),
     ElementKind(

@@ -117,5 +117,6 @@ _READERS: dict[str, _Reader] = {
     "bodies": _bodies,
     "choice": _choice,
     "name": lambda item, field, what, around: check_name_item(item, what),
+    "constraint": lambda item, field, what, around: check_name_item(item, what),
     "path": lambda item, field, what, around: read_path(item, around.scope, around.bodies, what),
 }

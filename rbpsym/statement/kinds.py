@@ -17,12 +17,12 @@ class Field:
     """One key of a kind.
 
     `kind` is "expression", "pair", "point", "points" (two), "line", "body", "bodies" (any
-    number), "two bodies", "choice", "name", "path" or (of a composite) "parts". `dimension` is that of
-    the expression(s), None if free; `default` is what an absent key means, written as in the
-    file (None: the key is required; "": absent, or left to the mechanics). `may_use` says of
-    what the expression may be made: "parameters", "time" (and parameters), "coordinates" (and
-    those) or "speeds" (and all). `sign` is "positive" or "nonnegative" where a value that is not known to be so is
-    refused.
+    number), "two bodies", "choice", "name" (of its own), "constraint" (the name of another one),
+    "path" or (of a composite) "parts". `dimension` is that of the expression(s), None if free;
+    `default` is what an absent key means, written as in the file (None: the key is required; "":
+    absent, or left to the mechanics). `may_use` says of what the expression may be made:
+    "parameters", "time" (and parameters), "coordinates" (and those) or "speeds" (and all). `sign`
+    is "positive" or "nonnegative" where a value that is not known to be so is refused.
     """
 
     name: str

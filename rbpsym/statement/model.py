@@ -195,6 +195,12 @@ class Element:
         """The element with some of its values changed."""
         return replace(self, values={**self.values, **values})
 
+    @property
+    def normals(self) -> tuple[str, ...]:
+        """The normal forces on whose sum its static friction rests: its own, and that of the contact beside it."""
+        beside = self.values.get("beside")
+        return (self.name,) if beside is None else (self.name, beside)
+
     def error(self, what: str, instead: str) -> StatementError:
         """What is wrong with it, at its place: “pivot “P” holds nothing”."""
         return StatementError(f"{self.kind} “{self.name}” {what}", instead=instead, place=self.place)

@@ -167,7 +167,7 @@ def _watch_grip(bench: Bench, phase: Phase, start) -> Watch:
 
     def left(where: np.ndarray, speed: np.ndarray) -> float:
         forces = bench.multipliers(where, speed)
-        return limit * forces[element.name] - abs(forces[element["friction"]])
+        return limit * sum(forces[name] for name in element.normals) - abs(forces[element["friction"]])
 
     return left
 

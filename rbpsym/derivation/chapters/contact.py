@@ -146,9 +146,9 @@ def _manner(draft: Draft, name: str) -> str:
 
 def _friction(draft: Draft, need: FrictionNeed) -> None:
     """How large the coefficient of static friction must be."""
-    force, normal = t.Sym(need.friction), t.Sym(need.constraint)
+    force, normal = t.Sym(need.friction), t.add(*map(t.Sym, need.normals))
     slots = {"friction": force, "force": normal, "limit": draft.show(need.limit) if need.limit else t.Sym("mu")}
-    forces = (need.friction, need.constraint)
+    forces = (need.friction, *need.normals)
     premises = draft.those(*(f"{kind}.{n}" for n in forces for kind in ("along", "reaction")))
     slots["obligations"] = (t.relation(normal, ">", t.ZERO),)
     if need.needed is None:

@@ -16,7 +16,7 @@ from rbpsym.document.sketch_forces import force_node
 from rbpsym.document.words import Words
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import geometry_of, slip_senses
+from rbpsym.mechanics.friction import geometry_of, slip_senses, spare
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.impulse import impulsive
 from rbpsym.mechanics.phases import HandOver, Stage
@@ -43,9 +43,8 @@ def events(study: Study, goal: tuple[str, Scalar] | None) -> Iterator[Event]:
         for name in pushes(element):
             kind = "slack" if element.kind == "string" else "lost"
             yield {"kind": kind, "name": name, "value": symbol(name)}
-        if element.values.get("limit") is not None and element["friction"] in study.system.unknowns:
-            grip, limit = symbol(element["friction"]), scalar(element["limit"]) * symbol(element.name)
-            for left in (limit - grip, limit + grip):
+        if element.values.get("friction") in study.system.unknowns:
+            for left in spare(element, symbol):
                 yield {"kind": "slips", "name": element.name, "value": left}
     yield from _slips(study)
     yield from _used_up(study)
