@@ -107,7 +107,7 @@ def _road(found: Answer, mark: str, notation: Notation) -> Iterator[str]:
     """The steps, the values, what is said beside them, the conditions."""
     from rbpsym.notation.text import to_text
 
-    for step in found.steps[:-1]:
+    for step in (step for step in found.steps if step.id != "answer"):
         rows = (row.strip() for row in to_text(step.statement, notation).splitlines())
         yield click.style(f"    {'; '.join(rows)}", dim=True)
     told = list(_values(found, notation))

@@ -53,6 +53,9 @@ def _touching(element: Element, pose: DrawnPose, said: Words) -> Slots:
     slots: Slots = {"point": toucher, "line": _curve(element, pose, said)}
     if element.values.get("friction"):
         slots["friction"] = t.Vec(str(element["friction"]))
+    for other in pose.study.problem.constraints:
+        if other.values.get("beside") == element.name:
+            slots |= {"friction": t.Vec(str(other["friction"])), "key": "statement.contact_beside"}
     if element.values.get("coefficient") is not None:
         slots |= {"coefficient": element["coefficient"], "key": f"statement.{element.kind}_rough"}
     if isinstance(what, PointRef) and what.body is None and element.values.get("of"):
