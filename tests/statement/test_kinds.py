@@ -36,7 +36,7 @@ OWN = {
     "prescribed-angle": {"of": "disk"},
     **{name: {"of": "disk"} for name in ("contact", "guide", "slider", "sticking")},
 }
-LEFT_OUT = ("circle", "radius", "curve")
+LEFT_OUT = ("circle", "radius", "curve", "beside")
 # Of each field kind, what can't be.
 WRONG = {
     "expression": ["", "((", "nobody", None, True, [], "1 +"],
@@ -50,6 +50,7 @@ WRONG = {
     "curve": ["x", "y = ", "y = nobody", "x = y = 0", "y = y^2/ell", "y < x", 3, "", ["0"], ["0", "nobody"], ["0", None]],
     "choice": ["neither", 3, "", ["space"]],
     "name": ["", "a b", "pi", 3],
+    "constraint": ["", "a b", "nothing", "E", 3],
     "path": [
         "rod.end",
         [],
