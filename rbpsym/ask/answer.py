@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
@@ -293,7 +294,12 @@ def _along(asked: Asked, question: Question) -> Found:
         return _in_time(asked, question, place)
     found = Found(study, named, values, "state" if _moving(world, values) else "", works=works, about=bound.about)
     if question.of != "state" and question.of not in study.system.speeds:
-        found = _without_speeds(world, found)
+        by_place = _without_speeds(world, found)
+        if len(by_place.ways) > 1 and not question.of:  # each by its own place: only the time ties these
+            with suppress(StatementError, NotApplicable):
+                return _in_time(asked, question, place)
+        else:
+            found = by_place
     return _of(world, found, question) if question.of not in ("", "state") else found
 
 

@@ -11,15 +11,16 @@ import math
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.ask.asking import answered
+from rbpsym.ask.asking import answered, ask
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import value_at
+from rbpsym.equality.decide import equal
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import number
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.text import to_text
 from rbpsym.statement.library import find_problem
-from rbpsym.statement.loader import load_problem
+from rbpsym.statement.loader import load_problem, load_text
 from tests.ask.lines import on_line
 
 AHEAD, AWAY = 'v_0 = "speed: v_0"', 'x_0 = "length: x_0"'
@@ -191,3 +192,46 @@ def test_a_wrong_solution_is_not_proved() -> None:
             other = replace(step, statement=t.equation(t.Sym(letter), step.statement.items[-1]))
             assert not certify(draft.context, other).verdict.is_proved
     assert math.isclose(number(solutions.course(known).whole, {**NUMBERS, "t": 0.0}), NUMBERS["x_0"])
+
+
+SLIPPING = """
+[parameters]
+m = "mass"
+R = "length"
+mu = "number"
+g = "acceleration"
+v_0 = "speed"
+[coordinates.x]
+dimension = "length"
+start = "0"
+speed = "v_0"
+[coordinates.phi]
+start = "0"
+speed = "0"
+[bodies.ball]
+shape = "ball"
+mass = "m"
+radius = "R"
+center = ["x", "R"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "touch"
+body = "ball"
+line = "y = 0"
+coefficient = "mu"
+slip = "forward"
+friction = "f"
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "told"),
+    [("angular momentum of ball about O", "-R*m*v_0"), ("x_dot - R*phi_dot", "v_0 - 7*mu*g*t/2")],
+)
+def test_places_that_only_the_time_ties_are_told_by_the_time(question: str, told: str) -> None:
+    """x and phi are no functions of each other: what holds both is told as a function of the time, or is constant."""
+    [found] = ask(load_text(SLIPPING), question)
+    names = ("m", "R", "mu", "g", "v_0", "t")
+    assert found.verdict.is_proved and equal(*(read_infix(text, names) for text in (found.text, told))).is_proved
