@@ -141,7 +141,7 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
     if place is not None:
         return place, asked.world(place).bound(question.quantity)
     refused = None
-    for each in range(len(asked.names)):
+    for each in (*range(asked.lasting, len(asked.names)), *range(asked.lasting)):
         try:
             return each, asked.world(each).bound(question.quantity)
         except RbpsymError as error:

@@ -166,8 +166,7 @@ def _last(draft: Draft, found: Found, name: str) -> Step:
     if data.get("told") and data["turned"] == "itself":
         said = [row[-1] for row in t.relations(draft.context.steps[data["told"]].statement)]
         told = next((node for node in said if is_zero(draft.context.value(node) - found.values[0])), said[-1])
-        is_letter = isinstance(told, t.Sym) and told.name not in names_in(found.values[0])  # told is the value, not its name
-        rows = rows if is_letter else [t.equation(t.Sym(letters[0]), told)]
+        rows = rows if _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
     told = [step.id for step in draft.steps if step.rule in TOLD]
     if found.study.at_start:
@@ -229,13 +228,21 @@ def _said(draft: Draft, found: Found) -> dict[str, str]:
         return {"told": draft.steps[-1].id, "turned": "itself"}
     for turned, turn in TURNED.items():
         value = turn(found.values[0]) if found.values[0] or turned != "the square of its frequency" else found.values[0]
+        saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):
                 is_name = op == "=" and len(list(t.walk(left))) <= LONGEST_NAME and not draft.context.grows(right)
                 said = draft.context.value(right) if is_name else None
                 if isinstance(said, Scalar) and is_zero(said - value):
-                    return {"told": step.id, "turned": turned}
+                    saying.append((len(_letters(right, value)), step.id))
+        if saying:
+            return {"told": min(saying, key=lambda pair: pair[0])[1], "turned": turned}
     return {"told": "", "turned": "itself"}
+
+
+def _letters(node: t.Node, value: Scalar) -> set[str]:
+    """The letters of what is said that stand for a part of the value and are not in it."""
+    return {part.name for part in t.walk(node) if isinstance(part, t.Sym)} - names_in(value)
 
 
 def needed(steps: list[Step], last: Step) -> tuple[Step, ...]:

@@ -19,7 +19,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension
-from rbpsym.errors import NotApplicable, RbpsymError, StatementError
+from rbpsym.errors import LimitError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.at_start import StartStudy, study_of
 from rbpsym.mechanics.demands import Demand, settle
@@ -28,6 +28,7 @@ from rbpsym.mechanics.endings import ENDINGS, UNKNOWN, State, at_start, comes_to
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.instant import has_start
 from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.pushing import check_start
 from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
@@ -72,10 +73,13 @@ class Asked:
 
     @cached_property
     def first(self) -> Study:
-        """The mechanics of the first phase."""
-        if self.problem.phases:
-            return study_of(replace(self.problem, phases=()))
-        return self.known or study_of(self.problem)
+        """The mechanics of the first phase. Raises StatementError where it surely does not begin as stated."""
+        if self.known is not None and not self.problem.phases:
+            return self.known
+        study = study_of(replace(self.problem, phases=()))
+        with suppress(LimitError):
+            check_start(study)
+        return study
 
     @cached_property
     def begun(self) -> Asked | None:
@@ -123,6 +127,12 @@ class Asked:
             self._worlds[place] = ProblemWorld(self.study(place))
         return self._worlds[place]
 
+    @property
+    def lasting(self) -> int:
+        """The place of the first phase that does not end at once."""
+        phases = self.problem.phases
+        return next((k for k, phase in enumerate(phases) if phase.event != "at once"), len(phases))
+
     def named(self, name: str) -> int:
         """The place of a phase, by its name or that of a blow at its beginning. Raises StatementError."""
         name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
@@ -156,13 +166,13 @@ def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> M
     """The moment by the motion as a function of the time, where that is known."""
     from rbpsym.ask import in_time
 
-    world = asked.world(place or 0)
+    world = asked.world(asked.lasting if place is None else place)
     name = when.words[0] if when.words else world.study.system.independent[0]
     with suppress(NotApplicable):
         if name == "t":
-            return in_time.at_time(asked, place or 0, _instant(world, when.words[1]), manner)
+            return in_time.at_time(asked, asked.lasting if place is None else place, _instant(world, when.words[1]), manner)
         value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
-        found = in_time.reached(asked, place or 0, f"{name}_dot" if when.kind == "rests" else name, value, manner)
+        found = in_time.reached(asked, asked.lasting if place is None else place, f"{name}_dot" if when.kind == "rests" else name, value, manner)
         return replace(found, state=clear(world.study, found.state))
     return None
 
@@ -194,7 +204,7 @@ def _before(asked: Asked, place: int) -> Moment:
 def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None) -> Moment:
     """The first phase in which the motion comes to an event before that phase ends."""
     refused: RbpsymError | None = None
-    for number in [place] if place is not None else range(len(asked.names)):
+    for number in [place] if place is not None else range(asked.lasting, len(asked.names)):
         try:
             study = asked.study(number)
             phase = Phase("", event, subject, (), study.problem, value)
@@ -213,8 +223,8 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             continue
         begun = _is_begun(study, state)
         return Moment(number, at_start(study)) if begun else Moment(number, clear(study, state), "event", phase)
-    if event == "reaches" and is_zero(at_start(asked.study(place or 0)).places[subject] - scalar(value)):
-        return Moment(place or 0, at_start(asked.study(place or 0)))
+    if event == "reaches" and is_zero(at_start(asked.study(asked.lasting if place is None else place)).places[subject] - scalar(value)):
+        return Moment(asked.lasting if place is None else place, at_start(asked.study(asked.lasting if place is None else place)))
     raise _told(refused, event, subject)
 
 
@@ -252,7 +262,7 @@ def _vanishes(asked: Asked, when: When, place: int | None) -> Moment:
 
 
 def _is_force(asked: Asked, name: str, place: int | None) -> bool:
-    return name in asked.study(place or 0).system.unknowns
+    return name in asked.study(asked.lasting if place is None else place).system.unknowns
 
 
 def _lets_go(asked: Asked, name: str) -> bool:
@@ -262,7 +272,7 @@ def _lets_go(asked: Asked, name: str) -> bool:
 
 
 def _rests(asked: Asked, when: When, place: int | None) -> Moment:
-    names = asked.study(place or 0).system.independent
+    names = asked.study(asked.lasting if place is None else place).system.independent
     if not when.words and len(names) != 1:
         said = f"write “at the turning point of {names[0]}”." if names else "nothing can move."
         raise StatementError("which coordinate turns round?", instead=said)
@@ -300,10 +310,10 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _vanishes(asked, When("vanishes", (name,)), place)
     from rbpsym.ask import in_time
 
-    world = asked.world(place or 0)
+    world = asked.world(asked.lasting if place is None else place)
     node = read_infix(text, world.names)
     if name == "t":
-        return in_time.at_time(asked, place or 0, _instant(world, text))
+        return in_time.at_time(asked, asked.lasting if place is None else place, _instant(world, text))
     if _is_force(asked, name, place):
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)
@@ -316,14 +326,14 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
 
 def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     def find(asked: Asked, when: When, place: int | None) -> Moment:
-        study = asked.study(place or 0)
+        study = asked.study(asked.lasting if place is None else place)
         found = [item for item in study.equilibria if bool(item.stable) is stable or (stable and item.stable is None)]
         if not found:
             raise StatementError(f"no {'' if stable else 'un'}stable equilibrium is known")
         if len(found) > 1:
             raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
-        return Moment(place or 0, State(None, dict(found[0].at), still, found[0].valid), "rest")
+        return Moment(asked.lasting if place is None else place, State(None, dict(found[0].at), still, found[0].valid), "rest")
 
     return find
 

@@ -53,8 +53,7 @@ class Scene(ProblemWorld):
 
 def scene(asked: Asked, place: int | None = None) -> Scene:
     """The phase of that place; the first one that does not end at once."""
-    if place is None:
-        place = next((k for k, phase in enumerate(asked.problem.phases) if phase.event != "at once"), len(asked.problem.phases))
+    place = asked.lasting if place is None else place
     return Scene(asked.study(place), asked=asked, place=place)
 
 

@@ -1,0 +1,150 @@
+"""Which phase is meant, what it begins with, and that it can begin: as derivations have it."""
+
+import pytest
+
+from rbpsym.ask.asking import ask
+from rbpsym.equality.decide import equal
+from rbpsym.errors import StatementError
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
+from rbpsym.notation.tree import Sym, walk
+from rbpsym.statement.loader import load_text
+
+STRIKING = """
+[parameters]
+m = "mass: rod"
+M = "mass: block"
+b = "length: half the rod"
+e = { dimension = "number", range = ["0","1"] }
+mu = "number: friction"
+g = "acceleration: gravity"
+[coordinates.theta]
+meaning = "angle from downward vertical"
+start = "-pi/2"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[bodies.rod]
+shape = "rod"
+mass = "m"
+length = "2*b"
+start = "O"
+angle = "theta - pi/2"
+[bodies.block]
+shape = "particle"
+mass = "M"
+center = ["x","-2*b"]
+[interactions.W]
+type = "gravity"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+[constraints.N]
+type = "contact"
+point = "block.center"
+line = "y = -2*b"
+side = "positive"
+[[phases]]
+name = "after"
+event = "reaches"
+of = "theta"
+at = "0"
+constraints = { N = { coefficient = "mu", slip = "forward", friction = "f" } }
+[phases.impulses.J]
+type = "collision"
+points = ["rod.end","block.center"]
+along = ["1","0"]
+restitution = "e"
+"""
+STRUCK = """
+[parameters]
+m = "mass: struck"
+M = "mass: other"
+ell = "length: rod"
+J = "momentum: blow"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.y]
+dimension = "length"
+start = "0"
+[coordinates.phi]
+start = "0"
+[bodies.one]
+shape = "particle"
+mass = "m"
+center = ["x","y"]
+[bodies.two]
+shape = "particle"
+mass = "M"
+center = ["x + ell*cos(phi)","y + ell*sin(phi)"]
+[constraints.T]
+type = "link"
+points = ["one.center","two.center"]
+[[phases]]
+name = "struck"
+event = "at once"
+[phases.impulses.B]
+type = "blow"
+on = "one.center"
+impulse = ["0","-J"]
+"""
+PULLING_WALL = """
+[parameters]
+m = "mass: each ball"
+L = "length: length"
+g = "acceleration: gravity"
+[coordinates.x]
+dimension = "length"
+meaning = "place of middle"
+[coordinates.y]
+dimension = "length"
+meaning = "height of the middle"
+[coordinates.theta]
+meaning = "angle from the vertical"
+start = "theta_0"
+range = ["0","pi/2"]
+[bodies.dumbbell]
+shape = "composite"
+origin = ["x", "y"]
+angle = "-theta"
+parts = [ {shape="particle", mass="m", at=["0","L/2"]}, {shape="particle", mass="m", at=["0","-L/2"]} ]
+points = { top = ["0","L/2"], bottom = ["0","-L/2"] }
+[interactions.W]
+type = "gravity"
+[constraints.A]
+type = "contact"
+point = "dumbbell.top"
+line = "x = 0"
+side = "positive"
+[constraints.B]
+type = "contact"
+point = "dumbbell.bottom"
+line = "y = 0"
+[[phases]]
+name = "free"
+event = "lost"
+of = "A"
+without = ["A"]
+"""
+NAMES = ("m", "M", "b", "e", "mu", "g", "ell", "J", "t")
+ASKED = (
+    (STRIKING, "impulse of J when after begins", "m*M*(1 + e)*sqrt(6*g*b)/(m + 3*M)"),
+    (STRUCK, "phi as a function of t", "J*t/(m*ell)"),
+    (STRUCK, "T", "M*J^2/(m*ell*(m + M))"),
+    (STRUCK, "time until phi = 2*pi", "2*pi*m*ell/J"),
+    (STRUCK, "T at the start", "0"),
+)
+
+
+@pytest.mark.parametrize(("text", "question", "told"), ASKED, ids=lambda value: str(value)[-24:])
+def test_a_phase_that_ends_at_once_is_not_meant_and_a_value_is_no_name_of_its_own(text: str, question: str, told: str) -> None:
+    [found] = ask(load_text(text), question)
+    assert found.verdict.is_proved and equal(*(read_infix(one, NAMES) for one in (found.text, told))).is_proved
+    [node] = found.nodes
+    assert {part.name for part in walk(node) if isinstance(part, Sym)} <= set(NAMES) | {"pi"}, to_machine(node)
+
+
+def test_a_motion_that_cannot_begin_is_refused_before_it_is_asked() -> None:
+    with pytest.raises(StatementError, match="would have to pull at the start"):
+        ask(load_text(PULLING_WALL), "A at the start")
