@@ -140,13 +140,13 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
         place = asked.named(question.phase)
     if place is not None:
         return place, asked.world(place).bound(question.quantity)
-    refused = None
+    refused = {}
     for each in (*range(asked.lasting, len(asked.names)), *range(asked.lasting)):
         try:
             return each, asked.world(each).bound(question.quantity)
         except RbpsymError as error:
-            refused = refused or error
-    raise refused
+            refused[each] = error
+    raise refused[0]
 
 
 def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> dict[str, tuple[Scalar, Scalar]]:

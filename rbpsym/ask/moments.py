@@ -133,6 +133,10 @@ class Asked:
         phases = self.problem.phases
         return next((k for k, phase in enumerate(phases) if phase.event != "at once"), len(phases))
 
+    def meant(self, place: int | None) -> int:
+        """The place of the phase that is named, else of the first that does not end at once."""
+        return self.lasting if place is None else place
+
     def named(self, name: str) -> int:
         """The place of a phase, by its name or that of a blow at its beginning. Raises StatementError."""
         name = re.sub(r"^(?:the )?(?:phase |blow |collision |impulse )?", "", name)
@@ -166,13 +170,13 @@ def _in_time(asked: Asked, when: When, place: int | None, manner: str = "") -> M
     """The moment by the motion as a function of the time, where that is known."""
     from rbpsym.ask import in_time
 
-    world = asked.world(asked.lasting if place is None else place)
+    world = asked.world(asked.meant(place))
     name = when.words[0] if when.words else world.study.system.independent[0]
     with suppress(NotApplicable):
         if name == "t":
-            return in_time.at_time(asked, asked.lasting if place is None else place, _instant(world, when.words[1]), manner)
+            return in_time.at_time(asked, asked.meant(place), _instant(world, when.words[1]), manner)
         value = NOTHING if when.kind == "rests" else scalar(read_infix(when.words[1], world.names))
-        found = in_time.reached(asked, asked.lasting if place is None else place, f"{name}_dot" if when.kind == "rests" else name, value, manner)
+        found = in_time.reached(asked, asked.meant(place), f"{name}_dot" if when.kind == "rests" else name, value, manner)
         return replace(found, state=clear(world.study, found.state))
     return None
 
@@ -223,8 +227,8 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             continue
         begun = _is_begun(study, state)
         return Moment(number, at_start(study)) if begun else Moment(number, clear(study, state), "event", phase)
-    if event == "reaches" and is_zero(at_start(asked.study(asked.lasting if place is None else place)).places[subject] - scalar(value)):
-        return Moment(asked.lasting if place is None else place, at_start(asked.study(asked.lasting if place is None else place)))
+    if event == "reaches" and is_zero(at_start(asked.study(asked.meant(place))).places[subject] - scalar(value)):
+        return Moment(asked.meant(place), at_start(asked.study(asked.meant(place))))
     raise _told(refused, event, subject)
 
 
@@ -262,7 +266,7 @@ def _vanishes(asked: Asked, when: When, place: int | None) -> Moment:
 
 
 def _is_force(asked: Asked, name: str, place: int | None) -> bool:
-    return name in asked.study(asked.lasting if place is None else place).system.unknowns
+    return name in asked.study(asked.meant(place)).system.unknowns
 
 
 def _lets_go(asked: Asked, name: str) -> bool:
@@ -272,7 +276,7 @@ def _lets_go(asked: Asked, name: str) -> bool:
 
 
 def _rests(asked: Asked, when: When, place: int | None) -> Moment:
-    names = asked.study(asked.lasting if place is None else place).system.independent
+    names = asked.study(asked.meant(place)).system.independent
     if not when.words and len(names) != 1:
         said = f"write “at the turning point of {names[0]}”." if names else "nothing can move."
         raise StatementError("which coordinate turns round?", instead=said)
@@ -310,10 +314,10 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
         return _vanishes(asked, When("vanishes", (name,)), place)
     from rbpsym.ask import in_time
 
-    world = asked.world(asked.lasting if place is None else place)
+    world = asked.world(asked.meant(place))
     node = read_infix(text, world.names)
     if name == "t":
-        return in_time.at_time(asked, asked.lasting if place is None else place, _instant(world, text))
+        return in_time.at_time(asked, asked.meant(place), _instant(world, text))
     if _is_force(asked, name, place):
         require_dimension(node, world.dimensions, world.dimensions[name], f"what “{name}” reaches")
         return _ahead(asked, "takes", name, place, node)
@@ -326,14 +330,14 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
 
 def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     def find(asked: Asked, when: When, place: int | None) -> Moment:
-        study = asked.study(asked.lasting if place is None else place)
+        study = asked.study(asked.meant(place))
         found = [item for item in study.equilibria if bool(item.stable) is stable or (stable and item.stable is None)]
         if not found:
             raise StatementError(f"no {'' if stable else 'un'}stable equilibrium is known")
         if len(found) > 1:
             raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
-        return Moment(asked.lasting if place is None else place, State(None, dict(found[0].at), still, found[0].valid), "rest")
+        return Moment(asked.meant(place), State(None, dict(found[0].at), still, found[0].valid), "rest")
 
     return find
 

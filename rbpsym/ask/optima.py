@@ -65,9 +65,9 @@ def extremum(
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
     closed = name in (*world.coordinates, "t") or low is not None
     found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
-    if any(len(one.values) != 1 or not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
-        if any(len(one.values) != 1 for one in found):
-            return Finding(undecided("it depends on the sense in which the motion sets out"))
+    if any(len(one.values) != 1 for one in found) and len(found) > 1:
+        return Finding(undecided("it depends on the sense in which the motion sets out"))
+    if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
         values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
         return replace(found[0], verdict=all_of(one.verdict for one in found), values=values, asked=asked, place=None)
     return replace(found[0], verdict=all_of(one.verdict for one in found))

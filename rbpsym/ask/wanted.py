@@ -75,6 +75,9 @@ def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
     value = place_in(world, name, text)
     if name in world.study.system.independent:
         return name, value
+    if name not in world.dependent:
+        left = ", ".join(world.study.system.independent)
+        raise StatementError(f"“{name}” is no function of {left} that is known", instead=f"ask for it by {left}.")
     gap = world.dependent[name] - value
     found = [(n, root) for n in world.study.system.independent if depends_on(gap, n) for root in zeros(gap, n)]
     if len(found) != 1:

@@ -148,3 +148,48 @@ def test_a_phase_that_ends_at_once_is_not_meant_and_a_value_is_no_name_of_its_ow
 def test_a_motion_that_cannot_begin_is_refused_before_it_is_asked() -> None:
     with pytest.raises(StatementError, match="would have to pull at the start"):
         ask(load_text(PULLING_WALL), "A at the start")
+
+
+CURB = """
+[parameters]
+m = "mass"
+R = "length"
+h = "length < R"
+v_0 = "speed"
+g = "acceleration"
+[points]
+P = ["0", "h"]
+[coordinates.x]
+dimension = "length"
+start = "-sqrt(2*R*h - h**2)"
+speed = "v_0"
+[coordinates.y]
+dimension = "length"
+start = "R"
+[coordinates.phi]
+start = "0"
+speed = "v_0/R"
+[bodies.cyl]
+shape = "cylinder"
+mass = "m"
+radius = "R"
+center = ["x", "y"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[[phases]]
+name = "climb"
+event = "at once"
+constraints = { N = { type = "rolling", body = "cyl", circle = "P", radius = "0", friction = "f" } }
+"""
+
+
+def test_what_is_tied_without_a_formula_is_told() -> None:
+    with pytest.raises(StatementError, match="no function of y that is known"):
+        ask(load_text(CURB), "smallest v_0 for which x reaches 0")
+
+
+def test_before_its_blow_a_motion_is_not_taken_for_the_one_after() -> None:
+    """Its first phase ends at once: that the cylinder would go on with v_0/R there is no answer."""
+    with pytest.raises(StatementError):
+        ask(load_text(CURB), "speed of phi where x = 0")

@@ -100,5 +100,40 @@ def test_a_force_beside_a_particle_is_told() -> None:
 
 def test_a_motion_that_never_comes_about_is_not_told() -> None:
     text = (HERE / "plate-pins.toml").read_text(encoding="utf-8").replace('side = "positive"', 'side = "negative"')
-    with pytest.raises(RbpsymError, match="never comes about"):
+    with pytest.raises(RbpsymError, match="would have to pull at the start"):
         answered(Asked(load_text(text, "p.toml")), "B at the start")
+
+
+EITHER_WAY = """
+[parameters]
+m = "mass"
+M = "mass"
+R = "length"
+h = "length"
+g = "acceleration"
+[points]
+Q = ["0", "0"]
+[coordinates.z]
+dimension = "length"
+start = "-h"
+[coordinates.y]
+dimension = "length"
+start = "-h"
+[bodies.left]
+shape = "particle"
+mass = "m"
+center = ["-R", "y"]
+[bodies.right]
+shape = "particle"
+mass = "M"
+center = ["R", "z"]
+[interactions.W]
+type = "gravity"
+[constraints.S]
+type = "string"
+path = ["left.center", { around = "Q", radius = "R", sense = "cw" }, "right.center"]
+"""
+
+
+def test_what_rises_or_falls_by_the_parameters_has_no_largest_place_that_is_told() -> None:
+    assert not answered(Asked(load_text(EITHER_WAY, "e.toml")), "largest z").verdict.is_proved
