@@ -56,7 +56,7 @@ def _basic(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:
     undone = None if turns else _inverse(rest)
     if undone is not None:
         return undone
-    sign = -1 if _leading(rest) < 0 else 1
+    sign = -1 if rest.terms[min(rest.terms)] < 0 else 1
     if sign < 0:
         rest, turns = -rest, -turns
     if turns < 0:
@@ -96,11 +96,6 @@ UNDONE = {
     "asin": lambda x: (_side(1 - x * x), x),
     "atan": lambda x: (1 / _side(1 + x * x), x / _side(1 + x * x)),
 }
-
-
-def _leading(poly: Poly) -> Fraction | int:
-    """The sign-giving coefficient: a positive one first, else that of the smallest monomial."""
-    return poly.terms[min(poly.terms)]
 
 
 def _atoms(rest: Poly, turns: Fraction) -> tuple[Scalar, Scalar]:

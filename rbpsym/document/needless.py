@@ -26,7 +26,7 @@ def needless(derivation: Derivation) -> frozenset[str]:
         if _repeats_motion(step, derivation)
         or _is_rest(step)
         or (still and _is_velocity(step))
-        or (struck and _is_along_motion(step))
+        or (struck and (step.rule in ALONG_MOTION or step.chapter == "contact"))
     )
 
 
@@ -44,10 +44,6 @@ def _is_struck(derivation: Derivation) -> bool:
     """Does the next phase begin where this one does?"""
     phases = derivation.study.problem.phases
     return bool(phases) and phases[0].event == AT_ONCE
-
-
-def _is_along_motion(step: Step) -> bool:
-    return step.rule in ALONG_MOTION or step.chapter == "contact"
 
 
 def _repeats_motion(step: Step, derivation: Derivation) -> bool:

@@ -65,11 +65,6 @@ def torque_about_center(force: Force, state: BodyState) -> Scalar:
     return turning + force.couple
 
 
-def partials(system: System) -> dict[str, tuple[tuple[Vector, Scalar], ...]]:
-    """For each body and each speed: (∂V/∂q̇, ∂ω/∂q̇)."""
-    return {name: _partials(state, system.speeds) for name, state in system.bodies.items()}
-
-
 def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[tuple[Vector, Scalar], ...]:
     moving: dict[str, Vector] = dict.fromkeys(speeds, Vector({}))
     for angle, length in state.velocity.parts.items():  # a direction depends on the position alone
@@ -80,7 +75,7 @@ def _partials(state: BodyState, speeds: tuple[str, ...]) -> tuple[tuple[Vector, 
 
 def equations_of_motion(system: System) -> tuple[Matrix, tuple[Scalar, ...], dict[str, bool]]:
     """(M, f, which forces of constraints are ideal). Raises StatementError if a force needs M q̈ = f to be known."""
-    along = partials(system)
+    along = {name: _partials(state, system.speeds) for name, state in system.bodies.items()}
     resting = dict.fromkeys(system.accelerations, NOTHING)
     lower = [[_mass(system, along, r, s) for s in range(r + 1)] for r in range(len(system.speeds))]
     mass = tuple(tuple(lower[max(r, s)][min(r, s)] for s in range(len(lower))) for r in range(len(lower)))

@@ -45,7 +45,7 @@ def _num(node: t.Num, style: Style) -> b.Box:
         return b.Letter(str(value.numerator), "number")
     if is_decimal(value):
         return b.Letter(_decimal(value, style.notation.decimal), "number")
-    return _fraction_of_numbers(value, style)
+    return _div(t.Div(t.Num(value.numerator), t.Num(value.denominator)), style)
 
 
 def _decimal(value: Rational, mark: str) -> str:
@@ -53,10 +53,6 @@ def _decimal(value: Rational, mark: str) -> str:
     digits = len(str(value.denominator)) * 4
     whole, rest = divmod(int(value * 10**digits), 10**digits)
     return f"{whole}{mark}{str(rest).zfill(digits).rstrip('0')}"
-
-
-def _fraction_of_numbers(value: Rational, style: Style) -> b.Box:
-    return _div(t.Div(t.Num(value.numerator), t.Num(value.denominator)), style)
 
 
 @draws(t.Sym)

@@ -70,7 +70,7 @@ def level(node: t.Node, mode: str = "display") -> int:
     if isinstance(node, (t.Neg, t.Mul)) or _is_single(node):
         return _signed_level(node, mode)
     if isinstance(node, t.Num):
-        return SUM if node.value < 0 else PRODUCT if _slashed(node, mode) else ATOM
+        return SUM if node.value < 0 else PRODUCT if mode != "display" and plain_fraction(node) else ATOM
     if isinstance(node, t.Div):
         return ATOM if mode == "display" else PRODUCT
     return _LEVELS.get(type(node), ATOM)
@@ -82,10 +82,6 @@ def _signed_level(node: t.Node, mode: str) -> int:
     if negative:
         return SUM
     return PRODUCT if isinstance(body, t.Mul) else level(body, mode)
-
-
-def _slashed(node: t.Num, mode: str) -> bool:
-    return mode != "display" and plain_fraction(node)
 
 
 def is_open(node: t.Node) -> bool:

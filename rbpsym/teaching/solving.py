@@ -77,11 +77,7 @@ def where_text(setting: b.ItemSetting) -> Inlines:
     place = setting.situation.place
     if place is None:
         return ()
-    return spoken(setting.said, "ask.place", place=b.given_as(*place, _notation(setting)))
-
-
-def _notation(setting: b.ItemSetting):
-    return setting.said.notation
+    return spoken(setting.said, "ask.place", place=b.given_as(*place, setting.said.notation))
 
 
 def hint(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, level: int) -> Inlines:

@@ -147,11 +147,6 @@ def _uses_definition(setting: Setting, latex: str) -> bool:
     return any("".join(name.split()) in plain for name in defined)
 
 
-def as_told(found: Result, claim: Claim) -> Result:
-    """A remembered result with what the claim says today of its place and its words."""
-    return replace(found, **told_of(claim))
-
-
 THEORIES = ("plane-motion",)
 
 
@@ -224,7 +219,7 @@ class Remembering(Checker):
         key = self._key(claim, printed)
         known = self.cache.get(key) if key else None
         if known is not None:
-            return as_told(known, claim)
+            return replace(known, **told_of(claim))
         found = super().check(claim, printed)
         self.cache.put(key, found)
         return found

@@ -219,7 +219,7 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
     way = met.forward
     about = met.place + met.normal * rim_of(element)
     first = _speed(draft, given, on, met.place, way, about) if on else _Part(t.ZERO, t.ZERO)
-    second = _speed(draft, given, by, met.place, way, _own_place(given, by))
+    second = _speed(draft, given, by, met.place, way, given.geometry.center(by) if by else Vector({}))
     other = t.add(second.still, second.turning)
     left, right = first.still, t.add(other, t.neg(first.turning))
     still = left == t.ZERO
@@ -245,10 +245,6 @@ def _no_slip(draft: Draft, element: Element, given: Given) -> None:
         variant="axles" if still and by and element.kind != "sticking" else "moving" if by else "fixed",
         data={"element": element},
     )
-
-
-def _own_place(given: Given, body: str | None) -> Vector:
-    return given.geometry.center(body) if body else Vector({})
 
 
 def _named(letter: t.Node | None) -> PhraseRef:

@@ -138,12 +138,7 @@ def joined_dots(body: SketchBody) -> Outline:
 
 def styled(item: Item, part: SketchPart) -> Item:
     """A part that is cut out shows the paper."""
-    return restyled(item, "hole") if part.removed else item
-
-
-def restyled(item: Item, style: str) -> Item:
-    """The item in another style."""
-    return replace(item, style=style)
+    return replace(item, style="hole") if part.removed else item
 
 
 def moved(item: Item, at: Point, angle: float) -> Item:

@@ -21,7 +21,7 @@ ROUND = 1.15  # the greatest radius of a round body
 def schematic(sketch: sk.Sketch) -> s.Scene:
     """The system with its supports, springs, dimensions, angles and axes."""
     sketch = fitted(sketch)
-    drawn = [drawn_part(part, sketch) for part in in_order(sketch)]
+    drawn = [DRAW[type(part)](part, sketch) for part in in_order(sketch)]
     scene = sum(drawn, s.Scene())
     return scene + compass(scene, sketch)
 
@@ -71,11 +71,6 @@ def extent(sketch: sk.Sketch) -> tuple[float, float, float, float]:
     found += [point for cord in sketch.cords for point in cord.points]
     found += [end for link in (*sketch.links, *sketch.lengths) for end in (link.start, link.end)]
     return s.box_of(tuple(found))
-
-
-def drawn_part(part: object, sketch: sk.Sketch) -> s.Scene:
-    """The scene of one part."""
-    return DRAW[type(part)](part, sketch)
 
 
 def draw_body(body: sk.SketchBody, sketch: sk.Sketch) -> s.Scene:

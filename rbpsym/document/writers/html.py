@@ -200,15 +200,10 @@ def table(block: d.Table, page: Page) -> str:
     rows = "\n".join(row(cells, block.columns, "td", page) for cells in block.rows)
     return (
         f'<div class="table" role="region" tabindex="0"{identity(block.label)}'
-        f' aria-label="{escape(table_name(block, page))}"><table>'
+        f' aria-label="{escape(page.word("block.table", number=block.number).strip())}"><table>'
         f"{f'<caption>{caption}</caption>' if caption else ''}"
         f"<thead>{head}</thead>\n<tbody>{rows}</tbody></table></div>"
     )
-
-
-def table_name(block: d.Table, page: Page) -> str:
-    """What a screen reader calls the region."""
-    return page.word("block.table", number=block.number).strip()
 
 
 def row(cells: tuple, columns: str, tag: str, page: Page) -> str:

@@ -141,17 +141,12 @@ def strut(row: tuple, page: Page) -> str:
 
 def tabular(block: d.Table, rules: str, page: Page) -> str:
     """The rules and rows in the environment that gives the columns their widths."""
-    columns = column_spec(block, page)
+    columns = "".join(column(block, place, page) for place in range(len(block.header)))
     if "X" in columns:
         return f"\\begin{{tabularx}}{{\\linewidth}}{{{columns}}}\n{rules}\n\\end{{tabularx}}"
     inner = f"\\begin{{tabular}}{{{columns}}}\n{rules}\n\\end{{tabular}}"
     too_wide = breaking.table_width(block, page.notation) > page.column
     return rf"\resizebox{{\linewidth}}{{!}}{{{inner}}}" if too_wide else inner
-
-
-def column_spec(block: d.Table, page: Page) -> str:
-    """Columns of words share the room that is left or wrap; formulas and short ones take theirs."""
-    return "".join(column(block, place, page) for place in range(len(block.header)))
 
 
 def column(block: d.Table, place: int, page: Page) -> str:

@@ -193,7 +193,7 @@ def read_formula(text: str, book: Book, *, labels: bool = True) -> t.Node:
     """
     told = _told(text, book, labels)
     if is_latex(told):
-        return _made(_latex(told, book), told, book)
+        return _made(_single(read_latex(_latex_text(told, book), book.table)), told, book)
     return with_integral(told, book, partial(read_formula, labels=False)) or _made(_typed(told, book), told, book)
 
 
@@ -237,10 +237,6 @@ def _typed(text: str, book: Book) -> t.Node:
 
 def _latex_text(text: str, book: Book) -> str:
     return latex(with_decimal_points(text, book.language), book)
-
-
-def _latex(text: str, book: Book) -> t.Node:
-    return _single(read_latex(_latex_text(text, book), book.table))
 
 
 def _single(node: t.Node) -> t.Node:
