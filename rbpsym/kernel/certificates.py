@@ -146,8 +146,10 @@ def circles(rest: Scalar, kind: str = "sin") -> tuple[dict[int, Scalar], Scalar]
     """By how much of sin² + cos² - 1 of each angle (by the index of its sine) a value differs from 0, and what stays."""
     found: dict[int, Scalar] = {}
     num = rest.num
-    for index in sorted(i for i in num.atoms() if partner(i, kind)):
-        square, total = Poly({((partner(index, kind), 2),): 1}), NOTHING
+    for index in sorted(num.atoms()):
+        if (other := partner(index, kind)) is None:
+            continue
+        square, total = Poly({((other, 2),): 1}), NOTHING
         while (top := max(num.by_power(index), default=0)) > 1:
             head = num.by_power(index)[top] * Poly({((index, top - 2),) if top > 2 else (): 1})
             total = total + Scalar(head)

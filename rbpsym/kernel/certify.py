@@ -57,7 +57,7 @@ def granted(source: Source, step: Step) -> dict[str, Claim]:
 
 
 def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
-    claims, used = granted(found.source, step), set()
+    claims, used = granted(found.source, step), set[str]()
     own = named(step.id, Said(assertions=found.source.said[step.id].assertions))
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
@@ -91,9 +91,9 @@ def _used(search: Search, claim: Claim, proof: Proof, claims: Mapping[str, Claim
     names |= {name for have in proof.steps for name in have.source.split()}
     derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])
     rated = _letters(search.source, derived)
-    begun = [claims[known.name] for part in parts for _, known in part.known if known.when == "0" and known.name in claims]
+    early = [claims[known.name] for part in parts for _, known in part.known if known.when == "0" and known.name in claims]
     flat = [have.claim.left for have in proof.steps if have.how == "flat"]
-    begun = _letters(search.source, [*flat, *(side for each in begun for side in (each.left, each.right))])
+    begun = _letters(search.source, [*flat, *(side for each in early for side in (each.left, each.right))])
     begun |= {n.removesuffix(START) for side in (claim.left, claim.right) for n in t.names(side) if n.endswith(START)}
     needs = {"rate": rated, "start": begun}
     claims = {name: each for name, each in claims.items() if name not in search.doubled}

@@ -9,8 +9,8 @@ from functools import cached_property
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.normal import is_rooted
-from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.normal import is_rooted, short
+from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Vector
@@ -19,7 +19,6 @@ from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError
 from rbpsym.kernel.components import Components, started
 from rbpsym.mechanics.dynamics import newton_euler_rows
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 
@@ -50,7 +49,16 @@ class Said:
 
 def rows(statement: t.Node) -> tuple[t.Chain, ...]:
     """The chains that a statement asserts."""
-    return tuple(r for row in statement.rows for r in rows(row)) if isinstance(statement, t.System) else (statement,)
+    if isinstance(statement, t.System):
+        return tuple(r for row in statement.rows for r in rows(row))
+    assert isinstance(statement, t.Chain)
+    return (statement,)
+
+
+def letter(node: t.Node) -> str:
+    """The name of what must be a letter, of a number or a vector."""
+    assert isinstance(node, t.Sym | t.Vec)
+    return node.name
 
 
 def tree_of(value: Scalar | Poly) -> t.Node:
@@ -61,7 +69,7 @@ def tree_of(value: Scalar | Poly) -> t.Node:
     return t.add(*(_term(m, c) for m, c in value.terms.items()))
 
 
-def _term(monomial: tuple, coefficient: int | Fraction) -> t.Node:
+def _term(monomial: Monomial, coefficient: int | Fraction) -> t.Node:
     number = Fraction(coefficient)
     factors = [t.power(_atom(index), exponent) for index, exponent in monomial]
     return t.div(t.mul(t.Num(number.numerator), *factors), t.Num(number.denominator))
@@ -171,9 +179,10 @@ class Source:
             return
         else:
             for a, b in self.components.equations(left, right):
-                if isinstance(a, t.Deriv) or isinstance(b, t.Deriv):
-                    of, rate = (a, b) if isinstance(a, t.Deriv) else (b, a)
-                    yield Claim(self._once_less(of), rate, "rate")
+                if isinstance(a, t.Deriv):
+                    yield Claim(self._once_less(a), b, "rate")
+                elif isinstance(b, t.Deriv):
+                    yield Claim(self._once_less(b), a, "rate")
                 elif a != b:
                     yield Claim(a, b)
 
@@ -181,12 +190,13 @@ class Source:
         """What is derived once at the end of d^n/dt^n of a coordinate."""
         of = node.of
         for _ in range(node.order - 1):
-            of = tree_of(self.rates[of.name])
+            of = tree_of(self.rates[letter(of)])
         return of
 
     def conditions(self, step: Step) -> tuple[Claim, ...]:
         """The obligations of a step that nothing discharges: its claims hold where these do."""
-        open_ones = [one.relation for one in step.certificate.verdict.obligations if not one.is_discharged]
+        duties = step.certificate.verdict.obligations if step.certificate else ()
+        open_ones = [one.relation for one in duties if not one.is_discharged]
         return tuple(claim for node in open_ones for row in rows(node) for claim in self.row(row))
 
     # --- facts
@@ -260,23 +270,23 @@ def _along(source: Source, work: t.Node, node: t.PathIntegral) -> Iterator[Claim
         pairs = [(source.components.part(path, axis), source.components.part(node.integrand, axis)) for axis in "xy"]
     else:
         pairs = [(source.components.plain(path), source.components.plain(node.integrand))]
-    pairs = [(letter, force) for letter, force in pairs if letter != t.ZERO]
-    if not all(isinstance(letter, t.Sym) for letter, _ in pairs):
+    pairs = [(place, force) for place, force in pairs if place != t.ZERO]
+    if not all(isinstance(place, t.Sym) for place, _ in pairs):
         raise RbpsymError("a work along a path that is no letter is not written yet")
-    for letter, _ in pairs:
-        yield Claim(letter, t.Sym(letter.name + RATE), "rate")
-    yield Claim(work, t.add(*(t.Mul((force, t.Sym(letter.name + RATE))) for letter, force in pairs)), "rate")
+    rates = [t.Sym(letter(place) + RATE) for place, _ in pairs]
+    yield from (Claim(place, rate, "rate") for (place, _), rate in zip(pairs, rates, strict=True))
+    yield Claim(work, t.add(*(t.Mul((force, rate)) for (_, force), rate in zip(pairs, rates, strict=True))), "rate")
     yield Claim(work, t.ZERO, "start")
 
 
 def _by_place(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
     """What the mechanics makes of the statement."""
-    yield from source.meaning(row.items[0].name)
+    yield from source.meaning(letter(row.items[0]))
 
 
 def _by_forces(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
     """A force as its law gives it, a torque by components about its point."""
-    name = row.items[0].name
+    name = letter(row.items[0])
     if not name.startswith("tau_"):
         yield from source.meaning(name)
         return

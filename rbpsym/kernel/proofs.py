@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in, rate_along, substitute
@@ -14,7 +15,7 @@ from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
-from rbpsym.kernel.claims import Claim, Source, tree_of
+from rbpsym.kernel.claims import Claim, Source, letter, tree_of
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
@@ -43,7 +44,7 @@ class Search:
         self.starts: dict[str, t.Node] = {}
         self.doubled: dict[str, Claim] = {}  # rates of formulas, and of letters that have one already
         for claim in (claim for claim in given.values() if claim.kind == "start"):
-            self.starts[claim.left.name + START] = claim.right
+            self.starts[letter(claim.left) + START] = claim.right
         for name, claim in given.items():
             if claim.kind == "rate" and isinstance(claim.left, t.Sym) and claim.left.name not in self.rates:
                 self.rates[claim.left.name] = self.value(claim.right)
@@ -153,7 +154,7 @@ class Search:
         turned, left = circles(goal)
         if left:
             raise Undecided("the multiples do not add up: ")
-        angles = tuple((self.tree(q), self.source.circular[atoms.symbol_name(i)].arg) for i, q in turned.items())
+        angles = tuple((self.tree(q), self.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items())
         return Multiples(tuple((self.tree(factor), known[place]) for place, factor in used.items()), angles)
 
     # --- claims
@@ -180,13 +181,13 @@ class Search:
         for way in ways:
             del self.haves[self._count :]
             try:
-                found = way(goal, known)
-                return self._proof(found) if isinstance(found, Multiples) else found
+                made = way(goal, known)
+                return self._proof(made) if isinstance(made, Multiples) else made
             except Undecided as error:
                 reasons.append(str(error))
         raise Undecided("; ".join(reasons))
 
-    def _proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: object) -> Proof:
+    def _proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: Any) -> Proof:
         """The proof, without what was noted on the way and is not used."""
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
         for have in reversed(self.haves):
@@ -214,17 +215,17 @@ class Search:
             if rate != claim.right:
                 yield self._note("unique", Claim(claim.right, rate), of=claim.left, source=name)
 
-    def _note(self, how: str, claim: Claim, **more: object) -> Known:
+    def _note(self, how: str, claim: Claim, **more: Any) -> Known:
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
         return Known(self.haves[-1].name, claim)
 
     def _signs(self) -> None:
         """Sines and cosines of angles in the first quarter, or as the ranges among the premises say."""
         ranges = {name: claim for name, claim in self.given.items() if claim.kind == "more"}
-        for letter in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
-            own = t.Sym(letter)
-            low = [name for name, claim in ranges.items() if claim.left == own and not scalar(claim.right)]
-            high = [name for name, claim in ranges.items() if claim.right == own and scalar(claim.left) == PI / 2]
+        for name in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
+            own = t.Sym(name)
+            low = [id for id, claim in ranges.items() if claim.left == own and not scalar(claim.right)]
+            high = [id for id, claim in ranges.items() if claim.right == own and scalar(claim.left) == PI / 2]
             for kind in ("sin", "cos") if low and high else ():
                 self._note("sign", Claim(t.Fn(kind, own), t.ZERO, "more"), source=f"{low[0]} {high[0]}")
                 self.positive |= self.value(t.Fn(kind, own)).atoms()

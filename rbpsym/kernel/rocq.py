@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
@@ -42,7 +42,7 @@ class Terms:
     speeds: Mapping[str, str]
     integrals: Mapping[str, t.Integral]
     time: str = "t"
-    bound: Mapping[str, str] | None = None
+    bound: Mapping[str, str] = field(default_factory=dict)
 
     def at(self, time: str) -> Terms:
         """The same at another moment."""
@@ -57,7 +57,7 @@ class Terms:
     def symbol(self, node: t.Sym) -> str:
         """A letter: a constant, a function at the moment or at the start, a bound variable."""
         name = node.name
-        if self.bound and name in self.bound:
+        if name in self.bound:
             return self.bound[name]
         if name.endswith(START):
             return self.at("0").symbol(t.Sym(name.removesuffix(START)))
@@ -70,7 +70,7 @@ class Terms:
         if is_along_time(node, self.moving) and node.var in self.speeds:
             integrand = replace(self, time="u").term(t.Mul((node.integrand, t.Sym(self.speeds[node.var]))))
             return f"(RInt (fun u : R => {integrand}) 0 {self.time})"
-        inside = replace(self, bound={**(self.bound or {}), node.var: f"x{len(self.bound or {}) or ''}"})
+        inside = replace(self, bound={**self.bound, node.var: f"x{len(self.bound) or ''}"})
         ends = f"{self.term(node.lower)} {self.term(node.upper)}"
         return f"(RInt (fun {inside.bound[node.var]} : R => {inside.term(node.integrand)}) {ends})"
 
@@ -205,6 +205,7 @@ class Writer:
         enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1)), *signs])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
+            assert proof.like is not None
             like, by = proof.like
             was = f"intros u Hu; apply lin0; {self.less(by, 'u')}{finish}"
             alike = f"apply (alike ta tb _ (fun t : R => {self.terms.term(like)})); [{was} | exact Ht |]"
@@ -250,16 +251,22 @@ class Writer:
 
     def _sign(self, have: Have, finish: str) -> str:
         bounds = "".join(f"pose proof (p_{name} t Ht); " for name in have.source.split())
-        return f"{bounds}pose proof PI_RGT_0; apply {have.claim.left.name}_gt_0; lra"
+        return f"{bounds}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; lra"
 
     def _integral(self, have: Have, finish: str) -> str:
         """By an antiderivative; an integral inside is replaced by its value first."""
-        x = replace(self.terms, bound={have.claim.left.var: "x"})
+        x = replace(self.terms, bound={_head(have.claim): "x"})
         if (inner := have.inner) is None:
             return _primitive(x.term(have.of))
-        y = replace(x, bound={**x.bound, inner.claim.left.var: "y"})
+        y = replace(x, bound={**x.bound, _head(inner.claim): "y"})
         outside = f"apply (RInt_on (fun x : R => {x.term(inner.claim.right)}))"
         return f"{outside}; [intros x; {_primitive(y.term(inner.of), 'y')} | {_primitive(x.term(have.of))}]"
+
+
+def _head(claim: Claim) -> str:
+    """The function that stands on the left, or the variable of the integral there."""
+    assert isinstance(claim.left, t.Fn | t.Integral)
+    return claim.left.name if isinstance(claim.left, t.Fn) else claim.left.var
 
 
 def _primitive(body: str, name: str = "x") -> str:
