@@ -13,6 +13,8 @@ from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import Vector
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import short
@@ -20,6 +22,7 @@ from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.system import Condition, Force, Pose
 from rbpsym.statement.model import Coordinate, Element, Problem
+from rbpsym.statement.premises import declared
 
 CLOCK = "t"
 
@@ -173,6 +176,8 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
 
     used = _names_in(value, names)
     coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
+    if coordinate is not None and depends_on(value, CLOCK):
+        return _driven(value, coordinate, declared(problem.parameters).assumptions)
     if coordinate is not None and coordinate.start is not None:
         return _held_at_start(value, coordinate)
     if coordinate is None or len(names) < 2:
@@ -181,6 +186,19 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
     places = [(_place(zero, numbers), zero) for zero in zeros(value, coordinate.name)]
     places = [item for item in places if item[0] is not None and _is_allowed(item[0], coordinate, numbers)]
     return min(places, key=lambda item: abs(item[0]))[1] if places else None
+
+
+def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar | None:
+    """Where a condition that runs with the time puts a coordinate: the only zero that may lie in its range. None if that
+    is not decided."""
+    from rbpsym.mechanics.roots import zeros
+
+    ends = [(scalar(end), side) for end, side in ((coordinate.lower, 1), (coordinate.upper, -1)) if end is not None]
+    found = zeros(value, coordinate.name) if len(ends) == 2 else []
+    gaps = [[sign((zero - end) * side, given) for end, side in ends] for zero in found]
+    inside = [zero for zero, signs in zip(found, gaps, strict=True) if all(one.is_nonnegative for one in signs)]
+    outside = [signs for signs in gaps if any(one.kind in ("negative", "zero", "nonpositive") for one in signs)]
+    return inside[0] if len(inside) == 1 == len(found) - len(outside) else None
 
 
 def _held_at_start(value: Scalar, coordinate: Coordinate) -> Scalar | None:

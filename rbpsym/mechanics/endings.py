@@ -25,6 +25,7 @@ from rbpsym.mechanics.numbers import sample, samples
 from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
+from rbpsym.statement.scope import CLOCK
 
 # --- events
 
@@ -198,14 +199,17 @@ def _gain(study: Study, phase: Phase, name: str) -> Scalar:
 
 
 def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
-    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t. Raises StatementError if what is asked is never met."""
+    """q + q̇ t + ½ q̈ t² and q̇ + q̈ t; what follows from these and the time, from its formula. Raises StatementError if what
+    is asked is never met."""
     valid = settle(asked, study.assumptions)
     if valid is None:
         raise _never(study, phase)
-    gains = {name: _gain(study, phase, name) for name in start.places}
-    moved = {n: q + start.speeds[n] * time + gains[n] * time * time / 2 for n, q in start.places.items()}
-    places = {n: short(without_even_roots(q)) for n, q in moved.items()}
-    return State(time, places, {n: short(v + gains[n] * time) for n, v in start.speeds.items()}, valid)
+    gains = {name: _gain(study, phase, name) for name in study.system.independent}
+    moved = {n: start.places[n] + start.speeds[n] * time + gain * time * time / 2 for n, gain in gains.items()}
+    image = {CLOCK: time, **moved, **{f"{n}_dot": start.speeds[n] + gain * time for n, gain in gains.items()}}
+    pairs = {name: [substitute(value, image) for value in of_coordinate(study, name)] for name in start.places}
+    places = {name: short(without_even_roots(place)) for name, (place, _) in pairs.items()}
+    return State(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
 
 
 def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list[Demand]]:
