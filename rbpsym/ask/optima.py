@@ -9,7 +9,7 @@ from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.ask.critical import SUPERLATIVES, on_what
-from rbpsym.ask.extremes import extreme
+from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
 from rbpsym.ask.forms import neat
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
@@ -92,13 +92,13 @@ def _of_extreme(
             proved("the slope is monotone and changes its sign"), name, equation=found.crossing.equation, place=(name, None)
         )
     if found.value is None:
-        says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found.place)}"
+        says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found)}"
         return Finding(proved("the leading term at the end of the range"), name if by_place else "", says=says)
     under = where_met(given, found.asked)
     data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
     said = checked("extreme", **data, given=under, at_end=bool(found.where))
     if found.where and not closed:
-        says = f"no {word} value is reached: {told(found.value)} is approached as {name} goes to {_end(found.place)}"
+        says = f"no {word} value is reached: {told(found.value)} is approached as {name} goes to {_end(found)}"
         values = () if by_place else (found.value,)
         symbol_ = name if by_place else ""
         return Finding(symbol=symbol_, **said, values=values, relation="approaches", valid=found.asked, says=says)
@@ -108,8 +108,9 @@ def _of_extreme(
     return Finding(**said, values=(found.value,), valid=found.asked, place=place)
 
 
-def _end(place: Scalar | None) -> str:
-    return "infinity" if place is None else told(place)
+def _end(found: Extreme) -> str:
+    infinite = "minus infinity" if found.where == ENDS[0] else "infinity"
+    return infinite if found.place is None else told(found.place)
 
 
 # --- equal values

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from rbpsym.ask import critical, optima, special, yesno
+from rbpsym.ask import critical, optima, special, through, yesno
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
@@ -37,14 +37,14 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, what, name: special.near(w, what, name, "0")),
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
     (rf"{_N} and {_N} (?:with|of|for) (?:equal|the same) (.+)", optima.with_equal),
-    (rf"for which {_N} is (.+) {_BEST}", optima.extreme_for),
-    (rf"where is (.+) {_BEST}", lambda w, phrase, best: optima.extreme_for(w, None, phrase, best)),
+    (rf"for which {_N} is (.+) {_BEST}", through.extreme_for),
+    (rf"where is (.+) {_BEST}", lambda w, phrase, best: through.extreme_for(w, None, phrase, best)),
     (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: critical.which(w, None, name, _told_after(text))),
     (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: critical.which(w, None, name, text)),
-    (rf"{_N} {_FOR} (.+) is {_BEST}", optima.extreme_for),
+    (rf"{_N} {_FOR} (.+) is {_BEST}", through.extreme_for),
     (rf"{_BEST} {_N} {_FOR} (.+)", critical.which),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: critical.which(world, None, name, text)),
-    (rf"{_NO_MODE}{_BEST} (.+?)(?: over {_N})?{_BETWEEN}", optima.extremum),
+    (rf"{_NO_MODE}{_BEST} (.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 

@@ -42,6 +42,7 @@ class Scene(ProblemWorld):
 
     asked: Asked | None = None
     place: int = 0
+    is_named: bool = False
     used: list[tuple[Question, Found]] = field(default_factory=list)
 
     @property
@@ -53,8 +54,8 @@ class Scene(ProblemWorld):
 
 def scene(asked: Asked, place: int | None = None) -> Scene:
     """The phase of that place; the first one that does not end at once."""
-    place = asked.lasting if place is None else place
-    return Scene(asked.study(place), asked=asked, place=place)
+    meant = asked.meant(place)
+    return Scene(asked.study(meant), asked=asked, place=meant, is_named=place is not None)
 
 
 def seen(world: Scene, phrase: str) -> Scalar:
@@ -142,7 +143,24 @@ def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, A
             instead=f"say where from and where to: “… over {name} between VALUE and VALUE”.",
         )
     cut = [(way, way.until(loss.at[name], given)) for way, given in found for loss in ended.found[:1]]
-    return cut or found
+    return [(way, _until_next(world, way, range_)) for way, range_ in cut or found]
+
+
+def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
+    """The range up to where the next phase begins, if the coordinate comes there without turning round. Raises
+    StatementError where that is not decided."""
+    if world.place + 1 == len(world.asked.names):
+        return given
+    phase, before = world.asked.names[world.place + 1], world.asked.stage(world.place + 1).began.before
+    end, onwards = before.places[way.name], sign(before.speeds[way.name] * way.sense, world.motion.assumptions)
+    if onwards.is_nonnegative and end != symbol(way.name):
+        return way.until(end, given)
+    if onwards.kind in ("negative", "nonpositive"):
+        return given
+    raise StatementError(
+        f"whether “{way.name}” turns round before “{phase}” begins depends on the parameters, or is not known",
+        instead=f"ask for its value when {phase} begins, or where it comes to rest.",
+    )
 
 
 def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> list[tuple[Way, Assumptions]]:

@@ -1,4 +1,4 @@
-"""Which phase is meant, what it begins with, and that it can begin: as derivations have it."""
+"""Which phase is meant, what it begins with, and that it can begin: and how far the motion goes on."""
 
 import pytest
 
@@ -127,13 +127,54 @@ event = "lost"
 of = "A"
 without = ["A"]
 """
-NAMES = ("m", "M", "b", "e", "mu", "g", "ell", "J", "t")
+UPHILL = """
+[parameters]
+m = "mass: ball"
+R = "length: radius"
+beta = "angle, acute: slope"
+mu = "number > 2*tan(beta)/7: friction"
+v_0 = "speed: start"
+g = "acceleration: gravity"
+[coordinates.s]
+meaning = "way up"
+dimension = "length"
+start = "0"
+speed = "v_0"
+[coordinates.phi]
+meaning = "angle clockwise"
+start = "0"
+[bodies.ball]
+shape = "ball"
+mass = "m"
+radius = "R"
+center = ["s*cos(beta) - R*sin(beta)", "s*sin(beta) + R*cos(beta)"]
+angle = "-phi"
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "touch"
+body = "ball"
+line = "y = x*tan(beta)"
+coefficient = "mu"
+friction = "f"
+[[phases]]
+name = "rolling"
+event = "no slip"
+of = "N"
+constraints = { N = { type = "rolling" } }
+[[phases]]
+name = "back"
+event = "rests"
+of = "s"
+"""
+NAMES = ("R", "beta", "v_0", "m", "M", "b", "e", "mu", "g", "ell", "J", "t")
 ASKED = (
     (STRIKING, "impulse of J when after begins", "m*M*(1 + e)*sqrt(6*g*b)/(m + 3*M)"),
     (STRUCK, "phi as a function of t", "J*t/(m*ell)"),
     (STRUCK, "T", "M*J^2/(m*ell*(m + M))"),
     (STRUCK, "time until phi = 2*pi", "2*pi*m*ell/J"),
     (STRUCK, "T at the start", "0"),
+    (UPHILL, "largest s", "v_0^2*(2 + 5*mu*cos(beta)/sin(beta))/(2*g*(2*sin(beta) + 7*mu*cos(beta)))"),
 )
 
 
@@ -193,3 +234,18 @@ def test_before_its_blow_a_motion_is_not_taken_for_the_one_after() -> None:
     """Its first phase ends at once: that the cylinder would go on with v_0/R there is no answer."""
     with pytest.raises(StatementError):
         ask(load_text(CURB), "speed of phi where x = 0")
+
+
+END_OF_SLIP = "v_0^2*(2*sin(beta) + 12*mu*cos(beta))/(g*(2*sin(beta) + 7*mu*cos(beta))^2)"
+
+
+def test_what_is_asked_of_one_phase_goes_no_farther_than_that() -> None:
+    [found] = ask(load_text(UPHILL), "largest s in phase first")
+    assert equal(*(read_infix(one, NAMES) for one in (found.text, END_OF_SLIP))).is_proved
+
+
+def test_whether_it_turns_round_before_a_phase_begins_is_not_guessed() -> None:
+    text = UPHILL.replace("[coordinates.phi]", '[coordinates.phi]\nspeed = "-omega_0"')
+    text = text.replace('v_0 = "speed: start"', 'v_0 = "speed: start"\nomega_0 = "angular speed"')
+    with pytest.raises(StatementError, match="turns round before “rolling” begins depends on the parameters"):
+        ask(load_text(text), "largest s")

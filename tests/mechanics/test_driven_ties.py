@@ -1,4 +1,4 @@
-"""A linkage that is driven: where the time alone puts a coordinate, it is a function of the time, and never moved on uniformly."""
+"""A linkage that is driven: where the time alone puts a coordinate, it is a function of the time."""
 
 import pytest
 

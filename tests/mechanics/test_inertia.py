@@ -34,8 +34,8 @@ SPREAD = [(("line",), "line"), (("surface",), "surface"), (("point",), "pieces")
 
 @pytest.mark.parametrize(("kinds", "variant"), SPREAD)
 def test_how_a_mass_is_spread(kinds, variant, monkeypatch):
-    monkeypatch.setattr(chapter, "_density", lambda draft, element: element.kind)
-    found = chapter._spread(None, tuple(Told(kind=kind) for kind in kinds))
+    monkeypatch.setattr(chapter, "_tidied", lambda draft, density: density)
+    found = chapter._spread(None, tuple(Told(kind=kind, density=kind) for kind in kinds))
     assert found == ({"variant": variant} if variant == "pieces" else {"variant": variant, "density": variant})
 
 

@@ -1,0 +1,66 @@
+"""The greatest or least value of a quantity on the whole motion: that of the phase in which it is greater than in all others."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rbpsym.ask import optima
+from rbpsym.ask.critical import SUPERLATIVES
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.seen import Scene, moving, seen
+from rbpsym.ask.zeros import settled_sign, where_met
+from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.mechanics.demands import settle
+
+
+def extremum(
+    world: Scene, superlative: str, phrase: str, over: str | None, low: str | None, high: str | None, *, by_place: bool = False
+) -> Finding:
+    """The same as `optima.extremum`, through all phases from the first that does not end at once, if none is named."""
+    last = len(world.asked.names)
+    if world.is_named or low is not None or over not in (None, *world.coordinates) or world.place + 1 == last:
+        return optima.extremum(world, superlative, phrase, over, low, high, by_place=by_place)
+    parts, found = [], []
+    for place in range(world.place, last):
+        try:
+            parts.append(Scene(world.asked.study(place), asked=world.asked, place=place))
+            found.append(_in_phase(parts[-1], superlative, phrase, over))
+        except (NotApplicable, StatementError) as error:
+            name = world.asked.names[place]
+            what = f"how “{phrase}” goes on in the phase “{name}” is not known: {error.what}" if found else error.what
+            instead = f"ask for it in one phase: “… in phase {world.asked.names[world.place] if world.place else 'first'}”."
+            raise StatementError(what, instead=instead if found else error.instead) from None
+    without = next((k for k, one in enumerate(found) if len(one.values) != 1), None)
+    best = without if without is not None else _beyond_all(world, found, SUPERLATIVES[superlative])
+    if best is None:
+        return Finding(undecided("in which phase it is depends on the parameters, or is not decided"))
+    told = optima.extremum(parts[best], superlative, phrase, over, None, None, by_place=True) if by_place else found[best]
+    world.used.extend(parts[best].used)
+    begun = (d for place in range(world.place + 1, parts[best].place + 1) for d in world.asked.stage(place).began.before.valid)
+    valid = (*told.valid, *begun)
+    left = settle(valid, world.motion.assumptions)
+    verdict = all_of(one.verdict for one in (told, *found))
+    return replace(told, verdict=verdict, valid=valid if left is None else left)
+
+
+def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
+    """SYMBOL for which a quantity is least or greatest."""
+    return extremum(world, superlative, phrase, name, None, None, by_place=True)
+
+
+def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> Finding:
+    value = seen(part, phrase)
+    if not moving(part, (value,)):
+        return Finding(proved("it is constant in this phase"), values=(value,))
+    part.used.clear()
+    return optima.extremum(part, superlative, phrase, over, None, None)
+
+
+def _beyond_all(world: Scene, found: list[Finding], sense: int) -> int | None:
+    """The first phase whose value no other one exceeds."""
+    for k, one in enumerate(found):
+        pairs = ((one, other, where_met(world.motion.assumptions, [*one.valid, *other.valid])) for other in found)
+        if all(settled_sign((one.values[0] - other.values[0]) * sense, given) in (0, 1) for one, other, given in pairs):
+            return k
+    return None
