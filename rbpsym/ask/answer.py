@@ -28,7 +28,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
-from rbpsym.quantity.path import even, first_push, sense, work_done
+from rbpsym.quantity.path import even, first_push, inward, sense, work_done
 from rbpsym.quantity.problem import ProblemWorld
 
 
@@ -316,7 +316,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
             way = sense(motion, name)
             if not way:
                 push = first_push(motion, name)
-                way = sense_at_sample(world.study, push)
+                way = inward(motion, name) or sense_at_sample(world.study, push)
                 asked.append(Demand(push * way))
             if not way:
                 return found

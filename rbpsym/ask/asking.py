@@ -13,7 +13,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding, of_parameters
 from rbpsym.ask.question import MANNERS, read_question
-from rbpsym.errors import RbpsymError, StatementError
+from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
@@ -80,4 +80,7 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     if in_time is not None:
         with suppress(StatementError):
             return answer(asked, in_time, letter)
-    return of_parameters(asked, plain, letter) or answer(asked, read_question(plain), letter)
+    made = of_parameters(asked, plain, letter)
+    if made and made.verdict.is_refuted:
+        raise Undecided(f"what was found for “{plain}” is refuted by its own check, and is not told")
+    return made or answer(asked, read_question(plain), letter)

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import function, names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.ask import in_time
-from rbpsym.ask.lasting import contacts_last, held, lasts_to
+from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, value_in
 from rbpsym.ask.question import Question
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
@@ -23,11 +23,10 @@ from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, undecided
-from rbpsym.errors import LimitError, RbpsymError, StatementError
+from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -72,8 +71,7 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     steps = needed(draft.steps, last)
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
-    is_asked = found.moment is not None and not found.told and not is_ground
-    lasts, open_ = lasts_to(found.study, found.moment) if is_asked else ((), ())
+    lasts, open_ = ((), ()) if is_ground else asks(asked, found)
     comes += map(undecided, open_)
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
@@ -275,7 +273,7 @@ def _valid(
     asked = [*first, *asked]
     if moment is not None and moment.watched:
         asked = [Demand(substitute(one.value, {"t": moment.state.time}), one.op) for one in asked]
-    stated = (*_demands(found), *lasts)
+    stated = (*(moment.state.valid if moment else ()), *lasts)
     wanted = (*stated, *asked)
     never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)
     if never is not None:
@@ -301,19 +299,3 @@ def _valued(draft: Draft, node: t.Node) -> Scalar | None:
         return draft.context.value(node)
     except RbpsymError:
         return None
-
-
-def _demands(found: Found) -> Iterator[Demand]:
-    study = found.study
-    yield from (found.moment.state.valid if found.moment else ())
-    if found.of == "position":
-        yield from (demand for _, demand in contacts_last(study, {n: symbol(n) for n in study.system.coordinates}))
-    if found.told:
-        return
-    moving = study.system.scope.rates.keys()
-    if found.moment is None:
-        yield from (d for d in held(study) if found.of == "position" or not names_in(d.value) & moving)
-    try:
-        yield from start_valid(study) or ()
-    except LimitError:
-        return

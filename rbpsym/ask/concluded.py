@@ -14,10 +14,11 @@ from rbpsym.ask.seen import Scene
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Certificate, Step
-from rbpsym.equality.verdict import all_of
+from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.mechanics.demands import settle
 from rbpsym.notation import tree as t
 
+LASTING = "if the contacts and the friction last so far, which is not decided"
 OPS = ("=", "<", ">", "<=", ">=")
 
 
@@ -33,6 +34,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
+    doubts = [] if found.symbol else map(undecided, world.doubts)
     nodes = tuple(draft.show(value, factor=True) for value in found.values)
     last = tuple(_last(draft, found, nodes, letter))
     return Answer(
@@ -40,13 +42,13 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
         world.study,
         found.values,
         nodes,
-        all_of([found.verdict, *(ground.verdict for ground in grounds)]),
+        all_of([found.verdict, *doubts, *(ground.verdict for ground in grounds)]),
         "",
         draft.asked(found.valid),
         (*_steps(grounds), *last),
         symbol=found.symbol,
         relation=found.relation,
-        says=found.says,
+        says="; ".join(filter(None, (found.says, LASTING if found.symbol and world.doubts else ""))),
         holds_so=found.holds,
         each=tuple(draft.asked(demands) for demands in found.asked) if any(found.asked) else (),
         equation=None if found.equation is None else draft.show(found.equation, factor=True),

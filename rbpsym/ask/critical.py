@@ -11,7 +11,8 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.forms import neat
-from rbpsym.ask.regions import Region, alone, common, region_on_way
+from rbpsym.ask.lasting import lasts_to_place
+from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
@@ -45,7 +46,8 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
-    left = settle((*found.valid, *condition.asked), world.motion.assumptions)
+    asked = (demand for demand in condition.asked if not depends_on(demand.value, name))
+    left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
 
@@ -108,8 +110,17 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
 
 def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
     """What a zero asks for, so that the moments come about at which the quantities are taken; None if they never do."""
-    moments = (Demand(rooted(substitute(d.value, {name: zero.place}), given), d.op) for d in world.demands)
-    return settle([*zero.asked, *moments], given)
+    limits = (replace(demand, op=">=") for demand in world.standing if demand.op == ">")  # where it just begins no more
+    wanted, lasts = (*world.demands, *(demand for demand in world.standing if demand.op != ">"), *limits), ()
+    if name in world.coordinates:
+        wanted = [demand for demand in wanted if not depends_on(demand.value, name)]
+        try:
+            lasts, doubts = lasts_to_place(world.study, name, zero.place)
+        except StatementError:
+            return None
+        world.doubts.extend(doubts)
+    moments = (Demand(rooted(substitute(d.value, {name: zero.place}), given), d.op) for d in wanted)
+    return settle([*zero.asked, *moments, *lasts], given)
 
 
 def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
@@ -130,9 +141,14 @@ def on_what(world: Scene, value: Scalar) -> str:
 
 def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -> Finding:
     moments = [demand for demand in world.demands if demand.op != "!="]
-    given = where_met(condition.given, [*condition.asked, *(d for d in moments if not depends_on(d.value, name))])
-    values = (*condition.values, *(d.value for d in moments if depends_on(d.value, name)))
-    along = condition.along
+    along, given = condition.along, condition.given
+    own = [demand for demand in (*condition.asked, *moments) if depends_on(demand.value, name)]
+    given = premise = where_met(given, [*condition.asked, *moments])
+    if own:  # what is asked of the symbol itself is a premise of the rest only
+        within = {along: given.range_of(along)} if along else {}
+        given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})
+        given = where_met(given, [demand for demand in (*condition.asked, *moments) if demand not in own])
+    values = (*(demand.value for demand in own), *condition.values)  # the last is the square of a speed, where it is one
     if name in world.coordinates or not any(depends_on(value, name) for value in (*values, *_ends_of(given, along))):
         parameter(world, name)
     free = [other for other in moving(world, values) if other != along]
@@ -146,37 +162,59 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
             says = f"“{text}” holds {says} of the parameters in their declared ranges"
             return Finding(proved("the sign is the same for all parameters"), name, says=says)
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
-    regions = [region_on_way(value, name, along or "", given) for value in values]
-    found = common(regions, given)
+    under = (*(given for _ in own), *(premise for _ in condition.values))
+    regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
+    beside = [region_on_way(value, name, along or "", premise) for value in condition.beside]
+    found = _first(regions, beside, given, sense)
     if found is None:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
+    parts = (*values, *condition.beside), [*regions, *beside]
     if found.cases:
-        return _in_cases(name, found, values, given, along, sense)
+        return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
         found = replace(found, asked=alone(found, regions, sense or (-1 if found.upper is None else 1)))
-    return _told(name, found, replace(condition, given=given), text, sense, _said(values, name, found, given, along, sense))
+    said = _said(parts, name, found, given, along, sense)
+    told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
+    is_lost = any(one and bound is not None and bound in (one.lower, one.upper) for one in beside for bound in told_.values)
+    return replace(told_, says="there a contact is lost") if is_lost else told_
+
+
+def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:
+    """Where all hold; in cases by the regions' own bounds where their order is open, or others would come first."""
+    found = common([*regions, *beside], given)
+    ends = {way: [getattr(one, side) for one in regions if one and getattr(one, side) is not None] for way, side in SIDES.items()}
+    ways = [sense] if sense else [way for way in ends if ends[way]]
+    end = getattr(found, SIDES[ways[0]], None) if len(ways) == 1 else None
+    if len(ways) != 1 or (found is not None and (end is None or end in ends[ways[0]])):
+        return found
+    return by_order(regions, beside, given, ways[0]) or found
 
 
 def _ends_of(given: Assumptions, along: str | None) -> list[Scalar]:
     return [end for end in (given.range_of(along) if along else ()) if end is not None]
 
 
-def _said(values, name: str, found: Region, given: Assumptions, along: str | None, sense: int = 0) -> dict[str, Any]:
+Parts = tuple[tuple[Scalar, ...], list[Region | None]]  # values and where each of them holds
+
+
+def _said(parts: Parts, name: str, found: Region, given: Assumptions, along: str | None, sense: int = 0) -> dict[str, Any]:
+    side = sense or (1 if found.lower is None else -1 if found.upper is None else 0)
+    values = binding(*parts, found, given, side)
     given = where_met(given, found.asked)
     if found.is_empty or found.is_whole or found.crossing:
         return {"verdict": proved("its sign is the same everywhere" if not found.crossing else "it is monotone")}
     sense = 0 if (found.lower if sense < 0 else found.upper) is None else sense
     ends, way = {1: found.lower, -1: found.upper}, (along, found.worst)
-    return checked("holds_for", values=tuple(values), name=name, ends=ends, way=way, given=given, sense=sense)
+    return checked("holds_for", values=values, name=name, ends=ends, way=way, given=given, sense=sense)
 
 
-def _in_cases(name: str, found: Region, values, given: Assumptions, along: str | None, sense: int) -> Finding:
+def _in_cases(name: str, found: Region, parts: Parts, given: Assumptions, along: str | None, sense: int) -> Finding:
     """The bounds, each under its condition."""
     bounds = [case.lower if case.upper is None else case.upper for case in found.cases]
     lower = [case.upper is None for case in found.cases]
     if None in bounds or len(set(lower)) > 1 or (sense and lower[0] != (sense < 0)):
         return Finding(undecided("the bounds depend on the parameters in more than one way"), name)
-    verdict = all_of(_said(values, name, case, given, along)["verdict"] for case in found.cases)
+    verdict = all_of(_said(parts, name, case, given, along)["verdict"] for case in found.cases)
     relation = "=" if sense else ">=" if lower[0] else "<="
     return Finding(verdict, name, tuple(bounds), relation, asked=tuple(case.asked for case in found.cases))
 
@@ -211,9 +249,12 @@ def _closed(condition: Wanted, found: Region, name: str) -> tuple[bool, str]:
     """Whether it still holds at the bound; the sentence where it does not."""
     if not condition.closed:
         return False, f"at this {name} itself it does not hold"
+    bound = found.lower if found.upper is None else found.upper
+    edge = (rooted(substitute(one.value, {name: bound}), condition.given) for one in condition.asked if one.op == ">")
+    if bound is not None and any(map(is_zero, edge)):
+        return False, f"at this {name} itself it does not hold"
     if condition.end is None or None in (condition.along, *found.worst) or not found.worst:
         return True, ""
-    bound = found.lower if found.upper is None else found.upper
     [place, *_], along = found.worst, condition.along
     square = substitute(condition.values[-1], {name: bound, along: place})
     if arrives(condition, place, {name: bound}) or not is_zero(rooted(square, condition.given)):

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.errors import RbpsymError, StatementError, Undecided
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.errors import LimitError, RbpsymError, StatementError, Undecided
+from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.endings import State, at_start, value_reached
+from rbpsym.mechanics.friction import slips
+from rbpsym.mechanics.pushing import check_start, start_valid
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
+from rbpsym.statement.model import Phase
 
 if TYPE_CHECKING:
-    from rbpsym.ask.moments import Moment
+    from rbpsym.ask.answer import Found
+    from rbpsym.ask.moments import Asked, Moment
 
 
 def contacts_last(study: Study, places: Mapping[str, Scalar]) -> Iterator[tuple[str, Demand]]:
@@ -58,6 +65,68 @@ def held(study: Study) -> list[Demand]:
     return kept
 
 
+def begins(study: Study) -> tuple[Demand, ...]:
+    """What the stated sides, forces and slips ask for at the start."""
+    try:
+        found = start_valid(study)
+    except LimitError:
+        return ()
+    if found is None:
+        check_start(study)
+    return found or ()
+
+
+def regime(study: Study) -> list[Demand]:
+    """What of that depends on the parameters alone."""
+    moving = {*study.system.scope.rates, *study.system.speeds, "t"}
+    return [demand for demand in held(study) if not names_in(demand.value) & moving]
+
+
+def slipping(study: Study, state: State) -> Iterator[Demand]:
+    """What slips has not changed its sense up to a state."""
+    from rbpsym.ask.moments import image_of
+
+    image = image_of(study, state)
+    for slip in slips(study.system).values():
+        there = short(substitute(slip, image))
+        if not names_in(there) & study.system.scope.rates.keys():
+            yield Demand(there, ">=")
+
+
+def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
+    """What is asked of the parameters, and of the state where it is told along the motion, for what was found to be that of
+    the motion as it is stated; what of that is not decided. Raises StatementError where that surely does not last so far."""
+    study, (kind, _, place) = found.study, found.told.partition(" ")
+    if kind == "phase":
+        return asked.stage(int(place)).began.before.valid, ()
+    if kind == "course":
+        return _decided(lambda: (*begins(study), *_on_way(study, None)))
+    if kind or found.about:
+        return (), ()
+    if found.moment is not None:
+        lasts, doubts = lasts_to(study, found.moment)
+        return (*(() if found.moment.how == "rest" else begins(study)), *lasts), doubts
+    lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
+    return (*begins(study), *(demand for _, demand in lost), *(held if found.of == "position" else regime)(study)), ()
+
+
+def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
+    """The same as `lasts_to` for a place on the motion of a coordinate, with the contacts that are lost on it."""
+    from rbpsym.ask.moments import Moment
+
+    begin = study.system.scope.start.get(name)
+    if name not in study.squares or begin is None:
+        return (), ()
+    if is_zero(place - begin):
+        return lasts_to(study, Moment(0, at_start(study)))
+    if mover(study) == name:
+        reached = state_at(study, name, place)
+    else:
+        reached = value_reached(study, Phase("", "reaches", name, (), study.problem, present(place)))
+    lasts, doubts = lasts_to(study, Moment(0, reached, "event"))
+    return (*(demand for _, demand in contacts_last(study, {name: place})), *lasts), doubts
+
+
 def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     """What the same ask of the parameters at a moment and on the whole way to it, and what of that is not decided. Raises
     StatementError where they surely do not last so far."""
@@ -66,8 +135,13 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
     if moment.how in ("start", "rest"):
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and moment.watched[0] in study.system.coordinates)
+    places = moment.state.places if is_place else None
+    return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, places)))
+
+
+def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
     try:
-        return tuple(_on_way(study, moment.state.places if is_place else None)), ()
+        return found(), ()
     except Undecided as error:
         return (), (f"whether the contacts and the friction last so far is not decided: {error.what}",)
 

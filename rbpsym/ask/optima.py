@@ -12,12 +12,14 @@ from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
 from rbpsym.ask.forms import neat
+from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
 from rbpsym.ask.zeros import precedes, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
+from rbpsym.mechanics.demands import settle
 
 
 def extremum(
@@ -65,12 +67,25 @@ def extremum(
         raise StatementError(what, instead=f"say between which values: “… over {name} between VALUE and VALUE”.")
     closed = name in (*world.coordinates, "t") or low is not None
     found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
+    found = [_lasting(world, name, one) for one in found]
     if any(len(one.values) != 1 for one in found) and len(found) > 1:
         return Finding(undecided("it depends on the sense in which the motion sets out"))
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
         values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
         return replace(found[0], verdict=all_of(one.verdict for one in found), values=values, asked=asked, place=None)
     return replace(found[0], verdict=all_of(one.verdict for one in found))
+
+
+def _lasting(world: Scene, name: str, found: Finding) -> Finding:
+    """With what contacts, friction and slips ask for on the way to the place where it lies."""
+    if name not in world.coordinates or found.place is None or found.place[1] is None:
+        return found
+    lasts, doubts = lasts_to_place(world.study, name, found.place[1])
+    left = settle((*found.valid, *lasts), world.motion.assumptions)
+    if left is None:
+        raise StatementError(f"the motion that is stated ends before it comes to where this is, {name} = {told(found.place[1])}")
+    world.doubts.extend(doubts)
+    return replace(found, valid=left)
 
 
 def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:

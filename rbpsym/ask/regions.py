@@ -44,7 +44,7 @@ def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
     the range."""
     if not depends_on(value, name) or is_zero(value):
         known = settled_sign(value, given)
-        return None if known is None else Region(is_empty=known < 0)
+        return Region(asked=(Demand(value, ">="),), otherwise=-1) if known is None else Region(is_empty=known < 0)
     table = sign_table(value, name, given)
     if not table.is_whole or table.signs.count(1) > 1:
         return None
@@ -112,14 +112,54 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
     if lower is None or upper is None:
         return None
     ends = lower.lower, upper.upper
-    is_empty = None not in ends and settled_sign(ends[1] - ends[0], given) in (0, -1)
-    otherwise = bound[0].otherwise if len(bound) == 1 else 0
+    room = settled_sign(ends[1] - ends[0], given) if None not in ends else 1
+    is_empty, asked = room in (0, -1), (*asked, *([Demand(ends[1] - ends[0])] if room is None else []))
+    otherwise = bound[0].otherwise if len(bound) == 1 and asked == bound[0].asked else 0
     return Region(*ends, asked, is_empty, None, (*lower.worst, *upper.worst), otherwise)
+
+
+def by_order(regions: Sequence[Region | None], beside: Sequence[Region | None], given: Assumptions, sense: int) -> Region | None:
+    """Where all hold, those `beside` too: in cases, each with the condition that one of the regions' upper (1) or lower (-1)
+    bounds comes first; None if that is not what decides."""
+    every = [one for one in (*regions, *beside) if one is None or not one.is_whole or one.asked]
+    if None in every or any(one.crossing or one.is_empty or one.cases for one in every):
+        return None
+    shared = tuple(dict.fromkeys(demand for one in every for demand in one.asked))
+    side, other = SIDES[sense], SIDES[-sense]
+    cases = []
+    for one in regions:
+        if getattr(one, side) is not None:
+            found = replace(one, **{other: None})
+            order = [demand for two in every if two is not one for demand in _behind(two, found, sense)]
+            asked = settle((*shared, *order), given)
+            otherwise = one.otherwise if asked == settle(one.asked, given) else 0
+            cases += [] if asked is None else [replace(found, asked=asked, otherwise=otherwise)]
+    return None if not cases else cases[0] if len(cases) == 1 else Region(cases=tuple(cases))
+
+
+SIDES = {1: "upper", -1: "lower"}
+
+
+def _behind(one: Region, found: Region, sense: int) -> list[Demand]:
+    """What has to hold for a region to lie around the upper (1) or lower (-1) bound that was found."""
+    bound = getattr(found, SIDES[sense])
+    ends = ((getattr(one, SIDES[sense]), ">=", sense), (getattr(one, SIDES[-sense]), ">", -sense))
+    return [Demand((end - bound) * way, op) for end, op, way in ends if end is not None]
+
+
+def binding(
+    values: Sequence[Scalar], regions: Sequence[Region | None], found: Region, given: Assumptions, sense: int
+) -> tuple[Scalar, ...]:
+    """The values that have no region, or one that lies around the bound without a printed condition for that."""
+    pairs = [(value, one) for value, one in zip(values, regions, strict=True) if not (one and one.is_whole and one.asked)]
+    if getattr(found, SIDES.get(sense, ""), None) is None:
+        return tuple(value for value, _ in pairs)
+    return tuple(value for value, one in pairs if one is None or settle(_behind(one, found, sense), given) == ())
 
 
 def alone(found: Region, regions: Sequence[Region], sense: int) -> tuple[Demand, ...]:
     """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise."""
-    side = "upper" if sense > 0 else "lower"
+    side = SIDES[sense]
     idle = [one for one in regions if one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
     return tuple(demand for demand in found.asked if not any(demand in one.asked for one in idle))
 

@@ -13,6 +13,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.forms import neat
+from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
@@ -37,19 +38,25 @@ from rbpsym.statement.source import did_you_mean
 class Scene(ProblemWorld):
     """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
 
-    demands: under what conditions they have the values that were found.
+    demands: under what conditions they have the values that were found; lasting: those of contacts, friction and declared
+    ranges on the way to the moments at which they are taken; doubts: what of that is not decided; standing: what the same
+    ask of the parameters where a quantity is taken at no moment.
     """
 
     asked: Asked | None = None
     place: int = 0
     is_named: bool = False
     used: list[tuple[Question, Found]] = field(default_factory=list)
+    lasting: list[Demand] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
+    standing: list[Demand] = field(default_factory=list)
 
     @property
     def demands(self) -> tuple[Demand, ...]:
         """What the moments ask for at which quantities are taken, and the senses in which speeds are."""
         moments = [found.moment.state.valid for _, found in self.used if found.moment]
-        return tuple(dict.fromkeys(d for part in (*moments, *(found.asked for _, found in self.used)) for d in part))
+        asked = (found.asked for _, found in self.used)
+        return tuple(dict.fromkeys(d for part in (*moments, *asked, self.lasting) for d in part))
 
 
 def scene(asked: Asked, place: int | None = None) -> Scene:
@@ -70,6 +77,15 @@ def seen(world: Scene, phrase: str) -> Scalar:
     if len(found.values) != 1:
         raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
     world.used.append((question, found))
+    lasts, doubts = asks(world.asked, found)
+    (world.standing if found.moment is None else world.lasting).extend(lasts)
+    world.doubts.extend(doubts)
+    if len(found.values) != 1:
+        raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
+    world.used.append((question, found))
+    lasts, doubts = asks(world.asked, found)
+    (world.standing if found.moment is None else world.lasting).extend(lasts)
+    world.doubts.extend(doubts)
     return neat(found.values[0], world.motion.assumptions)
 
 
@@ -175,10 +191,11 @@ def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> 
     if end is not None and is_zero(end - begin):
         raise StatementError(f"“{name}” starts there")
     found = ways(study.system, study.dynamics, name, square, given)
-    coming = [way for way in found if end is None or settle([*way.asked, Demand(way.ahead(end))], given) is not None]
+    coming = [(way, () if end is None else settle([Demand(way.ahead(end))], where_met(given, way.asked))) for way in found]
+    coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in coming if ahead is not None]
     if not coming:
         sense = "grows" if found[0].sense > 0 else "falls"
-        raise StatementError(f"“{name}” never comes there: it {sense} from {told(begin)}")
+        raise StatementError(f"“{name}” never comes there before it turns round: it {sense} from {told(begin)}")
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 

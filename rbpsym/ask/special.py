@@ -40,7 +40,7 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         raise StatementError(f"“{phrase}” does not depend on {idle[0]}", instead="leave it out.")
     image = {name: place_in(world, name, to) for name, to in pairs.items()}
     try:
-        valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in world.demands), given)
+        valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in (*world.demands, *world.standing)), given)
         if valid is None:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
         return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid, met=True)
@@ -87,7 +87,18 @@ def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool =
         raise StatementError(f"“{phrase}” does not depend on {name}", instead="leave the limit out.")
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
-    return _limit(value, name, to, -1 if at_top else sign_, given, phrase, as_term=as_term)
+    side = -1 if at_top else sign_
+    return _near(world, _limit(value, name, to, side, given, phrase, as_term=as_term), name, to, side)
+
+
+def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
+    """With what the quantity asks for, near the limit."""
+    near = ((demand, leading(demand.value, name, to, side)) for demand in (*world.demands, *world.standing))
+    asked = [Demand(demand.value if term is None else term.coefficient, demand.op) for demand, term in near]
+    valid = settle(asked, world.motion.assumptions)
+    if valid is None:
+        raise StatementError("near this limit the motion never comes about as it is stated", instead="choose another limit.")
+    return replace(found, valid=valid, met=True)
 
 
 def near(world: Scene, phrase: str, name: str, text: str) -> Finding:
@@ -145,7 +156,7 @@ def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Findin
     found = leading(value, name, to)
     if found is None:
         return Finding(undecided("no leading term of its power series was found"))
-    return Finding(**_checked(found, given), values=(neat(_term(found, name, to, 1), given),))
+    return _near(world, Finding(**_checked(found, given), values=(neat(_term(found, name, to, 1), given),)), name, to)
 
 
 # --- dependence

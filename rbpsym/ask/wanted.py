@@ -18,6 +18,7 @@ from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
+from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.events import pushes
@@ -30,7 +31,8 @@ class Wanted:
     """values: all positive (`equal`: zero) where `given`; `along`: all along the range of a coordinate.
 
     closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).
-    comes: whether the motion goes all the way for all parameters.
+    comes: whether the motion goes all the way for all parameters. beside: what must not be negative either for it to be the
+    motion that is stated, though it is not asked for.
     """
 
     values: tuple[Scalar, ...]
@@ -41,6 +43,7 @@ class Wanted:
     end: Scalar | None = None
     asked: tuple[Demand, ...] = ()
     comes: bool = True
+    beside: tuple[Scalar, ...] = ()
 
 
 def wanted(world: Scene, text: str, name: str = "") -> Wanted:
@@ -138,7 +141,10 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
         )
     forces = [(sum((seen(world, n) for n in need.normals), NOTHING) * need.limit, seen(world, need.friction)) for need in held]
     values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
-    return on_way(world, values, "the friction that is needed", until, text, given)
+    found = on_way(world, values, "the friction that is needed", until, text, given)
+    normal = {name for need in held for name in need.normals}
+    others = [seen(world, name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
+    return replace(found, beside=tuple(value for value in others if sign(value, found.given).kind != "positive"))
 
 
 def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:

@@ -39,6 +39,7 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         verdict = proved("the sign is the same for all parameters")
         return Finding(verdict, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
+    says = says.partition(",")[0] if surely else says  # what is asked of the motion does not tell what is else
     return Finding(proved("the least values on the way"), valid=(*surely, *left), says=says)
 
 
@@ -55,14 +56,19 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
     if loss is not None:
         [(name, place)] = loss.at.items()
         way, _ = way_to(world, name, place, world.motion.assumptions)
-        asked = [*loss.valid, *way.asked]
+        asked, surely, rest = [*loss.valid, *way.asked], (), ", else no"
         if until is not None:
             name_, end = free_place(world, until, text)
+            if name_ != name:
+                raise StatementError(f"“{force}” is a function of {name}", instead=f"say until when: “… until {name} = VALUE”.")
+            on_way, _ = way_to(world, name, end, world.motion.assumptions)
+            surely = settle(on_way.asked, world.motion.assumptions) or ()
             asked.append(Demand((end - place) * way.sense, ">="))
-        left = settle(asked, world.motion.assumptions) if until is None or name_ == name else None
-        says = "no" if left is None else "yes where this is met, else no" if left else "yes"
+        left, rest = settle(asked, where_met(world.motion.assumptions, surely)), "" if surely else rest
+        says = "no" if left is None else f"yes where this is met{rest}" if left else "yes"
         holds = None if left else left is not None
-        return Finding(proved("it goes through zero there first"), valid=left or (), place=(name, place), says=says, holds=holds)
+        valid = (*surely, *(left or ()))
+        return Finding(proved("it goes through zero there first"), valid=valid, place=(name, place), says=says, holds=holds)
     side = next((side for side in world.study.sides if side.force == force), None)
     if side is not None and side.state == "kept" and not side.until:
         return Finding(proved("it stays positive on the whole motion"), says="no", holds=False)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.scalar import Scalar
 
 Range = tuple[Scalar | None, Scalar | None]
@@ -47,7 +48,12 @@ class Assumptions:
     def with_range(self, name: str, lower: Scalar | None, upper: Scalar | None, reached: Iterable[int] = ()) -> Assumptions:
         """The same with another range of one name; `reached` are the sides (0, 1) that belong to it."""
         sides = {(n, side) for n, side in self.reached if n != name} | {(name, side) for side in reached}
-        return Assumptions(self.signs, {**self.ranges, name: (lower, upper)}, frozenset(sides))
+        ranges = {**self.ranges, name: (lower, upper)}
+        # signs are found by putting ends in for names, one after the other: none may lead back to where it began
+        for other in (behind(self, lower) | behind(self, upper)) - {name}:
+            if other in ranges:
+                ranges[other] = tuple(None if end is not None and name in names_in(end) else end for end in ranges[other])
+        return Assumptions(self.signs, ranges, frozenset(sides))
 
     def sides_of(self, name: str) -> frozenset[int]:
         """The sides (0, 1) of its range that a name may reach."""
@@ -58,6 +64,16 @@ class Assumptions:
         signs = {name: sign for name, sign in self.signs.items() if name not in names}
         ranges = {name: r for name, r in self.ranges.items() if name not in names}
         return Assumptions(signs, ranges, frozenset(end for end in self.reached if end[0] not in names))
+
+
+def behind(given: Assumptions, bound: Scalar | None) -> set[str]:
+    """The names on which a bound depends, through the ranges of its own names too."""
+    found: set[str] = set()
+    left = set() if bound is None else names_in(bound)
+    while left:
+        found |= left
+        left = {n for name in left for end in given.range_of(name) if end is not None for n in names_in(end)} - found
+    return found
 
 
 NONE = Assumptions()

@@ -12,7 +12,7 @@ from rbpsym.algebra.poly import ONE, ZERO, generator
 from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
@@ -110,7 +110,7 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
             continue
         power, slope = max(parts), Scalar(parts[max(parts)])
         way, bound = WAYS.get(sign(slope, given).kind), short(-(Scalar(parts.get(0, ZERO)) / slope))
-        if way is None or name in _behind(bound, given) or (power == 2 and given.sign_of(name) != "positive"):
+        if way is None or name in behind(given, bound) or (power == 2 and given.sign_of(name) != "positive"):
             continue
         lower, upper = given.range_of(name)
         if power == 2:
@@ -124,16 +124,6 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
             side = 0 if way > 0 else 1
             sides = (given.sides_of(name) - {side}) | (set() if demand.op == ">" else {side})
             yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)), sides)
-
-
-def _behind(bound: Scalar, given: Assumptions) -> set[str]:
-    """The names on which a bound depends, through the ranges of its own names too."""
-    found: set[str] = set()
-    left = names_in(bound)
-    while left:
-        found |= left
-        left = {n for name in left for end in given.range_of(name) if end is not None for n in names_in(end)} - found
-    return found
 
 
 # --- where a formula has a value

@@ -125,11 +125,11 @@ def ways(system: System, dynamics: Dynamics, name: str, square: Scalar, given: A
     start, gains = system.scope.start, dynamics.accelerations or {}
     speed = start.get(f"{name}_dot", NOTHING)
     drive = speed if not is_zero(speed) else substitute(gains.get(f"{name}_ddot", NOTHING), start)
+    ends = zip((1, -1), reversed(given.range_of(name)), strict=True)
+    room = [side for side, end in ends if end is None or not is_zero(end - start[name])]
     if is_zero(drive):  # it leaves a place of rest: to either side where there is room
-        ends = zip((1, -1), reversed(given.range_of(name)), strict=True)
-        room = [side for side, end in ends if end is None or not is_zero(end - start[name])]
         return [Way(name, start[name], side, square) for side in room]
-    asked = {side: settle([Demand(drive * side)], given) for side in (1, -1)}
+    asked = {side: settle([Demand(drive * side)], given) for side in room}
     return [Way(name, start[name], side, square, found) for side, found in asked.items() if found is not None]
 
 

@@ -48,9 +48,14 @@ def sense(motion: Motion, name: str) -> int:
     push = first_push(motion, name)
     if found := SENSES.get(sign(push, motion.assumptions).kind):
         return found
+    return inward(motion, name) if is_zero(push) else 0
+
+
+def inward(motion: Motion, name: str) -> int:
+    """The sense that leads into the range of a coordinate that starts at an end of it; 0 if it does not."""
     begin = motion.scope.start.get(name)
     lower, upper = motion.assumptions.range_of(name)
-    if begin is None or not is_zero(push):
+    if begin is None:
         return 0
     return next((s for s, end in ((1, lower), (-1, upper)) if end is not None and is_zero(end - begin)), 0)
 

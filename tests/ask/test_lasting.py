@@ -6,7 +6,8 @@ import pytest
 
 from rbpsym.ask.asking import ask
 from rbpsym.notation.machine import to_machine
-from rbpsym.statement.loader import load_text
+from rbpsym.statement.loader import load_problem, load_text
+from tests.ask.textbook import ROLLING, TALL_BOX
 
 DISK = """
 title = "Rolling disk on a spring"
@@ -141,3 +142,59 @@ def test_what_is_not_decided_on_the_way_is_not_proved_and_leaves_no_free_coordin
 def test_a_declared_range_is_a_condition_of_a_motion_in_time() -> None:
     _, said = conditions(TUBE, "r as a function of t")
     assert any("L" in one and "exp" in one for one in said)
+
+
+GRIPS = "mu*(1 + c)*cos(beta) - c*sin(beta) >= 0"
+CARRIED = [
+    (ROLLING, "acceleration of s with c = 1/2", "3*mu*cos(beta) - sin(beta) >= 0"),
+    (ROLLING, "speed of s where s = 2*R with c = 1/2", "3*mu*cos(beta) - sin(beta) >= 0"),
+    (ROLLING, "s for which speed of s = sqrt(g*R)", GRIPS),
+    (ROLLING, "largest speed of s over s between 0 and R", GRIPS),
+    (ROLLING, "does speed of s where s = 2*R depend on m", GRIPS),
+    (ROLLING, "beta for which acceleration of s = g/4", "15*mu - c**2*mu - 2*c*mu - c*sqrt(15 - c**2 - 2*c) >= 0"),
+    (ROLLING, "smallest beta for which speed of s where s = 2*R >= sqrt(g*R)", "atan(mu*(1 + 1/c)) - asin((1 + c)/4) > 0"),
+    (TALL_BOX, "smallest mu for which it does not slip", "b*cos(beta) - h*sin(beta) >= 0"),
+    (ROD, "largest N over theta between theta_0 and pi/2", "mu*(4 - 3*sin(theta_0)**2) - 3*sin(theta_0)*cos(theta_0) >= 0"),
+    (DISK, "amplitude of x", "3*mu*m*g - k*x_0 >= 0"),
+    (DISK, "largest speed of x", "3*mu*m*g - k*x_0 >= 0"),
+    ("bead-on-turning-hoop", "does theta reach pi/2", "2*theta_0 - pi > 0"),
+    ("breaking-chimney", "M for which theta reaches pi/6", "pi - 6*theta_0 > 0"),
+    ("sliding-ladder", "does N_w vanish until theta = pi/6", "6*theta_0 - pi > 0"),
+    ("ball-with-backspin", "largest x", "2*r*omega_0 - 5*v_0 >= 0"),
+]
+
+
+@pytest.mark.parametrize(("problem", "question", "told"), CARRIED, ids=lambda value: str(value)[-40:])
+def test_questions_about_parameters_carry_what_the_way_asks_for(problem: str, question: str, told: str) -> None:
+    [found] = ask(load_text(problem) if "\n" in problem else load_problem(problem), question)
+    assert found.verdict.is_proved and told in [to_machine(node) for node in found.valid]
+
+
+def test_what_is_asked_of_the_symbol_itself_is_its_bound() -> None:
+    [found] = ask(load_problem("breaking-chimney"), "theta_0 for which theta reaches pi/6")
+    assert found.verdict.is_proved and (found.relation, found.text) == ("<", "pi/6") and not found.valid
+
+
+def test_where_a_contact_is_lost_before_it_slips_that_is_said() -> None:
+    [found] = ask(load_text(TALL_BOX), "largest h for which it does not slip")
+    assert found.verdict.is_proved and found.text == "b*cos(beta)/sin(beta)" and "a contact is lost" in found.says
+
+
+@pytest.mark.parametrize("question", ["does theta reach -pi/4", "does theta reach pi/4"])
+def test_nothing_is_told_of_what_sets_out_the_other_way(question: str) -> None:
+    [found] = ask(load_problem("rod-pendulum"), question)
+    assert "sin(theta_0) > 0" in [to_machine(node) for node in found.valid] and "else" not in found.says
+
+
+PUSH = """
+[interactions.P]
+type = "force"
+on = "rod.cm"
+force = ["m*g/100 - mu*m*g", "0"]
+"""
+
+
+def test_a_coordinate_at_an_end_of_its_range_goes_into_it() -> None:
+    text = ROD.replace('start = "theta_0"', 'start = "0"') + PUSH
+    [found] = ask(load_text(text), "speed of theta as a function of theta")
+    assert not found.text.startswith("-")
