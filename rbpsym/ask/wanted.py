@@ -142,7 +142,7 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
     forces = [(sum((seen(world, n) for n in need.normals), NOTHING) * need.limit, seen(world, need.friction)) for need in held]
     values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
     found = on_way(world, values, "the friction that is needed", until, text, given)
-    normal = {name for need in held for name in need.normals}
+    normal = {need.constraint for need in held if len(need.normals) == 1}
     others = [seen(world, name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
     return replace(found, beside=tuple(value for value in others if sign(value, found.given).kind != "positive"))
 
