@@ -16,7 +16,7 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, value_reached
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.pushing import check_start, start_valid
+from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
@@ -68,12 +68,9 @@ def held(study: Study) -> list[Demand]:
 def begins(study: Study) -> tuple[Demand, ...]:
     """What the stated sides, forces and slips ask for at the start."""
     try:
-        found = start_valid(study)
+        return start_valid(study) or ()
     except LimitError:
         return ()
-    if found is None:
-        check_start(study)
-    return found or ()
 
 
 def regime(study: Study) -> list[Demand]:

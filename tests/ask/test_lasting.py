@@ -160,7 +160,11 @@ CARRIED = [
     ("bead-on-turning-hoop", "does theta reach pi/2", "2*theta_0 - pi > 0"),
     ("breaking-chimney", "M for which theta reaches pi/6", "pi - 6*theta_0 > 0"),
     ("sliding-ladder", "does N_w vanish until theta = pi/6", "6*theta_0 - pi > 0"),
-    ("ball-with-backspin", "largest x", "2*r*omega_0 - 5*v_0 >= 0"),
+    (
+        "ball-with-backspin",
+        "speed of phi where x = v_0**2/(4*mu_k*g) in phase ball-with-backspin",
+        "4*r*omega_0 - 10*v_0 + 7*v_0*sqrt(2) >= 0",
+    ),
 ]
 
 
