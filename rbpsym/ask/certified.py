@@ -15,7 +15,7 @@ from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.ask import in_time
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, value_in
-from rbpsym.ask.question import Question
+from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
@@ -76,7 +76,9 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
     valid = _valid(draft, found, lasts, before, steps)
-    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps))
+    is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
+    says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
+    return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps), says=says)
 
 
 def asked_place(asked: Asked, study: Study) -> int:

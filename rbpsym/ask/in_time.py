@@ -66,7 +66,8 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     gap = short(substitute(moving, at) - value)
     drivers = [n for n in study.system.independent if names_in(moving) & {n, f"{n}_dot"}]
     known = solutions.given(study, drivers[0], small=solutions.SMALL in manner) if len(drivers) == 1 else None
-    if sign(substitute(gap, letters), study.assumptions).is_nonzero:
+    # the end of a declared range may be where the motion is to come
+    if sign(substitute(gap, letters), study.assumptions.without(*study.system.coordinates)).is_nonzero:
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")
     first = None if known is None or names_in(gap) & study.system.scope.rates.keys() else time_to(gap, known, letters)
     if first is None:

@@ -80,12 +80,6 @@ def seen(world: Scene, phrase: str) -> Scalar:
     lasts, doubts = asks(world.asked, found)
     (world.standing if found.moment is None else world.lasting).extend(lasts)
     world.doubts.extend(doubts)
-    if len(found.values) != 1:
-        raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
-    world.used.append((question, found))
-    lasts, doubts = asks(world.asked, found)
-    (world.standing if found.moment is None else world.lasting).extend(lasts)
-    world.doubts.extend(doubts)
     return neat(found.values[0], world.motion.assumptions)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -19,9 +20,9 @@ from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
-from rbpsym.errors import DimensionError, RbpsymError, StatementError
-from rbpsym.mechanics.demands import Demand
-from rbpsym.mechanics.events import pushes
+from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
+from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.events import Way, pushes
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
 
@@ -68,7 +69,23 @@ def _reaches(world: Scene, name: str, text: str) -> Wanted:
     """Up to the place the speed does not vanish, and nothing lets go or slips."""
     name, end = free_place(world, name, text)
     way, given = way_to(world, name, end, world.motion.assumptions)
+    _check_phase(world, way, end)
     return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked)
+
+
+def _check_phase(world: Scene, way: Way, end: Scalar) -> None:
+    """Raise StatementError where it is not sure that the phase still goes on there, and none is named."""
+    if world.is_named or world.place + 1 == len(world.asked.names):
+        return
+    after = world.asked.names[world.place + 1]
+    with suppress(NotApplicable):
+        last = world.asked.stage(world.place + 1).began.before.places[way.name]
+        if settle([Demand((end - last) * way.sense)], world.motion.assumptions) is None:
+            return
+    raise StatementError(
+        f"whether this is before the phase “{after}” begins depends on the parameters, or is not known",
+        instead=f"ask it in one phase: “… in phase first”, “… in phase {after}”.",
+    )
 
 
 def free_place(world: Scene, name: str, text: str) -> tuple[str, Scalar]:
