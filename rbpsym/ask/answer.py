@@ -143,7 +143,11 @@ def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bo
     refused = {}
     for each in (*range(asked.lasting, len(asked.names)), *range(asked.lasting)):
         try:
-            return each, asked.world(each).bound(question.quantity)
+            world = asked.world(each)
+        except RbpsymError as error:  # what a phase that cannot be worked out would say, no other one says for it
+            raise (error if each < asked.lasting else next(iter(refused.values()), error)) from None
+        try:
+            return each, world.bound(question.quantity)
         except RbpsymError as error:
             refused[each] = error
     raise refused[0]

@@ -46,6 +46,12 @@ def slip_ends(study: Study, phase: Phase) -> State:
     gain = short(substitute(time_derivative(slip, study.system.scope), _uniform(study, phase)))
     start = at_start(study)
     first = short(substitute(slip, {f"{n}_dot": v for n, v in start.speeds.items()} | dict(start.places)))
+    if is_zero(first):
+        raise StatementError(
+            f"the phase “{phase.name}” begins when “{phase.subject}” stops slipping, and it does not slip any more before",
+            instead="where two contacts stop slipping at the same moment, let both roll from one phase on.",
+            place=element.place,
+        )
     asked, what = [Demand(-(first * gain))], "does not stop slipping"
     if is_zero(gain) or settle(asked, study.assumptions) is None:
         raise _never(study, phase, what=what)

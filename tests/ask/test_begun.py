@@ -249,3 +249,77 @@ def test_whether_it_turns_round_before_a_phase_begins_is_not_guessed() -> None:
     text = text.replace('v_0 = "speed: start"', 'v_0 = "speed: start"\nomega_0 = "angular speed"')
     with pytest.raises(StatementError, match="turns round before “rolling” begins depends on the parameters"):
         ask(load_text(text), "largest s")
+
+
+BOTH = """
+[parameters]
+m = "mass: each"
+R = "length: radius"
+v_0 = "speed: of the first"
+mu = "number: friction"
+g = "acceleration: gravity"
+[coordinates.x]
+dimension = "length"
+start = "-2*R"
+speed = "v_0"
+[coordinates.z]
+dimension = "length"
+start = "0"
+[coordinates.phi]
+start = "0"
+speed = "v_0/R"
+meaning = "clockwise"
+[coordinates.psi]
+start = "0"
+meaning = "clockwise"
+[bodies.one]
+shape = "ball"
+mass = "m"
+radius = "R"
+center = ["x","R"]
+angle = "-phi"
+[bodies.two]
+shape = "ball"
+mass = "m"
+radius = "R"
+center = ["z","R"]
+angle = "-psi"
+[interactions.W]
+type = "gravity"
+[constraints.A]
+type = "touch"
+body = "one"
+line = "y = 0"
+[constraints.B]
+type = "touch"
+body = "two"
+line = "y = 0"
+[[phases]]
+name = "hit"
+event = "at once"
+constraints = { A = { coefficient = "mu", slip = "backward", friction = "f_A" }, B = { coefficient = "mu", slip = "forward", friction = "f_B" } }
+[phases.impulses.J]
+type = "collision"
+points = ["one.center","two.center"]
+along = ["1","0"]
+[[phases]]
+name = "rolling"
+event = "no slip"
+of = "A"
+constraints = { A = { type = "rolling" } }
+[[phases]]
+name = "both"
+event = "no slip"
+of = "B"
+constraints = { B = { type = "rolling" } }
+"""
+
+
+def test_what_grips_together_is_told_and_no_phase_that_ends_at_once_answers_for_it() -> None:
+    with pytest.raises(StatementError, match="“B” stops slipping, and it does not slip any more before"):
+        ask(load_text(BOTH), "velocity of one.center")
+
+
+def test_an_answer_that_a_later_phase_gives_says_so() -> None:
+    [found] = ask(load_text(UPHILL), "friction coefficient needed at N")
+    assert found.says == "in the phase “rolling”, the first in which it is known"
