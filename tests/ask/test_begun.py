@@ -297,7 +297,9 @@ line = "y = 0"
 [[phases]]
 name = "hit"
 event = "at once"
-constraints = { A = { coefficient = "mu", slip = "backward", friction = "f_A" }, B = { coefficient = "mu", slip = "forward", friction = "f_B" } }
+[phases.constraints]
+A = { coefficient = "mu", slip = "backward", friction = "f_A" }
+B = { coefficient = "mu", slip = "forward", friction = "f_B" }
 [phases.impulses.J]
 type = "collision"
 points = ["one.center","two.center"]
