@@ -1,8 +1,7 @@
 """Generators of the field, interned so that a monomial is a tuple of small integers.
 
-An atom is a plain symbol, the sine or cosine of an angle, a square root, another function
-(exp, ln, asin ...) of a scalar, or an opaque quantity known only by a label (the integral of
-an unknown force). The intern table only grows; an atom's index never changes.
+An atom is a plain symbol, the sine or cosine of an angle, a square root, or another function
+(exp, ln, asin ...) of a scalar. The intern table only grows; an atom's index never changes.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from typing import Any
 @dataclass(frozen=True, slots=True)
 class Atom:
     """kind: "symbol" (arg: name), "cos"/"sin" (arg: Poly of the angle), "root" (arg: Scalar),
-    "opaque" (arg: any hashable label), or the name of a function (arg: Scalar)."""
+    or the name of a function (arg: Scalar)."""
 
     kind: str
     arg: Any

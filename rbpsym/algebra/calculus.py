@@ -73,8 +73,6 @@ def atom_derivative(index: int, name: str) -> Scalar:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return UNITY if found.arg == name else NOTHING
-    if found.kind == "opaque":
-        return found.arg.derivative(name) if hasattr(found.arg, "derivative") else NOTHING
     arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
     inner = derivative(arg, name)
     return OUTER[found.kind](arg, index) * inner if inner else NOTHING
@@ -193,8 +191,6 @@ def _atom_substitute(index: int, key: tuple) -> Scalar | None:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return dict(key).get(found.arg)
-    if found.kind == "opaque":
-        return found.arg.substitute(dict(key)) if hasattr(found.arg, "substitute") else None
     arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
     image = substitute(arg, dict(key))
     if image == arg:
@@ -234,8 +230,6 @@ def atom_names(index: int) -> frozenset[str]:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return frozenset((found.arg,))
-    if found.kind == "opaque":
-        return frozenset(getattr(found.arg, "names", ()))
     return names_in(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg))
 
 

@@ -100,6 +100,4 @@ def _atom(index: int) -> Any:
         return getattr(sympy, found.kind)(_expression(found.arg))
     if found.kind == "root":
         return sympy.sqrt(to_sympy(found.arg))
-    if found.kind == "opaque":
-        return sympy.Symbol(f"opaque_{index}")
     return getattr(sympy, {"ln": "log"}.get(found.kind, found.kind))(to_sympy(found.arg))

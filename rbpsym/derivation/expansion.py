@@ -70,8 +70,6 @@ def _atom(index: int, images: Mapping[str, Series]) -> Series:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return images.get(found.arg) or Series(symbol(found.arg))
-    if found.kind == "opaque":
-        raise Undecided("an unknown function stands in what is expanded")
     arg = expanded(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg), images)
     if found.kind in FUNCTIONS:
         return FUNCTIONS[found.kind](arg)

@@ -115,8 +115,6 @@ def _decide(a: Scalar, b: Scalar, assumptions: Assumptions, domain: tuple[Condit
     if is_zero(difference):
         return proved("exact normal form", obligations(domain, assumptions))
     kinds = {atoms.atom(index).kind for index in all_atoms([difference])}
-    if "opaque" in kinds:
-        return undecided("it holds a quantity that is known only by name")
     plain = kinds <= PLAIN and not any(map(is_algebraic, all_atoms([difference])))
     how = "" if plain else _with_functions(difference, assumptions, deep=False)
     witness = None if how else find_witness(a, b, assumptions, domain, most=FIRST_POINTS)
