@@ -20,7 +20,6 @@ from rbpsym.errors import ReadError, Undecided
 from rbpsym.notation import tree as t
 
 Value = Scalar | Space
-EMPTY: Mapping[str, Any] = {}
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import tidy
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.notation.tree import Node
 from rbpsym.statement.model import Body, MassElement, PlacedShape, Shape
@@ -108,8 +108,3 @@ def _piece(part: PlacedShape) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     if part.count is not None:  # all round the origin, which is their common centre
         return own.mass * sign * scalar(part.count), NOTHING, NOTHING, second * sign * scalar(part.count)
     return own.mass * sign, x, y, second * sign
-
-
-def variables(element: MassElement) -> tuple[Scalar, ...]:
-    """The integration variables as generators."""
-    return tuple(symbol(item.variable) for item in element.ranges)

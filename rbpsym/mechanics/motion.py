@@ -157,11 +157,6 @@ class Work:
     parts: Mapping[str, Scalar]
     value: Scalar | None
 
-    @property
-    def coordinate(self) -> str | None:
-        """The one coordinate over which it is integrated; None if there are several or none."""
-        return next(iter(self.parts)) if len(self.parts) == 1 else None
-
 
 @dataclass(frozen=True, slots=True)
 class ForceWork:

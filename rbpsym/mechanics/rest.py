@@ -44,12 +44,7 @@ def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
     return tuple(short(substitute(value, still)) for value in dynamics.forcing)
 
 
-def is_autonomous(system: System, dynamics: Dynamics) -> bool:
-    """Whether the forces at rest are functions of free coordinates alone: no clock, no kinetic friction."""
-    return not _unfit(system, dynamics)
-
-
-def _unfit(system: System, dynamics: Dynamics) -> str:
+def unfit(system: System, dynamics: Dynamics) -> str:
     """Why positions of rest are not looked for."""
     if system.implicit:
         return "coordinates stay tied to each other by an equation"
@@ -62,7 +57,7 @@ def _unfit(system: System, dynamics: Dynamics) -> str:
 
 def rest(system: System, dynamics: Dynamics, given: Assumptions) -> Rest:
     """All positions of rest, as far as closed forms go."""
-    reason = _unfit(system, dynamics)
+    reason = unfit(system, dynamics)
     forces = resting_forces(system, dynamics)
     if system.implicit and all(map(is_zero, forces)):
         return Rest((), *_everywhere(forces, given))

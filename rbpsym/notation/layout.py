@@ -227,10 +227,6 @@ class Printer:
         """What stands between factors."""
         return ""
 
-    def prime(self, box: b.Prime) -> str:
-        """Primes."""
-        return "'" * box.count
-
     def function(self, box: b.Function) -> str:
         """The name of a function."""
         return box.name

@@ -87,9 +87,6 @@ class _Text(Printer):
         body = self(box.body)
         return unicodedata.normalize("NFC", _DOTTED.get(body, body) + _COMBINING[box.kind])
 
-    def prime(self, box: b.Prime) -> str:
-        return "′" * box.count
-
     def script(self, box: b.Script) -> str:
         primes, sup = b.split_primes(box.sup)
         sub = _attached("_", self(box.sub), subscript) if box.sub else ""
@@ -99,9 +96,6 @@ class _Text(Printer):
 
     def under(self, box: b.Under) -> str:
         return f"{self(box.base)}({self(box.under)})"
-
-    def fraction(self, box: b.Fraction) -> str:
-        return f"({self(box.num)})/({self(box.den)})"
 
     def radical(self, box: b.Radical) -> str:
         body = self(box.body)

@@ -10,7 +10,6 @@ from typing import TypeVar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import Derivation, Step
-from rbpsym.document.language import problem_notation
 from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
@@ -61,11 +60,6 @@ class ProblemBench:
     def name(self) -> str:
         """The name of the problem."""
         return self.study.problem.name
-
-    @property
-    def notation(self) -> Notation:
-        """How its names are printed."""
-        return problem_notation(self.study.problem)
 
     def asked(self, target: Target) -> AskedQuantity:
         """What an item about a target asks for."""

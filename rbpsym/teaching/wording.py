@@ -57,11 +57,6 @@ def plain_text(key: str, language: str = "en", **slots: Any) -> str:
     return phrases.text_of(say(key, language, **slots), key)
 
 
-def has(key: str, language: str = "en") -> bool:
-    """Whether there is a phrase (or one with variants) under a key."""
-    return phrases.has_phrase(key, language, FOLDER)
-
-
 # --- what exports say: feedback of slips, captions, and the sentences about what a format can't carry
 
 

@@ -143,7 +143,6 @@ def _bounded(low: t.Node, high: t.Node, ground: Ground, given: Assumptions) -> A
 
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
-Study = Callable[[str], World]
 
 
 @dataclass(frozen=True)

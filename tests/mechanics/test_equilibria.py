@@ -9,7 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, symbol
 from rbpsym.algebra.trig import sine
-from rbpsym.mechanics.rest import is_autonomous, resting_forces
+from rbpsym.mechanics.rest import resting_forces, unfit
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.study import Study
 from rbpsym.statement import load_text
@@ -36,7 +36,7 @@ def start_at_rest(study):
     forces = resting_forces(system, study.dynamics)
     names = [name for name in system.independent if any(depends_on(force, name) for force in forces)]
     moving = any(not is_zero(start.get(speed, NOTHING)) for speed in system.speeds)
-    if gains is None or moving or not names or not set(names) <= start.keys() or not is_autonomous(system, study.dynamics):
+    if gains is None or moving or not names or not set(names) <= start.keys() or unfit(system, study.dynamics):
         return None
     there = {**dict.fromkeys(system.speeds, NOTHING), **start}
     driven = any(not is_zero(substitute(value, there)) for value in gains.values())
