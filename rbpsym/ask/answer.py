@@ -22,7 +22,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.roots import zeros
-from rbpsym.mechanics.solutions import given
+from rbpsym.mechanics.solutions import SMALL, given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -127,13 +127,15 @@ def parts(bound: Bound) -> tuple[Scalar, ...]:
     """The value of a quantity, or both components of a vector in the plane. Raises StatementError if it has none."""
     if bound.vector is not None and (bound.scalar is None or bound.in_plane or bound.vector.plane.parts):
         return bound.vector.plane.x, bound.vector.plane.y
-    if bound.scalar is None:
+    if bound.scalar is None and not bound.values:
         raise StatementError("this has no value of its own", instead="name a quantity.")
-    return (bound.scalar,)
+    return bound.values or (bound.scalar,)
 
 
 def _bound(asked: Asked, question: Question, place: int | None) -> tuple[int, Bound]:
     """The phase in which the quantity is known, and what it is there."""
+    if question.manner == SMALL and not question.of and question.when is None:
+        return _bound(asked, replace(question, quantity=f"{question.quantity} {SMALL}", manner=""), place)
     if is_jump(question.quantity):
         return 0, asked.whole.bound(question.quantity)
     if place is None and question.phase:

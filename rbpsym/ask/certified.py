@@ -29,7 +29,9 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.notation.glyphs import Notation
 from rbpsym.notation.machine import to_machine
+from rbpsym.notation.text import to_text
 from rbpsym.quantity.problem import ProblemWorld
 
 if TYPE_CHECKING:
@@ -78,7 +80,14 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     valid = _valid(draft, found, lasts, before, steps)
     is_later = place > asked.lasting and not (found.moment or question.phase or is_jump(question.quantity))
     says = f"in the phase “{asked.names[place]}”, the first in which it is known" if is_later else ""
+    says = _behind(draft, last) if found.told.endswith("phase lag") else says
     return Answer(question, found.study, values, nodes, verdict, found.of, (*held, *valid), (*before, *steps), says=says)
+
+
+def _behind(draft: Draft, last: Step) -> str:
+    """Behind what a phase lag is."""
+    cause = draft.context.steps[last.data["told"][0]].slots.get("cause")
+    return f"behind {'the force' if cause is None else to_text(cause, Notation(draft.study.problem.notation))}"
 
 
 def asked_place(asked: Asked, study: Study) -> int:
@@ -149,7 +158,8 @@ def _speeds(found: Found) -> list[str]:
 def _last(draft: Draft, found: Found, name: str) -> Step:
     """The step that states the answer."""
     parted = f"{name}_" if "_" not in name else name
-    letters = [name] if len(found.values) == 1 else [f"{parted}x", f"{parted}y"]
+    marks = "xy" if not found.told.startswith("osc") else range(1, len(found.values) + 1)
+    letters = [name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
     letters = [draft.free(letter) for letter in letters]
     pairs = zip(letters, found.values, strict=True)
     rows = [t.equation(t.Sym(letter), draft.show(value, factor=True)) for letter, value in pairs]
@@ -163,8 +173,8 @@ def _last(draft: Draft, found: Found, name: str) -> Step:
     if found.study.at_start:
         rule, pairs = "solution", zip(found.named, rows, strict=True)
         rows = [t.equation(instant.at_start(draft.show(value)), row.items[-1]) for value, row in pairs]
-    if data.get("told") and data["turned"] == "itself":
-        said = [row[-1] for row in t.relations(draft.context.steps[data["told"]].statement)]
+    if data.get("turned") == ("itself",) and data["told"][0]:
+        said = [row[-1] for row in t.relations(draft.context.steps[data["told"][0]].statement)]
         told = next((node for node in said if is_zero(draft.context.value(node) - found.values[0])), said[-1])
         rows = rows if _letters(told, found.values[0]) else [t.equation(t.Sym(letters[0]), told)]
     statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
@@ -172,7 +182,7 @@ def _last(draft: Draft, found: Found, name: str) -> Step:
     if found.study.at_start:
         held = {name for value in found.named for name in names_in(value)}
         told = [id for id in told if draft.context.steps[id].slots["quantity"].name in held]
-    named = draft.those(*([data["told"]] if found.told else told), "law.motion")
+    named = draft.those(*(filter(None, data["told"]) if found.told else told), "law.motion")
     phrase = "ask.there" if found.study.at_start else "ask.answer"
     return draft.add("answer", rule, statement, phrase, premises=named, is_result=True, data=data,
                      obligations=draft.asked(found.asked), letters=[t.Sym(letter) for letter in letters])  # fmt: skip
@@ -207,8 +217,12 @@ def _told_by(asked: Asked, found: Found) -> Draft:
     draft = Draft(found.study)
     if kind == "course":
         name, _, key = place.partition(" ")
+        key, small = key.removesuffix(f" {solutions.SMALL}"), key.endswith(f" {solutions.SMALL}")
+        law = oscillations.laws(draft)[name] if small else ""
         draft.chapter = kind
-        course.feature(draft, solutions.given(found.study, name), name, key)
+        known = solutions.given(found.study, name, small=small)
+        still = solutions.Given(solutions.form_along(found.study, name), NOTHING, NOTHING, found.study, name)
+        course.feature(draft, known or still, name, key, law)
     else:
         CHAPTERS[kind](draft)
     return draft
@@ -220,14 +234,20 @@ CHAPTERS: Mapping[str, Callable[[Draft], None]] = {
 }
 
 
-def _said(draft: Draft, found: Found) -> dict[str, str]:
-    """The step that says what is asked for, and how that is made of it."""
+def _said(draft: Draft, found: Found) -> dict[str, tuple[str, ...]]:
+    """The steps that say what is asked for, and how that is made of them."""
     if not found.told:
         return {}
     if found.told.startswith("course"):
-        return {"told": draft.steps[-1].id, "turned": "itself"}
+        return {"told": (draft.steps[-1].id,), "turned": ("itself",)}
+    said = [_said_of(draft, value) for value in found.values]
+    return {"told": tuple(id for id, _ in said), "turned": tuple(turned for _, turned in said)}
+
+
+def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
+    """The step that says a value, and how that is made of it."""
     for turned, turn in TURNED.items():
-        value = turn(found.values[0]) if found.values[0] or turned != "the square of its frequency" else found.values[0]
+        value = turn(asked) if asked or turned != "the square of its frequency" else asked
         saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):
@@ -236,8 +256,8 @@ def _said(draft: Draft, found: Found) -> dict[str, str]:
                 if isinstance(said, Scalar) and is_zero(said - value):
                     saying.append((len(_letters(right, value)), step.id))
         if saying:
-            return {"told": min(saying, key=lambda pair: pair[0])[1], "turned": turned}
-    return {"told": "", "turned": "itself"}
+            return min(saying, key=lambda pair: pair[0])[1], turned
+    return "", "itself"
 
 
 def _letters(node: t.Node, value: Scalar) -> set[str]:
@@ -272,6 +292,10 @@ def _valid(
     if moment is not None and moment.how == "start" and not found.study.at_start:
         with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
             asked = [Demand(value_in(found.study, one.value, moment.state), one.op) for one in asked]
+    if found.told == "oscillations" or (moment is not None and moment.is_small):  # only close to the place of rest
+        there = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})
+        image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
+        asked = [Demand(substitute(one.value, image), one.op) for one in asked]
     asked = [*first, *asked]
     if moment is not None and moment.watched:
         asked = [Demand(substitute(one.value, {"t": moment.state.time}), one.op) for one in asked]

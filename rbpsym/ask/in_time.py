@@ -82,11 +82,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
 
 def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
     """The ids of the steps that say the motion as a function of the time, after those on which they rest."""
-    laws = {}
-    if moment.is_small:
-        oscillations.write(draft)
-        near = (step for step in draft.steps if step.rule == "linearization" and step.data["proved"] != "unstable")
-        laws = {step.data["name"]: step.id for step in near}
+    laws = oscillations.laws(draft) if moment.is_small else {}
     draft.chapter = "course"
     told = tuple(course.told(draft, name, one, laws.get(name, "")) for name, one in moment.courses.items())
     if moment.watched is None:

@@ -52,6 +52,8 @@ def extremum(
     if not depends_on(value, name):
         raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
     given = where_met(given, [demand for demand in world.demands if not depends_on(demand.value, name)])
+    if is_turned := sense > 0 and sign(value, given).kind in ("negative", "nonpositive"):
+        value = -value
     ways = [((), given)]
     if low is not None:
         ends = place_in(world, name, low), place_in(world, name, high)
@@ -68,6 +70,9 @@ def extremum(
     closed = name in (*world.coordinates, "t") or low is not None
     found = [_of_extreme(value, name, range_, sense, phrase, closed=closed, by_place=by_place) for _, range_ in ways]
     found = [_lasting(world, name, one) for one in found]
+    if is_turned:
+        says = f"“{phrase}” is negative: its magnitude is meant"
+        found = [replace(one, says=f"{says}; {one.says}" if one.says else says) for one in found]
     if any(len(one.values) != 1 for one in found) and len(found) > 1:
         return Finding(undecided("it depends on the sense in which the motion sets out"))
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from rbpsym.ask import critical, optima, special, through, yesno
+from rbpsym.ask import critical, made, optima, special, through, yesno
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
@@ -16,7 +16,7 @@ from rbpsym.ask.seen import Scene, scene
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
-_NO_MODE = r"(?!(?:lowest|highest) frequency of )"  # that of a mode is a quantity
+_NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of \w+$)"  # that of a mode is a quantity
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
 ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
@@ -80,4 +80,7 @@ def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             world = scene(asked, place)
             return world, find(world, *words.groups())
+    if any(re.fullmatch(pattern, rest.removeprefix("the ")) for pattern, _ in made.MADE):
+        world = scene(asked, place)
+        return world, made.made(world, rest.removeprefix("the "))
     return None

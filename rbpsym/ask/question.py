@@ -115,7 +115,7 @@ def read_question(text: str) -> Question:
         found = replace(found, quantity=phase[1] + (phase[3] or ""), phase=phase[2])
     if (since := SINCE.fullmatch(found.quantity)) and (ends := _ends(since[2], since[3])):
         return replace(found, quantity=since[1], since=ends[0], when=ends[1])
-    for pattern, manner in MANNERS.items():
+    for pattern, manner in (*MANNERS.items(), *MANNERS.items()):  # one may stand behind another
         if said := re.search(rf",? ({pattern})(?=$|,| as )", found.quantity):
             found = replace(found, quantity=found.quantity[: said.start()] + found.quantity[said.end() :])
             found = replace(found, manner=f"{found.manner} {manner}".strip())

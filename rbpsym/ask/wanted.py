@@ -15,6 +15,7 @@ from types import MappingProxyType
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
+from rbpsym.ask.made import value_of
 from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -197,7 +198,8 @@ def _damped(world: Scene, name: str, kind: str) -> Wanted:
         raise StatementError(f"the motion of “{name}” is not that of one mode")
     way = -1 if kind == "underdamped" else 1
     is_equal = kind == "critically damped"
-    return Wanted(((decay * decay - square) * way,), world.motion.assumptions, equal=is_equal, closed=False)
+    gap = rooted(decay * decay - square, world.motion.assumptions)
+    return Wanted((gap * way,), world.motion.assumptions, equal=is_equal, closed=False)
 
 
 def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
@@ -205,13 +207,9 @@ def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
 
 
 def _equal(world: Scene, left: str, right: str) -> Wanted:
-    first, second = _side(world, left), _side(world, right)
+    first, second = value_of(world, left), value_of(world, right)
     require_same(world, first, second, (left, right))
     return Wanted((first - second,), world.motion.assumptions, equal=True)
-
-
-def _side(world: Scene, text: str) -> Scalar:
-    return seen(world, text)
 
 
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}

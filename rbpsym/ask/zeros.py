@@ -22,6 +22,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
+from rbpsym.equality.slopes import sign_along
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.rest import turns_within
@@ -71,7 +72,7 @@ def zeros(value: Scalar, name: str, given: Assumptions) -> Zeros:
     open_: list[Scalar] = []
     for part, is_pole in ((value, False), *((below, True) for below in _divisors(value, name))):
         for factor in factors_in(part, name):
-            if sign(factor, given).is_nonzero:
+            if sign(factor, given).is_nonzero or sign_along(factor, name, given):
                 continue
             places = _places(factor, name, given)
             if places is None:
@@ -284,7 +285,7 @@ def sign_table(value: Scalar, name: str, given: Assumptions) -> Table:
 def _sign_between(value: Scalar, name: str, ends: Sequence[Scalar | None], given: Assumptions) -> int | None:
     limits = of_symbol(name, given)
     low, high = (limits.lower if ends[0] is None else ends[0]), (limits.upper if ends[1] is None else ends[1])
-    direct = SENSES.get(sign(value, given.with_range(name, low, high)).kind or "")
+    direct = sign_along(value, name, given.with_range(name, low, high))
     if direct:
         return direct
     for place, side in zip(ends, (1, -1), strict=True):

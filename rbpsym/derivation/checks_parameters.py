@@ -22,6 +22,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.rooted import rooted, shorter
 from rbpsym.equality.signs import sign
+from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
 
 Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
@@ -136,12 +137,18 @@ def bounds_hold(context: Context, step: Step) -> Verdict:
 def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, given: Assumptions, sense: int) -> Verdict:
     """Whether at one bound no value is negative, while at one place one vanishes there and is negative beyond."""
     [name] = there
-    is_kept = all(sign(rooted(substitute(value, there), given), given).is_nonnegative for value in values)
+    is_kept = all(_is_kept(rooted(substitute(value, there), given), way, given) for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
     if is_kept and any(sign(shorter(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):
         return proved("nothing is negative at the bound, and at one place something vanishes there and is negative beyond")
     return undecided("that this is the bound is not seen on a second road")
+
+
+def _is_kept(value: Scalar, way, given: Assumptions) -> bool:
+    """Whether a value is nowhere negative on the way."""
+    along = way[0]
+    return sign(value, given).is_nonnegative or (along is not None and sign_along(value, along, given) > 0)
 
 
 def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way, given: Assumptions) -> tuple[bool, bool]:
@@ -150,7 +157,7 @@ def _ends_said(value: Scalar, slope: int, name: str, ends: Ends, way, given: Ass
     kept, vanishes = sign(value, given).is_nonnegative, False
     for bound in bounds:
         at_bound = rooted(substitute(value, {name: bound}), given)
-        kept = kept or sign(at_bound, given).is_nonnegative
+        kept = kept or _is_kept(at_bound, way, given)
         vanishes = vanishes or any(is_zero(rooted(there, given)) for there in _there(at_bound, *way))
     return kept, vanishes
 

@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
-from rbpsym.derivation.checks_places import UNSEEN, own_place, under, way_to
+from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
@@ -97,8 +97,9 @@ def reached_there(context: Context, step: Step) -> Verdict:
 
 def first_there(context: Context, step: Step) -> Verdict:
     """Up to the stated place the speed is not zero, and what vanishes there does not vanish before."""
-    context, (place,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
-    goes, between = way_to(context, step.data["name"], place)
+    printed, context = demanded(context, step), under(context, step, ">")
+    (place,) = [context.value(right) for _, _, right in relations(step.statement)]
+    goes, between = way_to(context, step.data["name"], place, printed)
     gap = sign(_gap(context, step.data["ending"].phase), between)
     return weakest([*goes, Verdict(PROVED) if gap.is_nonzero else UNSEEN])
 

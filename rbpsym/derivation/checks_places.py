@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, substitute
@@ -19,6 +19,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.domain import IMPLIED, conditions
 from rbpsym.equality.signs import SignResult, sign
+from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes
@@ -27,13 +28,15 @@ from rbpsym.mechanics.ways import taken
 
 def under(context: Context, step: Step, *ops: str) -> Context:
     """The context in which the printed conditions of the step are met (those with these operators; else all)."""
-    demands = [demand for demand in _printed(context, step) if demand.op in (ops or (demand.op,))]
+    demands = [demand for demand in demanded(context, step) if demand.op in (ops or (demand.op,))]
     return replace(context, assumed=assuming(context.assumptions, demands, tighter=True)) if demands else context
 
 
-def _printed(context: Context, step: Step) -> list[Demand]:
+def demanded(context: Context, step: Step) -> list[Demand]:
+    """The conditions that the step prints."""
     found = [relation for node in step.obligations for relation in relations(node)]
-    return [Demand(context.value(left) - context.value(right), op) for left, op, right in found]
+    demands = (Demand(context.value(left) - context.value(right), op) for left, op, right in found)
+    return [demand for demand in demands if demand.value]
 
 
 def stays(context: Context, step: Step) -> Verdict:
@@ -88,7 +91,7 @@ def has_sign_of_force(context: Context, step: Step) -> Verdict:
 
 def can_rest(context: Context, step: Step) -> Verdict:
     """The stated place exists, lies within the ranges, and no force there has the wrong sense (`data`: "at")."""
-    context, printed = under(context, step), _printed(context, step)
+    context, printed = under(context, step), demanded(context, step)
     nothing = Verdict(PROVED, how="no range, no one-sided force and no limit of friction forbids it")
     found = weakest([nothing, *_exists(context, step, printed), *_within(context, step), *_holds(context, step, printed)])
     if found.is_refuted and not all(IMPLIED[demand.op](sign(demand.value, context.assumptions)) for demand in printed):
@@ -120,8 +123,9 @@ def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     return weakest([*goes, *changed, *(compare(NOTHING, value, between) for value in kept)])
 
 
-def way_to(context: Context, name: str, end: Scalar) -> tuple[list[Verdict], Assumptions]:
-    """Whether the motion sets out for a place and comes there without a halt, and what holds on the way."""
+def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()) -> tuple[list[Verdict], Assumptions]:
+    """Whether the motion sets out for a place and comes there without a halt, and what holds on the way; where the square of
+    its speed rises or falls all the way, it is enough that this is not negative at the end, as is `printed`."""
     given = context.assumptions
     begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
     drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
@@ -129,8 +133,11 @@ def way_to(context: Context, name: str, end: Scalar) -> tuple[list[Verdict], Ass
     lower, upper = (begin, end) if side > 0 else (end, begin)
     between = given.with_range(name, lower, upper)
     sets_out = compare(NOTHING, drive * side, given, strict=False)
-    goes = compare(NOTHING, context.study.squares[name], between)
-    return [_beyond(context, lower, upper), sets_out, goes], between
+    goes, square = compare(NOTHING, context.study.squares[name], between), context.study.squares[name]
+    if not goes.is_proved:
+        is_kept = sign_along(square, name, between, lambda value: _follows(Demand(value, ">="), [*printed], given)) > 0
+        goes = Verdict(PROVED, how="from its slope on the way") if is_kept else goes
+    return [_beyond(context, lower, upper, printed), sets_out, goes], between
 
 
 def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Verdict]:
@@ -171,13 +178,14 @@ def own_place(context: Context, name: str) -> Scalar:
     return context.study.system.dependent.get(name, symbol(name))
 
 
-def _beyond(context: Context, low: Scalar, high: Scalar) -> Verdict:
-    """low < high; for angles of one half turn by their cosines or sines."""
+def _beyond(context: Context, low: Scalar, high: Scalar, printed: Sequence[Demand] = ()) -> Verdict:
+    """low < high; for angles of one half turn by their cosines or sines, and what is printed."""
     found = compare(low, high, context.assumptions)
-    for wave, first, sense in ((cosine, NOTHING, -1), (sine, -PI / 2, 1)):
+    for wave, first, sense in ((cosine, NOTHING, -1), (cosine, -PI, 1), (sine, -PI / 2, 1)):
         ends = [(first, low), (first, high), (low, first + PI), (high, first + PI)]
         if not found.is_proved and all(compare(a, b, context.assumptions, strict=False).is_proved for a, b in ends):
-            return compare(wave(low) * sense, wave(high) * sense, context.assumptions)
+            follows = _follows(Demand((wave(high) - wave(low)) * sense), [*printed], context.assumptions)
+            return Verdict(PROVED) if follows else compare(wave(low) * sense, wave(high) * sense, context.assumptions)
     return found
 
 

@@ -143,12 +143,13 @@ def speed_along(context: Context, step: Step) -> Verdict:
 
 
 def feature(context: Context, step: Step) -> Verdict:
-    """What is stated of the solution follows from the equation of motion (`data`: "name", "key", "form", "steady")."""
+    """What is stated of the solution follows from the equation of motion (`data`: "name", "key", "law", "form",
+    "steady")."""
     [(_, _, right)] = relations(step.statement)
     form, name = step.data["form"], step.data["name"]
     place, speed = symbol(name), symbol(f"{name}_dot")
     stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed + form.drive
-    found = same(context, context.on_motion(symbol(f"{name}_ddot")), stated)
+    found = same(context, _gained(context, step), stated)
     return weakest([found, *FEATURES[step.data["key"]](context, step, context.value(right))])
 
 
@@ -164,7 +165,7 @@ def _swing(context: Context, step: Step) -> tuple[Scalar, list[Verdict]]:
         away = context.start(symbol(name)) - form.constant / form.stiffness
         plain = [same(context, value, NOTHING) for value in (form.damping, form.drag)]
         square = away * away + context.start(symbol(f"{name}_dot")) ** 2 / form.stiffness
-        return square, [*plain, *_positive(context, form.stiffness)]
+        return square, [*plain, positive(context, step, form.stiffness)]
     part = steady - form.constant / form.stiffness
     rate, gained = derivative(steady, "t"), context.on_motion(symbol(f"{name}_ddot"))
     found = [same(context, derivative(rate, "t"), _with(gained, name, steady, rate))]
@@ -178,10 +179,18 @@ def _amplitude(context: Context, step: Step, value: Scalar) -> list[Verdict]:
 
 
 def _lag(context: Context, step: Step, value: Scalar) -> list[Verdict]:
-    """With p = A cos(Ωt - δ) for the drive D = H cos Ωt: p D + p' D'/Ω² = A H cos δ, and p' D - p D' = A H Ω sin δ ≥ 0."""
+    """With p = A cos(Ωt - δ) for the drive D = H cos Ωt, or the support D (`slots`: "cause"), which is the part of a place
+    that swings: p D + p' D'/Ω² = A H cos δ, and p' D - p D' = A H Ω sin δ ≥ 0."""
     form, [_, found] = step.data["form"], _swing(context, step)
-    part = step.data["steady"] - form.constant / form.stiffness
-    rate, force, gain = derivative(part, "t"), form.drive, derivative(form.drive, "t")
+    part, force = step.data["steady"] - form.constant / form.stiffness, form.drive
+    if step.slots.get("cause") is not None:
+        force = context.value(step.slots["cause"])
+        centres = [state.center for state in context.study.system.bodies.values()]
+        gaps = [short(place - force) for centre in centres for place in (centre.x, centre.y)]
+        found.append(same(context, derivative(derivative(force, "t"), "t"), -force * form.frequency**2))
+        if all(depends_on(gap, "t") for gap in gaps):
+            return [Verdict(UNDECIDED, reason="no body is driven so")]
+    rate, gain = derivative(part, "t"), derivative(force, "t")
     along, across = part * force + rate * gain / form.frequency**2, (rate * force - part * gain) / form.frequency
     cosine = function("cos", value)
     found.append(same(context, cosine * cosine * (along * along + across * across), along * along))
@@ -222,6 +231,14 @@ def _lasting(context: Context, step: Step, value: Scalar) -> list[Verdict]:
     return [*others, *_positive(context, form.damping), same(context, value * form.damping, UNITY)]
 
 
+def _mode(context: Context, step: Step, value: Scalar) -> list[Verdict]:
+    """The squares of γ = b/2, ϑ = √s, ϑ_d = √(s - b²/4), by the slopes -s and -b of the acceleration."""
+    gained, name = context.on_motion(symbol(f"{step.data['name']}_ddot")), step.data["name"]
+    square, rate = -derivative(gained, name), (derivative(gained, f"{name}_dot") / 2) ** 2
+    known = {"decay rate": rate, "undamped frequency": square, "damped frequency": square - rate}
+    return [same(context, value * value, known[step.data["key"]]), compare(NOTHING, value, context.assumptions, strict=False)]
+
+
 FEATURES: Mapping[str, Callable[[Context, Step, Scalar], list[Verdict]]] = {
     "amplitude": _amplitude,
     "phase lag": _lag,
@@ -229,4 +246,5 @@ FEATURES: Mapping[str, Callable[[Context, Step, Scalar], list[Verdict]]] = {
     "terminal speed": _terminal,
     "total way": _total,
     "time constant": _lasting,
+    **dict.fromkeys(("decay rate", "undamped frequency", "damped frequency"), _mode),
 }

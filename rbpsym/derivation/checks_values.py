@@ -112,12 +112,17 @@ TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
 
 
 def value_told(context: Context, step: Step) -> Verdict:
-    """What is stated is, as it stands or turned, what another step says (`data`: "told", the id of that step, "turned")."""
-    if not step.data["told"]:
+    """Each value is, as it stands or turned, what another step says (`data`: "told", the ids of these steps, "turned")."""
+    return weakest(
+        _is_told(context, context.value(right), id, turned)
+        for (_, _, right), id, turned in zip(relations(step.statement), step.data["told"], step.data["turned"], strict=True)
+    )
+
+
+def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
+    if not id:
         return undecided("no step of the derivation says this")
-    context.use(step.data["told"])
-    [(_, _, right)] = relations(step.statement)
-    stated = TURNED[step.data["turned"]](context.value(right))
-    said = [context.value(row[2]) for row in relations(context.steps[step.data["told"]].statement)]
-    found = [same(context, stated, value) for value in said]
+    context.use(id)
+    said = [context.value(row[2]) for row in relations(context.steps[id].statement)]
+    found = [same(context, TURNED[turned](value), each) for each in said]
     return next((verdict for verdict in found if verdict.is_proved), found[-1])

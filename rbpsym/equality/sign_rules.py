@@ -88,6 +88,17 @@ def _by_squares(study: Study, poly: Poly) -> int:
     return mask
 
 
+def _by_double_angle(study: Study, poly: Poly) -> int:
+    """A + B sin x cos x lies between A - B/2 and A + B/2."""
+    for index in sorted(poly.atoms()):
+        parts, other = poly.by_power(index), partner(index)
+        if other is not None and other > index and set(parts) == {0, 1} and set(parts[1].by_power(other)) == {1}:
+            mean, swing = parts[0].scaled(2), parts[1].by_power(other)[1]
+            if set(mean.by_power(other)) == {0}:
+                return study.poly(mean + swing) | study.poly(mean - swing)
+    return ANY
+
+
 def _by_bounds(study: Study, poly: Poly) -> int:
     """One sign on the whole range of some generator (those whose bounds hold others first)."""
     mask = ANY
@@ -216,4 +227,5 @@ RULES = (
     (_by_bounds, "it has this sign on the whole range of a generator"),
     (_by_squares, "by sin² + cos² = 1"),
     (_by_factors, "the signs of its factors"),
+    (_by_double_angle, "by |sin 2x| ≤ 1"),
 )

@@ -12,15 +12,16 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.equality.slopes import sign_along
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, places_ahead
 from rbpsym.mechanics.numbers import Numbers, number, sample, samples
-from rbpsym.mechanics.roots import factor_zeros, factors_in
+from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.state import State, of_coordinate
 from rbpsym.mechanics.study import Study
 
@@ -101,18 +102,26 @@ def _conditions(
     """Under which the place is the first; None where what has no root in closed form may vanish before."""
     there = short(substitute(way.square, {way.name: place}))
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)
-    asked = [*existence(place), *(Demand(value) for value in comes if not is_zero(value))]
+    asked = [*existence(place), *_first_turn(study, way), *(Demand(value) for value in comes if not is_zero(value))]
     given = assuming(study.assumptions, settle(asked, study.assumptions) or ())
-    between = way.until(place, given)
+    between, known = way.until(place, given), {demand.value for demand in asked}.__contains__
     for value in (way.square, *gaps):
         for factor in () if sign(value, between).is_nonzero else factors_in(value, way.name):
-            if sign(factor, between).is_nonzero:
+            if sign(factor, between).is_nonzero or sign_along(factor, way.name, between, known):
                 continue
             if not factor_zeros(factor, way.name):
                 return None
             others = (other for other in places_ahead(factor, way, given) if not is_zero(other - place))
             asked += [demand for other in others for demand in _not_before(way, place, other, given, numbers)]
     return asked
+
+
+def _first_turn(study: Study, way: Way) -> list[Demand]:
+    """What repeats itself with each turn starts in the first one, if nothing is declared of its start."""
+    first = next(iter(names_in(way.start)), "")
+    is_open = first in study.problem.implicit and study.assumptions.range_of(first) == (None, None)
+    turns = is_open and way.start == symbol(first) and period(way.square, way.name)
+    return [Demand(PI + way.start), Demand(PI - way.start)] if turns else []
 
 
 def _not_before(way: Way, place: Scalar, other: Scalar, given: Assumptions, numbers: Numbers) -> Iterator[Demand]:

@@ -52,6 +52,8 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
     """Without what follows from the rest."""
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
+    apart = {item.value for item in demands if item.op == "!="}
+    demands = [Demand(item.value) if item.op == ">=" and item.value in apart else item for item in demands]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]

@@ -15,11 +15,13 @@ from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, 
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import simplified_root, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, NotApplicable
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.oscillation import Equilibrium, where_stable
 from rbpsym.mechanics.study import Study
 
 TIME = symbol("t")
@@ -74,13 +76,20 @@ class Course:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate."""
+    """What a solution is made of: the form of the acceleration, place and speed at the start, the mechanics, the coordinate;
+    what it asks for."""
 
     form: Form
     place: Scalar
     speed: Scalar
     study: Study
     name: str
+    valid: tuple[Demand, ...] = ()
+
+    @property
+    def assumptions(self) -> Assumptions:
+        """What is declared, with what is asked for."""
+        return assuming(self.study.assumptions, self.valid)
 
     def letter(self, name: str) -> Scalar:
         """A letter that the problem does not use."""
@@ -88,11 +97,11 @@ class Given:
 
     def root(self, value: Scalar) -> Scalar:
         """The square root, with what is declared positive taken out."""
-        return simplified_root(short(value), lambda n: self.study.assumptions.sign_of(n) == "positive")
+        return simplified_root(short(value), lambda n: self.assumptions.sign_of(n) == "positive")
 
     def sense(self, value: Scalar) -> int:
         """1, -1 or 0: the declared sign, else that at the sample numbers."""
-        known = sign(value, self.study.assumptions).kind
+        known = sign(value, self.assumptions).kind
         if known in SENSES:
             return SENSES[known]
         try:
@@ -108,15 +117,21 @@ SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1, "z
 def given(study: Study, name: str, *, small: bool = False) -> Given | None:
     """What is known of a coordinate, with its `small` oscillations about a stable equilibrium in place of its motion; None
     where its acceleration has no such form, or the start is not said."""
-    if study.at_start:
+    start = study.system.scope.start
+    if study.at_start or name not in start:
         return None
-    start, gained = study.system.scope.start, (study.dynamics.accelerations or {}).get(f"{name}_ddot")
-    if gained is None or name not in start or study.ties:
-        return None
-    found = _small(study, name) if small else form_of(gained, name, {*study.system.scope.rates, "t"})
+    item = swinging(study) if small else None
+    found = _small(study, name, item) if small else form_along(study, name)
     speed = start.get(f"{name}_dot", NOTHING)
-    moving = names_in(start[name]) | names_in(speed)
-    return None if found is None or moving & study.system.scope.rates.keys() else Given(found, start[name], speed, study, name)
+    if found is None or (names_in(start[name]) | names_in(speed)) & study.system.scope.rates.keys():
+        return None
+    return Given(found, start[name], speed, study, name, item.valid if item else ())
+
+
+def form_along(study: Study, name: str) -> Form | None:
+    """The form of the acceleration of a coordinate on the motion; None where it has none of them."""
+    gained = None if study.at_start or study.ties else (study.dynamics.accelerations or {}).get(f"{name}_ddot")
+    return None if gained is None else form_of(gained, name, {*study.system.scope.rates, "t"})
 
 
 def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
@@ -147,14 +162,20 @@ def _driven(form: Form) -> Form | None:
     return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
 
 
-def _small(study: Study, name: str) -> Form | None:
-    """The acceleration to first order about the one stable equilibrium of one degree of freedom."""
-    found = [item for item in study.equilibria if item.stable and name in item.at]
-    if len(found) != 1 or len(study.system.independent) != 1 or study.system.has_clock:
+def swinging(study: Study) -> Equilibrium | None:
+    """The one place of rest that is stable, or is so for some parameters; None where there are several."""
+    known = () if study.at_start or study.system.has_clock else study.equilibria
+    found = [item for item in known if item.stable] or [item for item in map(where_stable, known) if item.stable]
+    return found[0] if len(found) == 1 else None
+
+
+def _small(study: Study, name: str, item: Equilibrium | None) -> Form | None:
+    """The acceleration to first order about a place of rest of one degree of freedom."""
+    if item is None or name not in item.at or len(study.system.independent) != 1:
         return None
-    [[mass]], [[drag]], [[pull]] = (lambda n: (n.inertia, n.damping, n.stiffness))(found[0].linear)
+    [[mass]], [[drag]], [[pull]] = (lambda n: (n.inertia, n.damping, n.stiffness))(item.linear)
     stiffness = short(pull / mass)
-    return Form(short(stiffness * found[0].at[name]), stiffness, short(drag / mass))
+    return Form(short(stiffness * item.at[name]), stiffness, short(drag / mass))
 
 
 # --- solutions
@@ -162,7 +183,7 @@ def _small(study: Study, name: str) -> Form | None:
 
 def courses(known: Given) -> Iterator[Course]:
     """All solutions, each for its own case: one where the declared signs tell which. Each with what it asks of the time."""
-    return (lasting(known, one) for one in _cases(known))
+    return (lasting(known, replace(one, valid=(*one.valid, *known.valid))) for one in _cases(known))
 
 
 def lasting(known: Given, one: Course) -> Course:
@@ -188,7 +209,7 @@ def _cases(known: Given) -> Iterator[Course]:
         found = SOLVED[kind](known)
         yield from () if found is None else (found,)
         return
-    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(known.form.gap, known.study.assumptions).kind, CASES)
+    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(known.form.gap, known.assumptions).kind, CASES)
     for case in sure:
         found = DAMPED[case](known, known.form.gap)
         if found is not None:
@@ -257,7 +278,7 @@ def _swinging(known: Given) -> Course | None:
     left, place, speed = _free(known)
     stiffness = known.form.stiffness
     way = known.sense(stiffness)
-    sure = sign(stiffness, known.study.assumptions).kind in ("positive", "negative")
+    sure = sign(stiffness, known.assumptions).kind in ("positive", "negative")
     valid = () if sure else (Demand(stiffness * way),)
     rate = known.letter("vartheta" if way > 0 else "eta")
     if way > 0:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, substitute
+from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, substitute
 from rbpsym.algebra.poly import Poly, generator
 from rbpsym.algebra.roots import with_image
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.solutions import Given, kind_of
+from rbpsym.mechanics.solutions import Given, kind_of, steady
 
 Letters = Mapping[str, Scalar]
 
@@ -65,12 +65,30 @@ def _amplitude(known: Given) -> Scalar | None:
     return None if square is None else known.root(square)
 
 
+def support(known: Given) -> Scalar | None:
+    """How a support swings, if the drive is that alone: what of the places of bodies is told to swing."""
+    states, swinging = known.study.system.bodies.values(), set()
+    for place in (part for state in states for part in (state.center.x, state.center.y)):
+        swinging.add(short(-derivative(derivative(place, "t"), "t") / known.form.frequency**2))
+    swinging -= {NOTHING}
+    moving = {*known.study.system.coordinates, *known.study.system.speeds}
+    return next(iter(swinging)) if len(swinging) == 1 and not names_in(next(iter(swinging))) & moving else None
+
+
 def _lag(known: Given) -> Scalar | None:
-    """By which angle, from 0 to π, what is driven is behind the force at last."""
+    """By which angle, from 0 to π, what is driven is behind the support that swings, or behind the force, at last."""
     if not known.form.drive:
         return None
-    _, gap, drag = resonance(known)
-    return function("acos", gap / known.root(gap * gap + drag * drag))
+    cause = support(known)
+    if cause is None:
+        _, gap, drag = resonance(known)
+        return function("acos", gap / known.root(gap * gap + drag * drag))
+    part = steady(known) - known.form.rest
+    rate, gain, frequency = derivative(part, "t"), derivative(cause, "t"), known.form.frequency
+    across = (rate * cause - part * gain) / frequency  # A H sin δ of p = A cos(Ωt - δ) and the cause H cos Ωt
+    if not sign(short(across), known.study.assumptions).is_nonnegative:
+        return None
+    return PI / 2 - function("atan", short((part * cause + rate * gain / frequency**2) / across))
 
 
 def _fastest(known: Given) -> Scalar | None:
@@ -112,6 +130,9 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
     "terminal speed": ("v_end", _terminal),
     "total way": ("s_end", _total),
     "time constant": ("tau", _lasting),
+    "decay rate": ("gamma", lambda known: short(known.form.damping / 2)),
+    "undamped frequency": ("vartheta", lambda known: function("sqrt", known.form.stiffness)),
+    "damped frequency": ("vartheta_d", lambda known: function("sqrt", known.form.gap)),
 }
 
 

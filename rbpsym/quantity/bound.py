@@ -26,7 +26,7 @@ class Bound:
     the points where the external forces act; density: what d(it) is for a mass element, over dm.
     told: the chapter of a derivation that says it, for what is found there and not from its definition. in_plane: whether
     it is a vector in the plane, also where that vanishes. about: of which bodies it tells how the mass is spread, about which
-    point (None: the centre of mass of each).
+    point (None: the centre of mass of each). values: several at once, in place of one.
     """
 
     scalar: Scalar | None = None
@@ -37,6 +37,7 @@ class Bound:
     told: str = ""
     in_plane: bool = False
     about: tuple[str, str | None] | None = None
+    values: tuple[Scalar, ...] = ()
 
 
 def axial(value: Scalar) -> Bound:

@@ -16,7 +16,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.squares import with_squares
-from rbpsym.algebra.vector import Space, Vector
+from rbpsym.algebra.vector import QUARTER, Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
@@ -210,12 +210,15 @@ def until(world: ProblemWorld, name: str) -> Bound:
 
 
 def impulse(world: ProblemWorld, force: str, name: str | None) -> Bound:
-    """The impulse of a constraint or collision when PHASE begins."""
-    _, stage = _stage(world, name)
-    found = stage.began.impulses
+    """The impulse of a constraint or collision when PHASE begins; of a pivot as a vector."""
+    place, stage = _stage(world, name)
+    found, told = stage.began.impulses, f"phase {place}"
+    both = tuple(found[name] for name in (f"{force}_x", f"{force}_y") if name in found)
+    if force not in found and len(both) == 2:
+        return replace(plane(Vector(dict(zip((NOTHING, QUARTER), both, strict=True)))), told=told)
     if force not in found:
         raise StatementError(f"no impulse “{force}” is known there", instead=did_you_mean(force, found, "impulses"))
-    return number(found[force], f"phase {_stage(world, name)[0]}")
+    return number(found[force], told)
 
 
 def energy_lost(world: ProblemWorld, name: str | None) -> Bound:

@@ -12,6 +12,7 @@ from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
@@ -20,7 +21,7 @@ from rbpsym.quantity.path import SENSES
 if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
 
-ORDINALS = {None: None, "lowest ": 0, "second ": 1, "third ": 2, "highest ": -1}
+ORDINALS = {None: None, "lowest": 0, "second": 1, "third": 2, "highest": -1, "longest": 0, "shortest": -1}
 
 
 def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list[Equilibrium]:
@@ -51,18 +52,37 @@ def _mode(world: ProblemWorld, item: Equilibrium, ordinal: str | None, name: str
     """The square of the frequency of a mode."""
     squares, place = item.frequencies_squared, ORDINALS[ordinal]
     if not squares:
-        said = ", ".join(f"“{kind} of {name}”" for kind in OF_MODE)
-        raise StatementError(f"no undamped oscillations of “{name}” are known", instead=f"of a damped motion: {said}.")
+        raise _damped(name)
     if place is None and len(squares) > 1:
-        raise StatementError(f"there are {len(squares)} frequencies", instead=f"write “lowest frequency of {name}”.")
+        said = f"write “frequency of {name} in the lowest mode”, or “frequencies of {name}”."
+        raise StatementError(f"there are {len(squares)} frequencies", instead=said)
     if place is not None and place >= len(squares):
         raise StatementError(f"there are only {len(squares)} frequencies")
     return _ordered(world, squares)[place or 0]
 
 
-def frequency(world: ProblemWorld, ordinal: str | None, name: str, about: str | None = None) -> Bound:
-    """An angular frequency of small oscillations about the stable equilibrium."""
-    return number(function("sqrt", _mode(world, _about(world, name, about), ordinal, name)), "oscillations")
+def _damped(name: str) -> StatementError:
+    said = ", ".join(f"“{kind} of {name}”" for kind in DAMPED)
+    return StatementError(f"no undamped oscillations of “{name}” are known", instead=f"of a damped motion: {said}.")
+
+
+def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None = None, about: str | None = None) -> Bound:
+    """An angular frequency of small oscillations about the stable equilibrium; of what is driven, that without the drive."""
+    if world.study.system.has_clock:
+        if _one_mode(world, name)[0]:
+            raise _damped(name)
+        return of_mode(world, "undamped frequency", name)
+    item = _about(world, name, about)
+    return number(function("sqrt", _mode(world, item, mode or ordinal, name)), "oscillations")
+
+
+def frequencies(world: ProblemWorld, name: str | None) -> Bound:
+    """Those of all modes, the lowest first."""
+    name = name or world.study.system.independent[0]
+    squares = _about(world, name, None).frequencies_squared
+    if not squares:
+        raise _damped(name)
+    return Bound(told="oscillations", values=tuple(function("sqrt", one) for one in _ordered(world, squares)))
 
 
 def mode_shape(world: ProblemWorld, first: str, second: str, ordinal: str) -> Bound:
@@ -88,12 +108,22 @@ def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
     return found
 
 
-def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
-    """γ, or a frequency, of the one mode λ² + 2γλ + ϑ² about the stable equilibrium."""
-    modes = [decaying(powers) for powers in _about(world, name, None).linear.factors]
+def _one_mode(world: ProblemWorld, name: str) -> tuple[Scalar, Scalar]:
+    """(γ, ϑ²) of the one mode λ² + 2γλ + ϑ² about the stable equilibrium, or of what is driven."""
+    if world.study.system.has_clock:
+        form = solutions.form_along(world.study, name) if name in world.study.system.independent else None
+        modes = [(short(form.damping / 2), form.stiffness)] if form and not form.drag else []
+    else:
+        modes = [decaying(powers) for powers in _about(world, name, None).linear.factors]
     if len(modes) != 1 or not modes[0][1]:
         raise StatementError(f"the motion of “{name}” is not that of one mode")
-    return number(OF_MODE[kind](*modes[0]), "oscillations")
+    return modes[0]
+
+
+def of_mode(world: ProblemWorld, kind: str, name: str) -> Bound:
+    """γ, or a frequency, of what dies out like e^{-γt} and would swing with ϑ without that."""
+    value = OF_MODE[kind](*_one_mode(world, name))
+    return number(value, f"course {name} {kind}" if world.study.system.has_clock else "oscillations")
 
 
 OF_MODE = {
@@ -101,11 +131,13 @@ OF_MODE = {
     "damped frequency": lambda decay, square: function("sqrt", square - decay * decay),
     "undamped frequency": lambda decay, square: function("sqrt", square),
 }
+DAMPED = (*OF_MODE, "damped period", "damping ratio", "logarithmic decrement")
 
 
-def period(world: ProblemWorld, name: str, about: str | None = None) -> Bound:
-    """The period of small oscillations."""
-    return number(PI * 2 / frequency(world, None, name, about).scalar, "oscillations")
+def period(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None = None, about: str | None = None) -> Bound:
+    """The period of small oscillations; the longest one is that of the lowest mode."""
+    found = frequency(world, ordinal, name, mode, about)
+    return number(PI * 2 / found.scalar, found.told)
 
 
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
@@ -126,22 +158,24 @@ OTHERWISE = {
 }
 
 
-def of_course(world: ProblemWorld, key: str, name: str) -> Bound:
+def of_course(world: ProblemWorld, key: str, name: str, small: str | None = None) -> Bound:
     """What is told of the motion of a coordinate as a function of the time."""
-    key = OTHERWISE.get(key, key)
-    known = solutions.given(world.study, name) if name in world.study.system.independent else None
+    key, is_free = OTHERWISE.get(key, key), name in world.study.system.independent
+    known = solutions.given(world.study, name, small=bool(small)) if is_free else None
     value = None if known is None else solved.feature(known, key)
     if value is None:
         raise StatementError(f"the motion of “{name}” has no {key} that is known in closed form")
-    return number(value, f"course {name} {key}")
+    return number(value, f"course {name} {key}{small or ''}")
 
 
-_ABOUT = r"(?: about \w+ = (.+))?"
+_ABOUT = r"(?: in the (lowest|second|third|highest) mode)?(?: about \w+ = (.+))?"
+_COURSE = "|".join(key for key in (*solved.FEATURES, *OTHERWISE) if key not in OF_MODE)
 PHRASES: tuple[Phrase, ...] = (
-    (rf"({'|'.join((*solved.FEATURES, *OTHERWISE))}) of (\w+)", of_course, "amplitude of COORDINATE"),
-    (rf"(lowest |second |third |highest )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
-    (r"ratio of (\w+) to (\w+) in the (lowest |highest )mode", mode_shape, "ratio of theta_2 to theta_1 in the lowest mode"),
+    (rf"({_COURSE}) of (\w+)( small)?", of_course, "amplitude of COORDINATE"),
+    (r"frequencies(?: of (\w+))?", frequencies, "frequencies of COORDINATE"),
+    (rf"(?:(lowest|second|third|highest) )?frequency of (\w+){_ABOUT}", frequency, "frequency of COORDINATE"),
+    (r"ratio of (\w+) to (\w+) in the (lowest|highest) mode", mode_shape, "ratio of theta_2 to theta_1 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
-    (rf"period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
+    (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip

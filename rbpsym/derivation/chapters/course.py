@@ -15,7 +15,8 @@ from rbpsym.mechanics.state import State
 from rbpsym.notation import tree as t
 
 TOLD = ("amplitude", "terminal speed", "total way")
-DRIVEN = dict.fromkeys(("amplitude", "greatest speed"), (".free", ".driven"))
+OF_MODE = ("decay rate", "undamped frequency", "damped frequency")
+DRIVEN = {"phase lag": ("", ".force"), **dict.fromkeys(("amplitude", "greatest speed"), (".free", ".driven"))}
 
 
 def write(draft: Draft) -> None:
@@ -65,13 +66,7 @@ def _letter(draft: Draft, letter: str, value: Scalar) -> str:
     taken = draft.context.scalars.keys()
     found = letter if letter not in taken else draft.free(f"{letter}_s", taken=taken)
     draft.define(found, value)
-    draft.add(
-        f"letter.{found}",
-        "identity",
-        t.equation(t.Sym(found), shown),
-        "course.letter",
-        letter=t.Sym(found),
-    )
+    draft.add(f"letter.{found}", "identity", t.equation(t.Sym(found), shown), "course.letter", letter=t.Sym(found))  # fmt: skip
     return found
 
 
@@ -79,39 +74,28 @@ def reached(draft: Draft, subject: str, value: Scalar, time: Scalar, state: Stat
     """The id of the step that says when a coordinate or a speed has a value; the time is said in letters."""
     named = {letter: symbol(_letter(draft, letter, value)) for letter, value in letters.items()}
     made = draft.define(draft.free("t_1"), state.time)
-    return draft.add(
-        "moment",
-        "reached_in_time",
-        t.equation(made, draft.show(substitute(time, named), factor=True)),
-        "course.reached",
-        premises=[step.id for step in draft.steps if step.rule == "course"],
-        name=t.Sym(subject),
-        value=draft.show(value),
-        letter=made,
-        is_result=True,
-        obligations=draft.asked(state.valid),
-        data={"subject": subject, "value": value},
-    ).id
+    return draft.add("moment", "reached_in_time", t.equation(made, draft.show(substitute(time, named), factor=True)),
+                     "course.reached", premises=[step.id for step in draft.steps if step.rule == "course"], name=t.Sym(subject),
+                     value=draft.show(value), letter=made, is_result=True, obligations=draft.asked(state.valid),
+                     data={"subject": subject, "value": value}).id  # fmt: skip
 
 
-def feature(draft: Draft, known: Given, name: str, key: str) -> None:
-    """A step for what is asked of the solution, if it has that."""
+def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> None:
+    """A step for what is asked of the solution, by the linear law if one is named, if it has that."""
     letter, value = solved.FEATURES[key][0], solved.feature(known, key)
     if value is None:
         return
+    cause = solved.support(known) if key == "phase lag" else None
+    more = {} if cause is None else {"cause": draft.show(cause)}
+    kind = ".support" if more else DRIVEN.get(key, ("", ""))[bool(known.form.drive)]
     is_one = len(draft.study.system.independent) == 1
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
-    draft.add(
-        f"{key.replace(' ', '_')}.{name}",
-        "feature",
-        t.equation(made, _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)),
-        f"course.{key.replace(' ', '_')}{DRIVEN.get(key, ('', ''))[bool(known.form.drive)]}",
-        premises=draft.those(f"motion.{name}"),
-        name=t.Sym(name),
-        letter=made,
-        is_result=True,
-        data={"name": name, "key": key, "form": known.form, "steady": solutions.steady(known)},
-    )
+    shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
+    phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
+    data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}
+    draft.add(f"{key.replace(' ', '_')}.{name}", "feature", t.equation(made, shown), f"course.{phrase}",
+              premises=draft.those(law or f"motion.{name}"), name=t.Sym(name), letter=made, is_result=True, data=data,
+              obligations=draft.asked(known.valid), **more)  # fmt: skip
 
 
 def _quotient(draft: Draft, known: Given) -> t.Node:
@@ -124,14 +108,7 @@ def _quotient(draft: Draft, known: Given) -> t.Node:
 def speed(draft: Draft, name: str, value: Scalar) -> str:
     """The id of the step that says this speed as a function of the place."""
     known = solutions.given(draft.study, name)
-    return draft.add(
-        f"speed_at.{name}",
-        "speed_along",
-        t.equation(t.Sym(f"{name}_dot"), draft.show(value)),
-        "course.speed",
-        premises=draft.those(f"motion.{name}"),
-        name=t.Sym(name),
-        is_result=True,
-        obligations=draft.asked(solved.sets_out(known)),
-        data={"name": name, "way": known.sense(known.speed or known.form.constant)},
-    ).id
+    return draft.add(f"speed_at.{name}", "speed_along", t.equation(t.Sym(f"{name}_dot"), draft.show(value)), "course.speed",
+                     premises=draft.those(f"motion.{name}"), name=t.Sym(name), is_result=True,
+                     obligations=draft.asked(solved.sets_out(known)),
+                     data={"name": name, "way": known.sense(known.speed or known.form.constant)}).id  # fmt: skip

@@ -47,15 +47,10 @@ def _equations(draft: Draft, item: Equilibrium, place: int) -> None:
         pulls = {n: k for n, k in zip(names, stiffnesses, strict=True) if n in item.at and not is_zero(k)}
         right += [_pull(draft, k, n, item) for n, k in pulls.items()]
         rows.append(t.relation(t.add(*left), "~", t.add(*right)))
-    draft.add(
-        f"linear.{place}",
-        "linear_system",
-        t.System(tuple(rows)),
-        "oscillations.linear_system",
-        level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
-        premises=[f"equilibrium.{place}", *draft.those(*(f"motion.{name}" for name in names))],
-        data=item.facts,
-    )
+    draft.add(f"linear.{place}", "linear_system", t.System(tuple(rows)), "oscillations.linear_system",
+              level=STANDARD if all(length(row) <= LONGEST for row in rows) else FULL,
+              premises=[f"equilibrium.{place}", *draft.those(*(f"motion.{name}" for name in names))],
+              data=item.facts)  # fmt: skip
 
 
 def _pull(draft: Draft, stiffness: Scalar, name: str, item: Equilibrium) -> t.Node:
@@ -73,16 +68,8 @@ def _stability(draft: Draft, item: Equilibrium, place: int) -> None:
     matrix = tuple(tuple(item.stiffness[i][j] for j in kept) for i in kept)
     minors = [determinant(tuple(row[:k] for row in matrix[:k])) for k in range(1, len(kept) + 1)]
     rows = [t.relation(draft.show(minor, factor=True), ">", t.ZERO) for minor in minors]
-    draft.add(
-        f"stability.{place}",
-        "minors",
-        t.system(rows),
-        "oscillations.minors",
-        level=FULL,
-        premises=[f"equilibrium.{place}"],
-        count=len(rows),
-        data=item.facts,
-    )
+    draft.add(f"stability.{place}", "minors", t.system(rows), "oscillations.minors", level=FULL,
+              premises=[f"equilibrium.{place}"], count=len(rows), data=item.facts)  # fmt: skip
 
 
 def _matrix(item: Equilibrium, value: Scalar) -> tuple[tuple[Scalar, ...], ...]:
@@ -94,16 +81,9 @@ def _characteristic(draft: Draft, item: Equilibrium, place: int) -> None:
     """det(K - λ M) = 0."""
     style = replace(draft.study.style, moving=draft.study.style.moving | {LAMBDA})
     shown = present(determinant(_matrix(item, symbol(LAMBDA))), style, factor=True)
-    draft.add(
-        f"characteristic.{place}",
-        "secular",
-        t.equation(shown, t.ZERO),
-        "oscillations.characteristic",
-        level=STANDARD if length(shown) <= LONGEST else FULL,
-        premises=[f"linear.{place}"],
-        letter=t.Sym(LAMBDA),
-        data=item.facts,
-    )
+    draft.add(f"characteristic.{place}", "secular", t.equation(shown, t.ZERO), "oscillations.characteristic",
+              level=STANDARD if length(shown) <= LONGEST else FULL, premises=[f"linear.{place}"], letter=t.Sym(LAMBDA),
+              data=item.facts)  # fmt: skip
 
 
 def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
@@ -113,16 +93,8 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int) -> None:
         letter = _name(draft, "vartheta", place, k)
         draft.context.scalars[letter] = root(square)
         rows.append(t.equation(t.Pow(t.Sym(letter), t.TWO), draft.show(square, factor=True)))
-    draft.add(
-        f"modes.{place}",
-        "normal_modes",
-        t.system(rows),
-        "oscillations.modes",
-        count=len(rows),
-        is_result=True,
-        premises=[f"characteristic.{place}"],
-        data=item.facts,
-    )
+    draft.add(f"modes.{place}", "normal_modes", t.system(rows), "oscillations.modes", count=len(rows), is_result=True,
+              premises=[f"characteristic.{place}"], data=item.facts)  # fmt: skip
     ratios = [amplitude_ratio(item, square) for square in found] if len(item.stiffness) == 2 else [None]
     if None not in ratios and all(length(draft.show(ratio, factor=True)) <= LONGEST_RATIO for ratio in ratios):
         for k, (square, ratio) in enumerate(zip(found, ratios, strict=True), 1):
@@ -145,14 +117,7 @@ def _shape(draft: Draft, item: Equilibrium, place: int, k: int, square: Scalar, 
     rows = [t.equation(t.Div(t.Sym(letters[1]), t.Sym(letters[0])), draft.show(ratio, factor=True))]
     sized = t.equation(t.Pow(t.Sym(letters[0]), t.TWO), draft.show(size, factor=True))
     is_short = length(sized) <= LONGEST_SIZE
-    draft.add(
-        f"shape.{place}.{k}",
-        "mode_shape",
-        t.System((*rows, sized)) if is_short else rows[0],
-        "oscillations.shape.sized" if is_short else "oscillations.shape.plain",
-        premises=[f"modes.{place}"],
-        frequency=t.Sym(_name(draft, "vartheta", place, k)),
-        first=t.Sym(first),
-        second=t.Sym(second),
-        data={**item.facts, "square": square},
-    )
+    draft.add(f"shape.{place}.{k}", "mode_shape", t.System((*rows, sized)) if is_short else rows[0],
+              "oscillations.shape.sized" if is_short else "oscillations.shape.plain", premises=[f"modes.{place}"],
+              frequency=t.Sym(_name(draft, "vartheta", place, k)), first=t.Sym(first), second=t.Sym(second),
+              data={**item.facts, "square": square})  # fmt: skip

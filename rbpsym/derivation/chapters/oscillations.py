@@ -29,19 +29,19 @@ def write(draft: Draft, *, where_stable: bool = False) -> None:
         open_balance.write(draft, draft.study.open_balance)
 
 
+def laws(draft: Draft) -> dict[str, str]:
+    """The chapter, and the ids of the linear equations of the coordinates about what is stable."""
+    write(draft, where_stable=True)
+    near = (step for step in draft.steps if step.rule == "linearization" and step.data["proved"] != "unstable")
+    return {step.data["name"]: step.id for step in near}
+
+
 def _rest(draft: Draft) -> None:
     """The generalized forces at rest, which vanish there and nowhere else."""
     forces = [force for force in resting_forces(draft.study.system, draft.study.dynamics) if force]
     rows = [t.equation(draft.show(force, factor=True), t.ZERO) for force in forces]
-    draft.add(
-        "rest",
-        "rest",
-        t.system(rows),
-        "oscillations.rest",
-        level=FULL,
-        premises=draft.those(*(f"motion.{n}" for n in draft.study.system.independent)),
-        count=len(rows),
-    )
+    draft.add("rest", "rest", t.system(rows), "oscillations.rest", level=FULL,
+              premises=draft.those(*(f"motion.{n}" for n in draft.study.system.independent)), count=len(rows))  # fmt: skip
 
 
 def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
@@ -49,21 +49,11 @@ def _equilibrium(draft: Draft, item: Equilibrium, place: int) -> None:
     linear = _is_linearized(draft, item)
     proved, names = item.nature.proved, draft.study.system.independent
     nature = NATURES[proved] if proved != "open" or _is_told(item) else "undecided"
-    draft.add(
-        f"equilibrium.{place}",
-        "equilibrium",
-        t.system(rows),
-        f"oscillations.{nature}" + (".alone" if item.stable else ""),
-        level=FULL,
-        premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
-        names=[t.Sym(name) for name in item.at],
-        others=[t.Sym(name) for name in names if name not in item.at],
-        count=len(rows),
-        place=rows,
-        told=linear,
-        data={**item.facts, "proved": proved, "factors": item.linear.factors},
-        obligations=draft.asked(item.valid),
-    )
+    draft.add(f"equilibrium.{place}", "equilibrium", t.system(rows), f"oscillations.{nature}" + (".alone" if item.stable else ""),
+              level=FULL, premises=["rest", *draft.those(*(f"motion.{name}" for name in names))],
+              names=[t.Sym(name) for name in item.at], others=[t.Sym(name) for name in names if name not in item.at],
+              count=len(rows), place=rows, told=linear, data={**item.facts, "proved": proved, "factors": item.linear.factors},
+              obligations=draft.asked(item.valid))  # fmt: skip
     if linear:
         _linearized(draft, item, place, f"oscillations.linear.{LINEAR[proved]}", rows)
     elif item.stable or (item.linear.is_damped and proved == "open"):
@@ -103,16 +93,10 @@ def _linearized(draft: Draft, item: Equilibrium, place: int, phrase: str, there:
     deviation = t.add(t.Sym(name), t.neg(draft.show(item.at[name]))) if item.at[name] else t.Sym(name)
     pull = _linear(draft, shown[-1], deviation)
     drag = t.neg(t.mul(draft.show(damping, factor=True), t.Sym(f"{name}_dot"))) if damping else t.ZERO
-    draft.add(
-        f"linear.{place}",
-        "linearization",
-        t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
-        f"{phrase}_damped" if damping and item.stable else phrase,
-        place=there,
-        premises=[f"equilibrium.{place}", *draft.those(f"motion.{name}")],
-        coordinate=t.Sym(name),
-        data={**item.facts, "name": name, "proved": item.nature.proved, "factors": item.linear.factors},
-    )
+    draft.add(f"linear.{place}", "linearization", t.relation(t.Sym(f"{name}_ddot"), "~", t.add(pull, drag)),
+              f"{phrase}_damped" if damping and item.stable else phrase, place=there,
+              premises=[f"equilibrium.{place}", *draft.those(f"motion.{name}")], coordinate=t.Sym(name),
+              data={**item.facts, "name": name, "proved": item.nature.proved, "factors": item.linear.factors})  # fmt: skip
     if item.stable:
         _frequencies(draft, item, place, shown, damping)
 
@@ -129,25 +113,20 @@ def _frequencies(draft: Draft, item: Equilibrium, place: int, shown: list[t.Node
     square = _square(item)
     letter = t.Sym(draft.free(_letter(draft, item)))
     draft.context.scalars[letter.name] = root(square)
-    draft.add(
-        f"frequency.{place}",
-        "motion_of_mode",
-        t.equation(t.Pow(letter, t.TWO), *shown),
-        f"oscillations.frequency{'_undamped' if damping else ''}.alone",
-        name=t.Sym(next(iter(item.at))),
-        premises=[f"linear.{place}"],
-        is_result=not damping,
-        letter=letter,
-        data={**item.facts, "decay": NOTHING, "square": square, "undamped": bool(damping)},
-    )
+    draft.add(f"frequency.{place}", "motion_of_mode", t.equation(t.Pow(letter, t.TWO), *shown),
+              f"oscillations.frequency{'_undamped' if damping else ''}.alone", name=t.Sym(next(iter(item.at))),
+              premises=[f"linear.{place}"], is_result=not damping, letter=letter,
+              data={**item.facts, "decay": NOTHING, "square": square, "undamped": bool(damping)})  # fmt: skip
     if damping:
         decay.swinging(draft, item, damping / 2, square, str(place), letter.name.removeprefix("vartheta"), "alone")
 
 
 def _letter(draft: Draft, item: Equilibrium) -> str:
-    """The angular frequency; numbered if there are several stable places."""
-    stable = [other for other in draft.study.equilibria if other.stable]
-    return f"vartheta_{stable.index(item) + 1}" if item in stable and len(stable) > 1 else "vartheta"
+    """The angular frequency; numbered if there are several stable places, those that may be stable after them."""
+    stable = [other.at for other in draft.study.equilibria if other.stable]
+    if item.at not in stable:
+        stable += [other.at for other in draft.study.equilibria if other.where is not None]
+    return f"vartheta_{stable.index(item.at) + 1}" if item.at in stable and len(stable) > 1 else "vartheta"
 
 
 def _frequency(draft: Draft, item: Equilibrium, square: Scalar) -> t.Node:

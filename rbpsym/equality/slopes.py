@@ -1,0 +1,60 @@
+"""The sign of a function of one quantity on its whole range, from its slopes and from its values at the ends.
+
+What rises is positive where it is not negative at the lower end; what is bent downwards is positive where it is not
+negative at both ends. The sign of a slope is found in the same way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.rooted import rooted
+from rbpsym.equality.signs import sign
+
+SMOOTH = ("sin", "cos", "exp")
+MOST_SLOPES = 3
+Known = Callable[[Scalar], bool]
+
+
+def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lambda value: False, most: int = MOST_SLOPES) -> int:
+    """1 or -1 where the value is surely positive or negative within the range of a quantity, 0 where that is not seen;
+    `known`: whether a value that is free of the quantity is not negative, beside what is declared."""
+    kind = sign(value, given).kind
+    if kind in ("positive", "negative"):
+        return 1 if kind == "positive" else -1
+    if depends_on(Scalar(value.den), name):
+        below = sign(Scalar(value.den), given).kind
+        return {"positive": 1, "negative": -1}.get(below, 0) * sign_along(Scalar(value.num), name, given, known, most)
+    limits = of_symbol(name, given)
+    ends = (limits.lower, limits.upper)
+    if None in ends or not most or not _is_smooth(value, name):
+        return 0
+    there = [rooted(substitute(value, {name: end}), given) for end in ends]
+    slope = derivative(value, name)
+    for side in (1, -1):
+        kept = [known(end * side) or sign(end * side, given.without(name)).is_nonnegative for end in there]
+        way = sign_along(slope, name, given, most=most - 1) * side if any(kept) else 0
+        if (way and kept[way < 0]) or (all(kept) and sign_along(derivative(slope, name), name, given, most=0) == -side):
+            return side
+    return 0
+
+
+def _is_smooth(value: Scalar, name: str) -> bool:
+    """Whether the value is a polynomial in the quantity, in waves and exponentials of its multiples."""
+    if not depends_on(value, name):
+        return False
+    inner = {(index, exponent > 0) for term in value.num.terms for index, exponent in term if atom_depends(index, name)}
+    return all(is_above and _is_even(index, name) for index, is_above in inner)
+
+
+def _is_even(index: int, name: str) -> bool:
+    """Whether it is the quantity itself, or a wave or an exponential of what changes evenly with it."""
+    kind, arg = atoms.atom(index).kind, atoms.atom(index).arg
+    if kind not in SMOOTH:
+        return kind == "symbol"
+    return not depends_on(derivative(arg if isinstance(arg, Scalar) else Scalar(arg), name), name)
