@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
@@ -24,6 +25,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes
+from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
 
@@ -52,7 +54,7 @@ def wanted(world: Scene, text: str, name: str = "") -> Wanted:
     """What a condition asks for; `name`: of which symbol. Raises StatementError for one that means nothing here."""
     for pattern, find in WANTED:
         if found := re.fullmatch(pattern, text):
-            words = found.groups() if find is not _holds_fast else (*found.groups(), name)
+            words = found.groups() if find not in (_holds_fast, _holds_then) else (*found.groups(), name)
             return find(world, *words)
     return _compared(world, text)
 
@@ -140,6 +142,8 @@ COEFFICIENT = "mu"  # may be asked for where the problem declares none
 def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "") -> Wanted:
     """Static friction stays below its limit, at one contact or at all (“it”)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
+    if (found := _held_then(world, contact, None, name)) and contact not in needs and (contact != "it" or not needs):
+        return found
     if not needs:
         raise StatementError(
             "no contact is held by static friction here",
@@ -163,6 +167,31 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
     normal = {need.constraint for need in held if len(need.normals) == 1}
     others = [seen(world, name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
     return replace(found, beside=tuple(value for value in others if sign(value, found.given).kind != "positive"))
+
+
+def _held_then(world: Scene, contact: str, phase: str | None, name: str = "") -> Wanted | None:
+    """The impulse of friction stays below its limit in a blow (when a phase begins); None where friction holds in none."""
+    given, values = world.motion.assumptions, []
+    for number in range(1, len(world.asked.names)):
+        began = world.asked.stage(number).began
+        for element in (*began.phase.impulses, *began.phase.problem.constraints):
+            limit = element.values.get("coefficient" if is_holding(element) else "limit")
+            is_meant = contact in ("it", "nothing", element.name) and phase in (None, began.phase.name)
+            if is_meant and element.values.get("friction") in began.impulses and (limit is not None or name == COEFFICIENT):
+                names = (element.name, element["friction"])
+                most, grip = (seen(world, f"impulse of {n} when {began.phase.name} begins") for n in names)
+                given = given if limit is not None else given.with_signs({name: "positive"})
+                values += [most * (symbol(name) if limit is None else scalar(limit)) + grip * side for side in (-1, 1)]
+    return Wanted(tuple(values), given) if values else None
+
+
+def _holds_then(world: Scene, contact: str, phase: str, name: str = "") -> Wanted:
+    found = _held_then(world, contact, phase, name)
+    if found is None:
+        raise StatementError(
+            f"friction holds nothing when “{phase}” begins", instead='what does not slip there is a bounce with slip = "none".'
+        )
+    return found
 
 
 def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:
@@ -247,6 +276,7 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:just )?reach(?:es)? (.+)", _reaches),
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
+    (rf"{_N} (?:does not|never) (?:begin to |start to )?slips? when ([\w-]+) begins", _holds_then),
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
     (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over)?{_UNTIL}", _touches),
     (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),

@@ -23,10 +23,11 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
+from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System
-from rbpsym.statement.model import Phase
+from rbpsym.statement.model import Element, Phase
 
 Values = Mapping[str, Scalar]
 
@@ -62,7 +63,8 @@ def first_then(context: Context, step: Step) -> Verdict:
     before = context.assumptions.with_range("t", NOTHING, time)
     ahead = compare(NOTHING, time, context.assumptions)
     left = _left(context, step)
-    kept = sign(left, before).is_nonzero or _has_no_other_root(left, time, context.assumptions)
+    kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
+    kept = kept or _has_no_other_root(left, time, context.assumptions)
     return weakest([ahead, Verdict(PROVED) if kept else UNSEEN])
 
 
@@ -84,6 +86,9 @@ def _left(context: Context, step: Step) -> Scalar:
         return _course(context, own_place(context, phase.subject))[1]
     if phase.event == "time":
         return symbol("t") - scalar(phase.value)
+    if phase.event == "begins":
+        moved = {name: _course(context, own_place(context, name))[0] for name in system.coordinates}
+        return substitute(substitute(_closing(system, phase.gap), system.dependent), moved)
     slip = slip_at(system, system.element(phase.subject))
     return context.start(slip) + context.on_motion(time_derivative(slip, system.scope)) * symbol("t")
 
@@ -111,6 +116,9 @@ def _gap(context: Context, phase: Phase) -> Scalar:
         return own_place(context, phase.subject) - scalar(phase.value)
     if phase.event == "rests":
         return context.along(time_derivative(own_place(context, phase.subject), system.scope) ** 2)
+    if phase.event == "begins":
+        gap = substitute(_closing(system, phase.gap), system.dependent)
+        return substitute(gap, {n: context.start(symbol(n)) for n in names_in(gap) & {*system.independent} if _rests(context, n)})
     if phase.event == "takes":
         return along[phase.subject] - scalar(phase.value)
     element = system.element(phase.subject)
@@ -120,6 +128,13 @@ def _gap(context: Context, phase: Phase) -> Scalar:
         return along[phase.subject]
     grip, most = along[element["friction"]], sum((along[n] for n in element.normals), NOTHING) * scalar(element["limit"])
     return (most - grip) * (most + grip)
+
+
+def _rests(context: Context, name: str) -> bool:
+    """Whether a coordinate keeps its start: nothing moves it, and it does not move at first."""
+    rate = symbol(f"{name}_dot")
+    gain = context.on_motion(time_derivative(rate, context.study.system.scope))
+    return not context.start(rate) and same(context, gain, NOTHING).is_proved
 
 
 def state_then(context: Context, step: Step) -> Verdict:
@@ -216,17 +231,30 @@ def momentum_jump(context: Context, step: Step) -> Verdict:
 
 
 def parting(context: Context, step: Step) -> Verdict:
-    """The points part at e times the speed of their approach, their positions differentiated (`data`: "blow", "element")."""
+    """They part at e times the speed of their approach, their positions differentiated; what does not slip does so with the
+    material points at the contact (`data`: "blow", "element", "name")."""
     blow, element = step.data["blow"], step.data["element"]
-    after = _seen(_approach(blow.after, element), blow.state.places, blow.began.speeds)
-    before = _seen(_approach(blow.before, element), blow.state.places, blow.state.speeds)
-    return same(context, after + scalar(element["restitution"]) * before, NOTHING)
+    is_normal = step.data["name"] == element.name
+    after, before = ((_approach if is_normal else slip_at)(system, element) for system in (blow.after, blow.before))
+    gone = scalar(element["restitution" if is_normal else "tangential"]) * _seen(before, blow.state.places, blow.state.speeds)
+    return same(context, _seen(after, blow.state.places, blow.began.speeds) + gone, NOTHING)
 
 
-def _approach(system: System, element) -> Scalar:
+def _approach(system: System, element: Element) -> Scalar:
+    if element.kind == "bounce":
+        return time_derivative(_closing(system, element), system.scope)
     where = geometry_of(system).where
     first, second = (where(ref) for ref in element["points"])
     return pair(element["along"]).dot((second - first).rate(system.scope.rates))
+
+
+def _closing(system: System, element: Element) -> Scalar:
+    """How far what meets is apart; half the difference of the squares for the ends of a string of a length, and circles."""
+    geometry = geometry_of(system)
+    if "path" not in element.values:
+        return meeting(element, geometry).gap
+    first, second = (geometry.where(turn.center) for turn in element["path"])
+    return ((second - first).dot(second - first) - scalar(element["length"]) ** 2) / 2
 
 
 def energy_jump(context: Context, step: Step) -> Verdict:

@@ -143,6 +143,8 @@ class Draft:
         """√a √b as √(ab), wherever it stands above or below a fraction line."""
         if isinstance(node, t.Neg):
             return t.neg(self._roots_joined(node.arg))
+        if isinstance(node, t.Add):
+            return t.add(*map(self._roots_joined, node.terms))
         if isinstance(node, t.Div):
             return t.div(self._roots_joined(node.num), self._roots_joined(node.den))
         roots = [f for f in node.factors if isinstance(f, t.Sqrt)] if isinstance(node, t.Mul) else []

@@ -26,5 +26,5 @@ def hand_over(number: int, phase: Phase, before: Stage, stage: Stage) -> Draft:
     draft.chapter = "phase"
     endings.write(draft, Ending(phase, number, stage.began.before))
     if stage.began.is_blow:
-        impulses.write(draft, Blow(before.study.system, stage.study.system, phase, stage.began, number))
+        impulses.write(draft, Blow(before.study.system, stage.study.system, stage.began.phase, stage.began, number))
     return draft

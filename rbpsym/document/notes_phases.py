@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
+from rbpsym.derivation.chapters.endings import begun
 from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
@@ -65,7 +66,7 @@ def without_repetition(derivation: Derivation, own: Words, before: list[tuple[De
 
 def _event(stated: Phase, own: Words) -> Iterator[Block]:
     """What ends the phase before."""
-    key = f"phases.event.{stated.event.replace(' ', '_')}"
+    key = f"phases.event.{begun(stated).replace(' ', '_')}"
     if own.has(key):
         letters = {name: t.Sym(stated.subject) for name in ("force", "coordinate") if stated.subject}
         yield Paragraph(own.say(key, value=stated.value, **letters))

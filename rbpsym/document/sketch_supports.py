@@ -14,15 +14,21 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
 from rbpsym.quantities import NUMBER
-from rbpsym.statement.model import Element, PointRef, Turn
+from rbpsym.statement.model import Element, PointRef, Problem, Turn
 from rbpsym.statement.paths import runs
 
 NEAR = 1e-9
 
 
 def touching(pose: DrawnPose) -> list[Element]:
-    """Constraints on a line or a circle."""
-    return [e for e in pose.study.problem.constraints if "line" in e.values]
+    """Constraints on a line or a circle, and what is met later."""
+    return [e for e in (*pose.study.problem.constraints, *met_later(pose.study.problem)) if "line" in e.values]
+
+
+def met_later(problem: Problem) -> list[Element]:
+    """What bodies bounce from, and the constraints that begin in a later phase."""
+    bounces = [e for phase in problem.phases for e in phase.impulses if e.kind == "bounce"]
+    return [*bounces, *(phase.gap for phase in problem.phases if phase.gap is not None and phase.gap not in bounces)]
 
 
 def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
@@ -38,6 +44,9 @@ def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
         yield from _anchors(pose, *element["between"])
     for element in pose.study.problem.of_kind("string"):
         yield from _string_ends(pose, element["path"])
+    for element in met_later(pose.study.problem):
+        if "path" in element.values:
+            yield from _string_ends(pose, element["path"])
 
 
 def _joined(pose: DrawnPose, element: Element) -> sk.SketchPoint:
@@ -171,6 +180,20 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
                 found += _round(found[-1], pose.point(pieces[place + 1].start), middle, turn)
         kind = "link" if element.values.get("rigid") else "string"
         yield sk.SketchCord(tuple(found), element.values.get("length"), kind)
+    for element in met_later(pose.study.problem):
+        if "path" in element.values:
+            yield from _slack(pose, element)
+
+
+def _slack(pose: DrawnPose, element: Element) -> Iterator[sk.SketchCord]:
+    """A string that hangs loose between two points: a flat parabola of its length; none where the ends are in one place."""
+    (x, y), (right, top) = (pose.ref(turn.center) for turn in element["path"])
+    span, spare = math.dist((x, y), (right, top)), pose.node(element["length"])
+    sag = math.sqrt(max(0.0, 3 / 8 * span * (spare - span)))
+    shares = [k / 16 for k in range(17)] if span > NEAR else []
+    places = [(x + k * (right - x), y + k * (top - y) - 4 * sag * k * (1 - k)) for k in shares]
+    if places:
+        yield sk.SketchCord(tuple(places), element["length"], "link" if element.values.get("rigid") else "string")
 
 
 def _bent(pose: DrawnPose, element: Element) -> sk.SketchCord:

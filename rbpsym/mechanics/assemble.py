@@ -147,12 +147,15 @@ def _rates(names: tuple[str, ...], tied: Tied, problem: Problem, *, free: bool) 
 
 
 def _dependent_speeds(free, tied: Tied, problem: Problem) -> dict[str, Scalar]:
-    """Speeds that the conditions fix, solved in terms of the others."""
-    unknowns = tuple(f"{name}_dot" for name in reversed([n for n in _by_preference(problem) if n in free]))
+    """Speeds that the conditions fix, solved in terms of the others; last those that they do not fix at the start."""
     rows = [condition.value for condition in tied.speeds]
     for condition in tied.implicit:
         parts = (derivative(condition.value, n) * symbol(f"{n}_dot") for n in free)
         rows.append(sum(parts, derivative(condition.value, CLOCK)))
+    start = {c.name: scalar(c.start) for c in problem.coordinates if c.start is not None}
+    loose = {name for name in free if all(is_zero(substitute(derivative(row, f"{name}_dot"), start)) for row in rows)}
+    last = [n for n in _by_preference(problem) if n in free][::-1]
+    unknowns = tuple(f"{name}_dot" for name in sorted(last, key=loose.__contains__))
     return solve_linear(rows, unknowns, keep_free=True).values
 
 

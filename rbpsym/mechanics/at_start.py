@@ -8,13 +8,12 @@ from functools import cached_property
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.effort import apart, at_most
-from rbpsym.algebra.roots import tidied, without_even_roots
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
+from rbpsym.mechanics.demands import neat
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.instant import Instant, has_start, start_of
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study
 from rbpsym.mechanics.system import Condition, System
@@ -91,8 +90,7 @@ class StartStudy(Study):
 
     def tidied(self, value: Scalar) -> Scalar:
         """The value with what is known to be a square out of its roots."""
-        signs = self.assumptions
-        return short(tidied(without_even_roots(value), lambda n: signs.sign_of(n) == "positive", lambda total: False))
+        return neat(value, self.assumptions)
 
     def begun(self, value: Scalar) -> Scalar:
         """The value with accelerations and unknown forces replaced by what they are at the start."""

@@ -152,6 +152,13 @@ def _outside(element: Element, geometry: Geometry, middle: Vector) -> Scalar:
     return apart.dot(apart) - radius * radius
 
 
+def side_taken(element: Element, geometry: Geometry) -> str:
+    """The side of a line or a circle on which the body is."""
+    if element.values.get("circle") is not None:
+        return "outside" if _side_of_circle(element, geometry, geometry.where(element["circle"])) > 0 else "inside"
+    return "positive" if _side_of_line(element, geometry, _line(element, geometry)[2]) > 0 else "negative"
+
+
 # --- curves
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.poly import ONE, ZERO, generator
-from rbpsym.algebra.roots import simplified_root, without_even_roots
+from rbpsym.algebra.roots import simplified_root, tidied, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions, behind
@@ -126,6 +126,12 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
             side = 0 if way > 0 else 1
             sides = (given.sides_of(name) - {side}) | (set() if demand.op == ">" else {side})
             yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)), sides)
+
+
+def neat(value: Scalar, given: Assumptions) -> Scalar:
+    """The value with what is known to be a square out of its roots, and their even powers carried out."""
+    found = tidied(without_even_roots(value), lambda name: given.sign_of(name) == "positive", lambda total: False)
+    return short(without_even_roots(found))
 
 
 # --- where a formula has a value

@@ -6,25 +6,29 @@ integral; the time is known in the first case only.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.errors import NotApplicable, StatementError
+from rbpsym.mechanics import strings
 from rbpsym.mechanics.arrivals import EDGE, first_met, floating, mover, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, spare
+from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.numbers import sample, samples
+from rbpsym.mechanics.roots import factors_in
 from rbpsym.mechanics.state import State, at_start, of_coordinate
 from rbpsym.mechanics.study import Study
-from rbpsym.statement.model import Phase
+from rbpsym.statement.model import Element, Phase
 from rbpsym.statement.scope import CLOCK
 
 # --- events
@@ -90,7 +94,9 @@ def value_reached(study: Study, phase: Phase) -> State:
     """The moment or the place at which a coordinate has a value."""
     value = scalar(phase.value)
     if _are_uniform(study):
-        return _after(study, phase, at_start(study), *_time_until(study, phase, value))
+        start, gain = at_start(study), _gain(study, phase, phase.subject)
+        way = short(value - start.places[phase.subject])
+        return _after(study, phase, start, *_time_until(study, phase, way, start.speeds[phase.subject], gain))
     name = mover(study)
     if name is None or f"{phase.subject}_dot" in study.kept_speeds:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
@@ -168,6 +174,45 @@ def is_before(study: Study, first: State, second: State) -> bool:
     return all(one <= other + EDGE for one, other in ways)
 
 
+def gap(element: Element, geometry: Geometry) -> Scalar:
+    """What vanishes where a contact touches, or a string of given length is taut."""
+    return strings.gap(element, geometry) if "path" in element.values else meeting(element, geometry).gap
+
+
+def gap_closes(study: Study, phase: Phase) -> State:
+    """The moment or the place at which what the phase brings closes: a body lands, a string goes taut."""
+    value = short(substitute(gap(phase.gap, geometry_of(study.system)), study.system.dependent))
+    name, start, numbers = mover(study), at_start(study), sample(study.problem)
+    if name is not None:
+        led = {name, *(speed.removesuffix("_dot") for speed in study.kept_speeds)}
+        value = substitute(value, {n: place for n, place in start.places.items() if n not in led})
+    if not _are_uniform(study):
+        if name is None or names_in(value) & (led - {name}):
+            raise _no_closed_form(f"the moment at which “{phase.subject}” begins")
+        return _met(study, phase, name, "begins", value)
+    if name is not None and (found := first_met(study, name, value)):
+        way = short(found[0] - start.places[name])
+        time, asked = _time_until(study, phase, way, start.speeds[name], _gain(study, phase, name))
+        return _after(study, phase, start, time, [*asked, *found[1]])
+    met = _met_in_time(study, phase, short(substitute(value, uniform_motion(study, symbol("t")).places)))
+    first = min(met, key=lambda item: floating(item[0], numbers), default=None)
+    if first is None:
+        raise _never(study, phase, UNKNOWN, "does not begin")
+    return _after(study, phase, start, *first)
+
+
+def _met_in_time(study: Study, phase: Phase, course: Scalar) -> Iterator[tuple[Scalar, list[Demand]]]:
+    """For each factor of a function of the time that has a zero ahead: the first, and where it is that. Raises NotApplicable
+    for one of higher degree than two."""
+    for factor in factors_in(course, "t"):
+        rate = derivative(factor, "t")
+        first, speed = (substitute(value, {"t": NOTHING}) for value in (factor, rate))
+        if depends_on(gain := derivative(rate, "t"), "t"):
+            raise _no_closed_form(f"the moment at which “{phase.subject}” begins")
+        with suppress(StatementError):
+            yield _time_until(study, phase, -first, speed, gain)
+
+
 ENDINGS = {
     "at once": at_start,
     "no slip": slip_ends,
@@ -176,6 +221,7 @@ ENDINGS = {
     "reaches": value_reached,
     "rests": comes_to_rest,
     "time": time_gone,
+    "begins": gap_closes,
 }
 
 
@@ -218,11 +264,9 @@ def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterab
     return State(time, places, {name: short(without_even_roots(speed)) for name, (_, speed) in pairs.items()}, valid)
 
 
-def _time_until(study: Study, phase: Phase, value: Scalar) -> tuple[Scalar, list[Demand]]:
-    """The first t > 0 with q + q̇ t + ½ q̈ t² = value at the first sample numbers at which there is one, and where it is
+def _time_until(study: Study, phase: Phase, way: Scalar, speed: Scalar, gain: Scalar) -> tuple[Scalar, list[Demand]]:
+    """The first t > 0 with q̇ t + ½ q̈ t² = way at the first sample numbers at which there is one, and where it is
     the first: the roots have the product -2 way/q̈ and the sum -2 q̇/q̈."""
-    start, gain = at_start(study), _gain(study, phase, phase.subject)
-    way, speed = short(value - start.places[phase.subject]), start.speeds[phase.subject]
     if is_zero(gain):
         times = [] if is_zero(speed) else [short(way / speed)]
     else:
@@ -247,7 +291,7 @@ UNKNOWN = "not reached at any of the numbers that were tried"
 
 
 def _never(study: Study, phase: Phase, how: str = "never reached", what: str = "does not come to its value") -> StatementError:
-    stated = (*study.problem.coordinates, *study.problem.constraints)
+    stated = (*study.problem.coordinates, *study.problem.constraints, *phase.impulses, *phase.problem.constraints)
     return StatementError(
         f"the phase “{phase.name}” is {how}: “{phase.subject}” {what}",
         instead="check the start, the start speeds, the value, and the sense of a slip.",

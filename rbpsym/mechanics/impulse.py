@@ -1,9 +1,9 @@
-"""Impulses at an instant: the velocities after, and the impulses of constraints and collisions."""
+"""Impulses at an instant: the velocities after, and the impulses of constraints, collisions and bounces."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar, time_derivative
@@ -11,10 +11,15 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.errors import StatementError
+from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.contacts import holding_forces, meeting, normal_forces, slip_speed
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.geometry import Geometry, pair, start_numbers
+from rbpsym.mechanics.strings import pulls
 from rbpsym.mechanics.system import Force, System
 from rbpsym.statement.model import Element, PointRef
 
@@ -23,10 +28,12 @@ Values = Mapping[str, Scalar]
 
 @dataclass(frozen=True)
 class Struck:
-    """Speeds of all coordinates just after; impulses by the name of their unknown (where determined)."""
+    """Speeds of all coordinates just after; impulses by the name of their unknown (where determined); what is `asked` for
+    contacts to push and for friction to do as it is said, by the name of the contact."""
 
     speeds: Values
     impulses: Values
+    asked: Mapping[str, tuple[Demand, ...]]
 
 
 @dataclass(frozen=True)
@@ -52,10 +59,10 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
     """Raises StatementError if the impulses contradict the constraints."""
     moment = _Moment(before, after, places, speeds)
     rows = [row for name in after.bodies for row in _balances(moment, name, impulses)]
-    rows += [_parting(moment, e) for e in impulses if e.kind == "collision"]
+    rows += [_parting(moment, e, name, factor) for e in impulses for name, factor in restitutions(e).items()]
     rows += [moment.new(time_derivative(c.value, after.scope)) for c in after.implicit]
     rows += [moment.new(c.value) for c in after.speed_ties]
-    unknowns = (*after.speeds, *(e.name for e in impulses if e.kind == "collision"), *after.unknowns)
+    unknowns = (*after.speeds, *(name for e in impulses for name in restitutions(e)), *after.unknowns)
     solution = solve_linear(rows, unknowns)
     missing = [name for name in after.speeds if name not in solution.values]
     if missing or not all(map(is_zero, solution.left)):
@@ -64,9 +71,38 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
             instead="check that the constraints hold where the bodies are at that moment.",
             place=impulses[0].place if impulses else None,
         )
-    return Struck(
-        _all_speeds(moment, solution.values), {n: v for n, v in solution.values.items() if n not in after.speeds}
-    )
+    found = {n: v for n, v in solution.values.items() if n not in after.speeds}
+    asked = {e.name: tuple(_asked(moment, e, solution.values)) for e in (*impulses, *after.problem.constraints)}
+    return Struck(_all_speeds(moment, solution.values), found, asked)
+
+
+def _asked(moment: _Moment, element: Element, values: Values) -> Iterator[Demand]:
+    """A contact pushes, a string pulls; friction that holds stays within its limit, what slips goes on in its sense."""
+    is_bounce = element.kind == "bounce"
+    for name in restitutions(element) if is_bounce else pushes(element) if element.kind in JOINTS else ():
+        if name in values and name != element.values.get("friction"):
+            yield Demand(values[name], ">=")
+    limit = element.values.get("limit") or (element.values.get("coefficient") if is_holding(element) else None)
+    if limit is not None and element["friction"] in values:
+        most, grip = scalar(limit) * values[element.name], values[element["friction"]]
+        yield from (Demand(most - grip * side, ">=") for side in (1, -1))
+    sense = {"forward": 1, "backward": -1}.get(element.values.get("slip"))
+    if sense and element["coefficient"] is not None and not is_zero(values.get(element.name, NOTHING)):
+        for system, seen in ((moment.before, moment.old), (moment.after, moment.new)):
+            geometry = geometry_of(system)
+            slip = seen(slip_speed(geometry, meeting(element, geometry)))
+            yield Demand(substitute(slip, values) * sense, ">=")
+
+
+def is_holding(element: Element) -> bool:
+    """Whether friction lets nothing slip when a bounce is over."""
+    return element.values.get("slip") == "none"
+
+
+def restitutions(element: Element) -> dict[str, Scalar]:
+    """By unknown impulse of a collision or a bounce: the speed of parting along it over that of approach."""
+    found = {} if element.kind == "blow" else {element.name: scalar(element["restitution"])}
+    return found | ({element["friction"]: scalar(element["tangential"])} if is_holding(element) else {})
 
 
 def _all_speeds(moment: _Moment, values: Values) -> dict[str, Scalar]:
@@ -94,43 +130,52 @@ def _balances(moment: _Moment, name: str, impulses: tuple[Element, ...]) -> list
 
 
 def impulsive(system: System, impulses: tuple[Element, ...]) -> tuple[Force, ...]:
-    """What can change velocities in no time: the forces of constraints, blows and collisions, on all bodies."""
+    """What can change velocities in no time: the forces of constraints, blows, collisions and bounces, on all bodies."""
     return (*(force for force in system.forces if force.unknowns), *_given(system, impulses))
 
 
 def _given(system: System, impulses: tuple[Element, ...]) -> list[Force]:
-    """Blows and the impulses of collisions as forces (of the dimension of an impulse)."""
-    found, where = [], geometry_of(system).where
-    for element in impulses:
-        ends = _ends(element)
-        found += [
-            Force(element.name, ref.body, "agent", where(ref), vector, law="impulse", where=ref.label)
-            for ref, vector in ends
-            if ref.body is not None
-        ]
-    return found
+    """Blows and the impulses of collisions and bounces as forces (of the dimension of an impulse)."""
+    geometry = geometry_of(system)
+    return [replace(force, law="impulse") for element in impulses for force in OWN[element.kind](element, geometry)]
 
 
-def _ends(element: Element) -> list[tuple[PointRef, Vector]]:
-    if element.kind == "blow":
-        return [(element["on"], pair(element["impulse"]))]
+def _blow(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    return _at_points(element, geometry, (element["on"], pair(element["impulse"])))
+
+
+def _collision(element: Element, geometry: Geometry) -> tuple[Force, ...]:
     first, second = element["points"]
     push = pair(element["along"]) * symbol(element.name)
-    return [(first, -push), (second, push)]
+    return _at_points(element, geometry, (first, -push), (second, push))
 
 
-def _parting(moment: _Moment, element: Element) -> Scalar:
-    """n·(v₂' - v₁') + e n·(v₂ - v₁)."""
-    along, speeds = pair(element["along"]), []
-    for system, value in ((moment.after, moment.new), (moment.before, moment.old)):
-        first, second = (point_velocity(system, ref) for ref in element["points"])
-        speeds.append(value(along.dot(second - first)))
-    return speeds[0] + scalar(element["restitution"]) * speeds[1]
+def _at_points(element: Element, geometry: Geometry, *ends: tuple[PointRef, Vector]) -> tuple[Force, ...]:
+    return tuple(
+        Force(element.name, ref.body, "agent", geometry.where(ref), vector, where=ref.label)
+        for ref, vector in ends
+        if ref.body is not None
+    )
 
 
-def point_velocity(system: System, ref: PointRef) -> Vector:
-    """Velocity of a point of a body (0 for a fixed one)."""
-    if ref.body is None:
-        return ORIGIN
-    geometry = geometry_of(system)
-    return geometry.velocity(ref.body, geometry.where(ref))
+def _bounce(element: Element, geometry: Geometry) -> tuple[Force, ...]:
+    if "path" in element.values:
+        return pulls(element, geometry)
+    return (holding_forces if is_holding(element) else normal_forces)(element, geometry)
+
+
+OWN = {"blow": _blow, "collision": _collision, "bounce": _bounce}
+
+
+def _parting(moment: _Moment, element: Element, name: str, factor: Scalar) -> Scalar:
+    """The speed of parting along an impulse just after, and e times that before: 0."""
+    before, after = (approach(system, element, name, moment.after) for system in (moment.before, moment.after))
+    return moment.new(after) + factor * moment.old(before)
+
+
+def approach(system: System, element: Element, name: str, after: System) -> Scalar:
+    """The speed with which what a collision or bounce pushes apart parts along an impulse: the power of one that is 1.
+    Which way a string runs is seen where the phase `after` starts."""
+    geometry = replace(geometry_of(system), numbers=start_numbers(after.problem))
+    pushes = (force for force in OWN[element.kind](element, geometry) if force.name == name)
+    return sum((f.vector.derivative(name).dot(geometry.velocity(f.on, f.point)) for f in pushes), NOTHING)

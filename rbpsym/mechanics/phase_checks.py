@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import replace
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
-from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.endings import State
+from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
+from rbpsym.mechanics.endings import State, gap
 from rbpsym.mechanics.friction import geometry_of, slip_senses
 from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.impulse import approach
 from rbpsym.mechanics.numbers import number, samples
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
@@ -79,6 +81,35 @@ def check_collision(study: Study, element: Element, state: State) -> None:
         )
 
 
+def check_bounce(study: Study, element: Element, state: State, after: System) -> None:
+    """What bounces is where it meets, and comes nearer."""
+    known, geometry = _numbers(study, state), geometry_of(study.system)
+    if abs(_at(study, gap(element, geometry), known)) > CLOSE:
+        raise _wrong(element, "does not meet at that moment", "check the line or the length, the start, or the event.")
+    if _at(study, approach(study.system, element, element.name, after), known) > -CLOSE:
+        raise _wrong(element, "does not approach", "check the side and the speeds before.")
+
+
+def with_senses(study: Study, phase: Phase, state: State) -> Phase:
+    """The phase with the side and the sense of slip of what begins, and of bounces, as just before where nothing says them."""
+    geometry, begun = geometry_of(study.system), phase.gap
+
+    def told(element: Element) -> Element:
+        if element is not begun and element.kind != "bounce":
+            return element
+        if element.values.get("side") == "auto":
+            element = element.with_values(side=side_taken(element, geometry))
+        if element.values.get("coefficient") is not None and element["slip"] == "auto":
+            slip = _at(study, slip_speed(geometry, meeting(element, geometry)), _numbers(study, state))
+            if abs(slip) < CLOSE:
+                raise _wrong(element, "has friction, but just before nothing slips there", 'say how: slip = "forward".')
+            element = element.with_values(slip="forward" if slip > 0 else "backward")
+        return element
+
+    constraints, impulses = (tuple(map(told, each)) for each in (phase.problem.constraints, phase.impulses))
+    return replace(phase, impulses=impulses, problem=replace(phase.problem, constraints=constraints))
+
+
 def _radius(system: System, ref: PointRef) -> Scalar:
     """How far its rim is from the point that is named: its radius for the centre of a round body."""
     if ref.body is None or ref.point not in ("center", "cm"):
@@ -88,7 +119,7 @@ def _radius(system: System, ref: PointRef) -> Scalar:
 
 
 def _wrong(element: Element, what: str, cure: str) -> StatementError:
-    return StatementError(f"the collision “{element.name}” {what}", instead=cure, place=element.place)
+    return StatementError(f"the {element.kind} “{element.name}” {what}", instead=cure, place=element.place)
 
 
 def _where(system: System, ref: PointRef):

@@ -2,14 +2,14 @@
 
 At an event the bodies keep their places. Impulses Ĵ change the velocities: m ΔV = Σ Ĵ, I_cm Δω =
 Σ r × Ĵ + couples for every body, with the unknown impulses of the constraints that hold afterwards and
-of collisions (n·(v₂' - v₁') = -e n·(v₂ - v₁)); forces that stay finite don't count.
+of collisions and bounces (n·(v₂' - v₁') = -e n·(v₂ - v₁)); forces that stay finite don't count.
 Kleppner & Kolenkow 4.4, 7.6; Meriam & Kraige, Dynamics, 3/12, 6/8.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
@@ -18,18 +18,24 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import Style
-from rbpsym.errors import NotApplicable
+from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand, neat, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
-from rbpsym.mechanics.impulse import Struck, strike
-from rbpsym.mechanics.phase_checks import check_collision, check_in_place, check_still_slipping
+from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
+from rbpsym.mechanics.phase_checks import (
+    check_bounce,
+    check_collision,
+    check_in_place,
+    check_still_slipping,
+    with_senses,
+)
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.notation.tree import Node, Sym, add
-from rbpsym.statement.model import Phase, Problem
+from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.scope import CLOCK
 from rbpsym.statement.solids import put_into
 
@@ -67,7 +73,8 @@ def _runs(node: Node) -> bool:
 class HandOver:
     """How a phase begins: the state that ended the one before, the speeds after, the impulses, the energy lost in the
     blow (if there `is_blow`), and that which was taken on the way before (None where a force has no potential); what is
-    `asked` of coefficients of restitution, so that no energy is gained."""
+    `asked` of coefficients of restitution, so that no energy is gained, and for contacts to be `held`, by their names; the
+    `phase` with the sides and senses of what strikes."""
 
     before: State
     speeds: Mapping[str, Scalar]
@@ -76,6 +83,8 @@ class HandOver:
     energy_taken: Scalar | None = None
     is_blow: bool = True
     asked: tuple[Demand, ...] = ()
+    held: Mapping[str, tuple[Demand, ...]] = field(default_factory=dict)
+    phase: Phase | None = None
 
 
 @dataclass(frozen=True)
@@ -123,20 +132,46 @@ def _next(stage: Stage, phase: Phase) -> Stage:
             instead="state this phase as a problem of its own, or follow it in the simulation.",
         )
     clock = None if None in (stage.clock, before.time) else stage.clock + before.time
+    phase = with_senses(study, phase, before)
     problem = shifted(phase, clock)
     placed = type(study)(_started(problem, study.style, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
-    speeds, impulses = _tidy(struck.speeds), _tidy(struck.impulses)
+    speeds, impulses = (
+        {name: neat(value, study.assumptions) for name, value in each.items()} for each in (struck.speeds, struck.impulses)
+    )
     after = _started(problem, study.style, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
     is_blow = bool(phase.impulses) or any(not is_zero(value) for value in (lost, *impulses.values()))
     taken = _taken(study, before)
-    factors = [scalar(item["restitution"]) for item in phase.impulses if item.kind == "collision"]
+    lost = short(without_even_roots(lost))
+    factors = [factor for item in phase.impulses for factor in restitutions(item).values()]
     asked = settle((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions) or ()
-    began = HandOver(before, speeds, impulses, short(without_even_roots(lost)), taken, is_blow, asked)
+    held = dict(_held(study, phase, struck, asked, lost)) if is_blow else {}
+    began = HandOver(before, speeds, impulses, lost, taken, is_blow, asked, held, phase)
     later = type(study)(after)
     return Stage(phase.name, later if later.at_start and later.ties else study_of(after), began, clock)
+
+
+def _held(
+    study: Study, phase: Phase, struck: Struck, asked: tuple[Demand, ...], lost: Scalar
+) -> Iterator[tuple[str, tuple[Demand, ...]]]:
+    """What is left of what contacts ask for in a blow, by their names. Raises StatementError for what is never met."""
+    for element in (*phase.impulses, *phase.problem.constraints):
+        gain = [Demand(lost, ">=")] if is_holding(element) else []
+        left = settle([*asked, *struck.asked[element.name], *gain], study.assumptions)
+        if left is None:
+            raise _not_so(element)
+        yield element.name, tuple(demand for demand in left if demand not in asked)
+
+
+def _not_so(element: Element) -> StatementError:
+    what = "would have to pull, to hold by more friction than there is, or to slip the other way"
+    return StatementError(
+        f"in the blow the {element.kind} “{element.name}” {what}",
+        instead="check the side, the sense of the slip (slip = “none” where it does not slip as they part), and the speeds.",
+        place=element.place,
+    )
 
 
 def _taken(study: Study, end: State) -> Scalar | None:
@@ -150,11 +185,6 @@ def _taken(study: Study, end: State) -> Scalar | None:
     return short(without_even_roots(first - last))
 
 
-def _tidy(values: Mapping[str, Scalar]) -> dict[str, Scalar]:
-    """Without squares of square roots."""
-    return {name: short(without_even_roots(value)) for name, value in values.items()}
-
-
 def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
     """Raises StatementError if the phase can't begin so."""
     check_still_slipping(study, phase, before)
@@ -162,6 +192,8 @@ def _check(study: Study, phase: Phase, placed: Study, before: State) -> None:
     for element in phase.impulses:
         if element.kind == "collision":
             check_collision(study, element, before)
+        if element.kind == "bounce":
+            check_bounce(study, element, before, placed.system)
 
 
 def _started(problem: Problem, style: Style, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Problem:

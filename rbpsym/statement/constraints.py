@@ -38,6 +38,13 @@ _BENT = Field(
     default="",
 )
 _FRICTION = Field("friction", "name", "name of the force of friction", default="f_{name}")
+SLIPS = Field(
+    "slip",
+    "choice",
+    "the sense in which it slips, seen with the normal upwards: forward is to the right; auto: as at the start",
+    default="auto",
+    choices=("auto", "forward", "backward"),
+)
 _SLIDING = (
     Field(
         "coefficient",
@@ -47,13 +54,7 @@ _SLIDING = (
         default="",
         sign="nonnegative",
     ),
-    Field(
-        "slip",
-        "choice",
-        "the sense in which it slips, seen with the normal upwards: forward is to the right; auto: as at the start",
-        default="auto",
-        choices=("auto", "forward", "backward"),
-    ),
+    SLIPS,
     _FRICTION,
 )
 _LIMIT = Field(
@@ -74,6 +75,16 @@ _BESIDE = Field(
 _POINT = Field("point", "point", "the point that touches")
 _ROUND = Field("body", "body", "the round body that touches")
 _RIM = Field("rim", "expression", "radius at which it touches; absent: its own", LENGTH, default="", sign="positive")
+MEETING = (
+    Field("point", "point", "the point that touches", default=""),
+    Field("body", "body", "or the round body that does", default=""),
+    _LINE,
+    _SIDE,
+    *_CURVE,
+    _RIM,
+    Field("path", "path", "or the two points that a string joins", default=""),
+    Field("length", "expression", "length of the string", LENGTH, default="", sign="positive"),
+)
 _NORMAL, _ROUGH = ("{name}", FORCE), ("{friction}", FORCE)
 _TIME_PLACE = "a function of the time t"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from rbpsym.notation.tree import ZERO
 from rbpsym.statement.model import Body, Element
 from rbpsym.statement.paths import round_size, runs
 from rbpsym.statement.premises import sign_of, surely_above
@@ -172,6 +173,27 @@ def can_turn(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None
         raise element.error(f"turns “{element['body']}”, a particle, which has no angle", "name a body that can turn.")
 
 
+def bounces(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> Element:
+    """A point or a round body that touches a line or a circle, or a string: read as such a constraint is."""
+    ways = [key for key in ("point", "body", "path") if element[key] is not None]
+    if len(ways) != 1:
+        raise element.error("must say what meets: a point, a round body or a path, one of them", 'write body = "ball".')
+    others = {"point", "body", "path", *(("line", "side", "of", "circle", "radius", "rim") if ways == ["path"] else ("length",))}
+    found = replace(element, values={key: value for key, value in element.values.items() if key not in others - {*ways}})
+    if ways == ["path"]:
+        if element["length"] is None:
+            raise element.error("does not say how long the string is", 'add length = "L".')
+        if element["coefficient"] is not None or element["slip"] != "auto":
+            raise element.error("is that of a string, which has no friction", "leave coefficient and slip out.")
+        string_path(found, scope, bodies)
+        return found
+    if element["tangential"] != ZERO and element["slip"] != "none":
+        raise element.error("slips, and has a tangential restitution", 'write slip = "none", or leave “tangential” out.')
+    for rule in CURVE_RULES["rolling" if ways == ["body"] else "sticking"] + (slides,) * (element["slip"] != "none"):
+        found = rule(found, scope, bodies) or found
+    return found
+
+
 _ON_CURVE = (one_curve, circle_size, two_bodies)
 CURVE_RULES = {
     "contact": (*_ON_CURVE, slides),
@@ -185,4 +207,5 @@ CURVE_RULES = {
     "link": (light_rod,),
     "prescribed": (unit_direction,),
     "prescribed-angle": (can_turn,),
+    "bounce": (bounces,),
 }

@@ -213,7 +213,7 @@ class Element:
 class Phase:
     """A part of the motion after the first: what begins it, what strikes then, the problem that then holds.
 
-    `event` is a key of `phases.EVENTS`, `subject` the constraint that it is about, or the coordinate
+    `event` is a key of `phases.EVENTS`, `subject` the constraint or impulse that it is about, or the coordinate
     that reaches `value`; `impulses` are elements of the kinds of `phases.IMPULSES`. The starts in
     `problem` are those of the first phase.
     """
@@ -224,6 +224,13 @@ class Phase:
     impulses: tuple[Element, ...]
     problem: Problem
     value: Node | None = None
+
+    @property
+    def gap(self) -> Element | None:
+        """What begins where the phase begins, if something closes there: a contact, a string that has a length."""
+        named = (e for e in (*self.impulses, *self.problem.constraints) if e.name == self.subject)
+        closes = (e for e in named if e.values.get("length") is not None or "line" in e.values)
+        return next(closes, None) if self.event == "begins" else None
 
 
 @dataclass(frozen=True, slots=True)

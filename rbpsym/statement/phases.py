@@ -16,7 +16,7 @@ from dataclasses import replace
 
 from rbpsym.notation.tree import ONE, Node
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME
-from rbpsym.statement.constraints import CONSTRAINTS
+from rbpsym.statement.constraints import CONSTRAINTS, MEETING, SLIPS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
 from rbpsym.statement.kinds import ElementKind, Field, registry
@@ -35,6 +35,7 @@ EVENTS: dict[str, str] = {
     "reaches": "the coordinate “of” reaches the value “at”",
     "rests": "the coordinate “of” comes to rest: its speed vanishes",
     "time": "the time “at” has gone since the phase before began",
+    "begins": "the contact, string or bounce “of”, which the phase brings, begins: a body lands, a string goes taut",
 }
 
 IMPULSES: dict[str, ElementKind] = registry(
@@ -56,16 +57,48 @@ IMPULSES: dict[str, ElementKind] = registry(
         ),
         unknowns=(("{name}", _IMPULSE),),
     ),
+    ElementKind(
+        "bounce",
+        "a body meets a line or a circle, or a string between two points goes taut, for an instant; with friction, if there "
+        "is some",
+        (
+            *MEETING,
+            Field("restitution", "expression", "speed of parting over speed of approach", NUMBER, default="1"),
+            Field(
+                "coefficient",
+                "expression",
+                "coefficient of friction: that of its impulse over the normal one; absent: smooth, or as much as is needed",
+                NUMBER,
+                default="",
+                sign="nonnegative",
+            ),
+            replace(
+                SLIPS,
+                meaning="the sense in which it slips as long as they touch, seen with the normal upwards: forward is to the "
+                "right; auto: as just before; none: it does not slip as they part",
+                choices=(*SLIPS.choices, "none"),
+            ),
+            Field(
+                "tangential",
+                "expression",
+                "where it does not slip: speed of slip just after over that just before, which is opposite",
+                NUMBER,
+                default="0",
+            ),
+            Field("friction", "name", "name of the impulse of friction", default="f_{name}"),
+        ),
+        unknowns=(("{name}", _IMPULSE),),
+    ),
 )
 
 PHASE_KEYS = {
     "name": "what the phase is called",
     "event": "what ends the phase before: " + ", ".join(EVENTS),
-    "of": "the constraint that the event is about, or the coordinate that reaches a value or rests",
+    "of": "the constraint or bounce that the event is about, or the coordinate that reaches a value or rests",
     "at": "the value that the coordinate reaches, or the time that goes",
     "constraints": "constraints that are new or change",
     "without": "names of constraints that hold no more",
-    "impulses": "blows and collisions at the moment of the event",
+    "impulses": "blows, collisions and bounces at the moment of the event",
 }
 
 
@@ -87,9 +120,12 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
             finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
         )
         impulses = tuple(
-            _checked(e, row, names, around.scope.given) for e in read_elements("impulses", row, IMPULSES, around)
+            _checked(finish(e, around.scope, around.bodies), row, names, around.scope.given)
+            for e in read_elements("impulses", row, IMPULSES, around)
         )
         found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
+        if event == "begins":
+            _check_begins(row, found[-1])
     return tuple(found)
 
 
@@ -108,6 +144,10 @@ def _event(row: Table, name: str, current: Mapping[str, object], around: Surroun
     row.require("of", f"the phase “{name}”", f'add of = "N": {EVENTS[event]}.')
     subject = row.string("of")
     known, what = (around.scope.coordinates, "coordinate") if event in ("reaches", "rests") else (current, "constraint")
+    if event == "begins":
+        own = (row.tables(section, section) for section in ("constraints", "impulses"))
+        known = {key: part for tables in own for key, part in tables}
+        what = "constraint or bounce of its own"
     if subject not in known:
         raise row.value_error(
             "of", f"the phase “{name}”: there is no {what} “{subject}”", did_you_mean(subject, known, f"{what}s")
@@ -175,6 +215,16 @@ def _checked(element: Element, row: Table, names: Mapping[str, str], given: Decl
     return element
 
 
+def _check_begins(row: Table, phase: Phase) -> None:
+    """What begins is apart before, and known to meet."""
+    if phase.gap is None:
+        raise row.value_error(
+            "of",
+            f"the phase “{phase.name}”: nothing closes where “{phase.subject}” begins",
+            "name a contact, or a string or link with a length.",
+        )
+
+
 def _check_blow(element: Element, row: Table, given: Declared) -> None:
     if element["on"].body is None:
         raise row.error(f"the blow “{element.name}” strikes a fixed place", "name a point of a body.", "impulses")
@@ -186,13 +236,18 @@ def _check_collision(element: Element, row: Table, given: Declared) -> None:
     first, second = (ref.body for ref in element["points"])
     if first == second:
         raise row.error(f"the collision “{element.name}” is between points of one body", "name two bodies.", "impulses")
-    restitution = element["restitution"]
-    if sign_of(restitution, given) == "negative" or surely_above(restitution, ONE, given):
-        raise row.error(
-            f"the restitution of the collision “{element.name}” must be between 0 and 1",
-            "0: they part with one speed, 1: no energy is lost.",
-            "impulses",
-        )
+    _check_restitution(element, row, given)
 
 
-_IMPULSE_CHECKS = {"blow": _check_blow, "collision": _check_collision}
+def _check_restitution(element: Element, row: Table, given: Declared) -> None:
+    for key in ("restitution", "tangential"):
+        value = element.values.get(key, ONE)
+        if sign_of(value, given) == "negative" or surely_above(value, ONE, given):
+            raise row.error(
+                f"the restitution of the {element.kind} “{element.name}” must be between 0 and 1",
+                "0: they part with one speed, 1: no energy is lost.",
+                "impulses",
+            )
+
+
+_IMPULSE_CHECKS = {"blow": _check_blow, "collision": _check_collision, "bounce": _check_restitution}

@@ -9,6 +9,7 @@ n·(v₂' - v₁') = -e n·(v₂ - v₁), and speeds, impulses and the loss of e
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,8 +22,9 @@ from rbpsym.mechanics.study import Study
 from rbpsym.numeric import integration
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.verify.simulation import Bench, Derived, Errors, SimulationReport, simulate_study, told
-from rbpsym.verify.simulation_bodies import placed
-from rbpsym.verify.simulation_contacts import slipping
+from rbpsym.verify.simulation_bodies import Mechanism, placed
+from rbpsym.verify.simulation_contacts import KINDS, slipping
+from rbpsym.verify.simulation_joints import Kept
 from rbpsym.verify.simulation_placement import dotted
 
 LONGEST = 200.0  # lengths of the usual motion in which an event must have come
@@ -78,10 +80,19 @@ def _bench(study: Study, numbers: Mapping[str, float]) -> Bench:
     return Bench(Derived(study.system, told(study), None, study.squares, {}, {}), numbers)
 
 
-def _compare(phase: Phase, study: Study, after: Stage, numbers: Mapping[str, float], errors: Errors) -> None:
+def _compare(
+    phase: Phase,
+    study: Study,
+    after: Stage,
+    numbers: Mapping[str, float],
+    errors: Errors,
+    ended: Callable[[float], object] = lambda time: None,
+) -> None:
+    """`ended` is told how long the phase before has lasted."""
     bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), after.began
     derived = {name: number(value, numbers) for name, value in began.before.places.items()}
     end = _end(bench, phase, study, derived, numbers)
+    ended(end.time)
     if began.before.time is not None:
         errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
     guess = [derived[name] for name in bench.placement.names]
@@ -193,12 +204,20 @@ def _watch_speed(bench: Bench, phase: Phase, start) -> Watch:
     return left
 
 
+def _watch_gap(bench: Bench, phase: Phase, start) -> Watch:
+    mechanism = copy(bench.placement.mechanism)
+    mechanism.slips = {phase.gap.name: 1}  # whatever it is: the gap does not ask
+    [kept, *_] = _meets(phase.gap, mechanism, start.where.tolist())
+    return lambda where, speed: kept.at(where.tolist(), speed.tolist()).value
+
+
 WATCHES: Mapping[str, Callable[[Bench, Phase, object], Watch]] = {
     "no slip": _watch_slip,
     "slips": _watch_grip,
     "lost": _watch_push,
     "reaches": _watch_value,
     "rests": _watch_speed,
+    "begins": _watch_gap,
 }
 
 
@@ -221,6 +240,14 @@ def _struck(
     wanted = [-row.drift for row in rows]
     momentum = before.equations.masses * end.speed
     for element in impulses:
+        if element.kind == "bounce":
+            for kept, factor in _bounces(before, element, end):
+                row = kept.at(where, end.speed.tolist())
+                matrix.append(_dense(row.entries, size))
+                drags.append(_dense(kept.drag.at(where, []) if kept.drag else (), size))
+                wanted.append(-factor * float(matrix[-1] @ end.speed))
+                names.append(kept.multiplier)
+            continue
         line = _direction(before, element, where)
         if element.kind == "blow":
             momentum = momentum + line
@@ -235,6 +262,23 @@ def _struck(
     full = np.block([[np.diag(before.equations.masses), -pushes.T], [g, np.zeros((len(g), len(g)))]])
     found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
     return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
+
+
+def _meets(element: Element, mechanism: Mechanism, start: list[float]) -> list[Kept]:
+    """The conditions of a bounce, or of a constraint that begins, as those of a constraint that lasts."""
+    values = element.values
+    way = "string" if "path" in values else "rolling" if values.get("slip") == "none" else "contact"
+    return KINDS[way if element.kind == "bounce" else element.kind](element, mechanism, start)
+
+
+def _bounces(bench: Bench, element: Element, end: _End) -> list[tuple[Kept, float]]:
+    """Its unit impulses with their restitutions; friction acts against the slip that there is just before."""
+    where, mechanism, start = end.where.tolist(), copy(bench.placement.mechanism), bench.declared_start().where.tolist()
+    if "path" not in element.values:
+        slip = slipping(element, mechanism, start).at(where, end.speed.tolist())
+        mechanism.slips = {element.name: 1 if _dense(slip.entries, end.speed.size) @ end.speed > 0 else -1}
+    factors = [mechanism.number(element[key]) for key in ("restitution", "tangential")]
+    return list(zip(_meets(element, mechanism, start), factors, strict=False))
 
 
 def _dense(entries, size: int) -> np.ndarray:

@@ -87,14 +87,17 @@ def test_every_part_of_the_statement_is_seen(name: str) -> None:
     """Bodies, strings, springs, pivots, circles, forces: what is stated is drawn and told, in both printers."""
     problem, (sketch, drawn) = study(name).problem, scenes(name, None)
     kinds = [element.kind for element in (*problem.constraints, *problem.interactions)]
+    later = [e for phase in problem.phases for e in (phase.gap, *phase.impulses) if e is not None and e.kind != "blow"]
+    held = [*problem.constraints, *{e.name: e for e in later}.values()]
+    kinds += ["string" for e in held[len(problem.constraints) :] if "path" in e.values]
     assert len(sketch.bodies) == len(problem.bodies)
     assert len([cord for cord in sketch.cords if cord.kind != "rail"]) == kinds.count("string")
     assert len(sketch.links) == kinds.count("spring") + kinds.count("damper")
     assert len(sketch.coils) == kinds.count("torsion-spring") + kinds.count("rotary-damper")
     assert sum(point.kind == "pivot" for point in sketch.points) >= kinds.count("pivot")
-    fixed = {e["circle"].label for e in problem.constraints if e.values.get("circle") and e["circle"].body is None}
+    fixed = {e["circle"].label for e in held if e.values.get("circle") and e["circle"].body is None}
     assert len({circle.at for circle in sketch.circles}) >= len(fixed)
-    ground = {e["line"].label for e in problem.constraints if e.values.get("line") is not None and not e["of"]}
+    ground = {e["line"].label for e in held if e.values.get("line") is not None and not e["of"]}
     assert len(sketch.lines) == len(ground)
     text = describe(sketch, "en", problem_notation(problem)) + "".join(
         describe_free_body(sketch, b.name) for b in sketch.bodies

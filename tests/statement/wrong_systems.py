@@ -188,6 +188,38 @@ def phase(name: str, old: str, new: str, says: str, cure: str = "") -> Wrong:
     return Wrong(name, BALL, old, new, says, cure)
 
 
+BOUNCE = '''
+[parameters]
+M = "mass: mass"
+R = "length: radius"
+v = "speed: along the floor"
+u = "speed: of falling"
+e = "number < 1: restitution"
+mu = "number: friction"
+
+[coordinates]
+x = { dimension = "length", start = "0", speed = "v" }
+y = { dimension = "length", start = "R", speed = "-u" }
+phi = { start = "0" }
+
+[bodies.ball]
+shape = "ball"
+mass = "M"
+radius = "R"
+center = ["x", "y"]
+angle = "phi"
+
+[[phases]]
+name = "bounced"
+impulses = { J = { type = "bounce", body = "ball", line = "y = 0", restitution = "e", coefficient = "mu", slip = "none" } }
+'''
+
+
+def bounce(name: str, old: str, new: str, says: str, then: str = "", other: str = "") -> Wrong:
+    """`then` becomes `other` too."""
+    return Wrong(name, BOUNCE.replace(then, other) if then else BOUNCE, old, new, says)
+
+
 def impact(name: str, old: str, new: str, says: str, cure: str = "") -> Wrong:
     return Wrong(name, IMPACT, old, new, says, cure)
 
@@ -418,6 +450,26 @@ ROWS = [
         "unknown type “crash”",
         "collision",
     ),
+    # --- bounces and what begins
+    *(bounce(*case) for case in (
+        ("bounce of nobody", 'body = "ball", ', "", "must say what meets"),
+        ("bounce from nothing", 'line = "y = 0", ', "", "touches nothing"),
+        ("bounce in the air", 'start = "R"', 'start = "2*R"', "does not meet"),
+        ("bounce of what flies off", 'speed = "-u"', 'speed = "u"', "does not approach"),
+        ("bounce on the other side", 'line = "y = 0", ', 'line = "y = 0", side = "negative", ', "does not meet"),
+        ("bounce that gains energy", 'restitution = "e"', 'restitution = "3/2"', "between 0 and 1"),
+        ("bounce with a negative tangential restitution", 'slip = "none"', 'slip = "none", tangential = "-1/3"',
+         "between 0 and 1"),
+        ("bounce that slips and turns round", 'slip = "none"', 'slip = "forward", tangential = "1"',
+         "slips, and has a tangential"),
+        ("bounce with a sense but no friction", 'coefficient = "mu", slip = "none"', 'slip = "forward"', "has no friction"),
+        ("bounce that slips the wrong way", 'slip = "none"', 'slip = "backward"', "slip the other way"),
+        ("bounce where nothing slips before", 'speed = "v" }', 'speed = "0" }', "nothing slips there",
+         'slip = "none"', 'slip = "auto"'),
+        ("bounce on a string without a length", 'body = "ball", line = "y = 0", ', 'path = ["O", "ball.center"], ', "how long"),
+        ("a beginning of what is not there", '[[phases]]', '[[phases]]\nevent = "begins"\nof = "K"', "no constraint or bounce"),
+        ("a beginning of what never comes", '[[phases]]', '[[phases]]\nevent = "begins"\nof = "J"', "does not begin"),
+    )),
     impact("impulse called like a parameter", "[phases.impulses.K]", "[phases.impulses.J]", "“J”"),
     # --- a quantity and a force of one name
     Wrong(

@@ -100,7 +100,7 @@ def _moment(draft: Draft, ending: Ending) -> None:
         "moment",
         "event_time",
         t.equation(letter, draft.show(time, factor=True)),
-        f"phases.moment.{MOMENTS[ending.phase.event]}",
+        f"phases.moment.{MOMENTS[begun(ending.phase)]}",
         premises=draft.those("slip.speed", "slip.rate"),
         letter=letter,
         coordinate=t.Sym(ending.phase.subject or ""),
@@ -122,7 +122,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         "place",
         "event_place",
         t.equation(letter, draft.show(value)),
-        f"phases.place.{PLACES[ending.phase.event]}",
+        f"phases.place.{PLACES[begun(ending.phase)]}",
         letter=letter,
         force=t.Sym(ending.phase.subject or ""),
         coordinate=t.Sym(name),
@@ -132,8 +132,15 @@ def _place(draft: Draft, ending: Ending) -> None:
     )
 
 
-MOMENTS = {"no slip": "slip", "reaches": "value", "takes": "value", "rests": "rest", "time": "time"}
-PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "turn"}
+def begun(phase: Phase) -> str:
+    """The event as it is told: a string that begins is taut."""
+    return "taut" if phase.gap is not None and "path" in phase.gap.values else phase.event
+
+
+MOMENTS = {"no slip": "slip", "reaches": "value", "takes": "value", "rests": "rest", "time": "time", "begins": "begins",
+           "taut": "taut"}  # fmt: skip
+PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value", "no slip": "rest", "rests": "turn",
+          "begins": "value", "taut": "value"}  # fmt: skip
 
 
 def _mover(draft: Draft, ending: Ending) -> list[str]:

@@ -16,15 +16,17 @@ from rbpsym.derivation.chapters.endings import kinetic, speed_symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, StepRef
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.demands import neat
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State
-from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.impulse import impulsive, point_velocity
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.impulse import approach, impulsive, is_holding, restitutions
 from rbpsym.mechanics.phases import HandOver
 from rbpsym.mechanics.system import Force, System
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Phase
+from rbpsym.statement.model import Element, Phase
 
 
 @dataclass(frozen=True)
@@ -52,8 +54,11 @@ def write(draft: Draft, blow: Blow) -> None:
     """The chapter, on the draft of the phase that ends."""
     _define(draft, blow)
     steps = [step for name in blow.after.bodies if (step := _balance(draft, blow, name)) is not None]
-    steps += [_restitution(draft, blow, element) for element in blow.phase.impulses if element.kind == "collision"]
+    laws = [(element, name) for element in blow.phase.impulses for name in restitutions(element)]
+    steps += [_restitution(draft, blow, element, name) for element, name in laws]
     _solved(draft, blow, steps)
+    for element in blow.phase.impulses:
+        _friction(draft, blow, element)
     _lost(draft, blow)
 
 
@@ -65,7 +70,7 @@ def after_name(draft: Draft, coordinate: str) -> str:
 
 def impulse_name(draft: Draft, name: str, blow: Blow) -> str:
     """P̂_x for the impulse of the force P_x; a collision's impulse has its own name."""
-    if any(element.name == name for element in blow.phase.impulses):
+    if any(name in restitutions(element) for element in blow.phase.impulses):
         return name
     first, _, rest = name.partition("_")
     return draft.free(f"{first}_hat_{rest}" if rest else f"{first}_hat")
@@ -82,13 +87,13 @@ def _new(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
     """A value after the impulse: its speeds and impulses as letters, at the place where it happens."""
     images = {f"{name}_dot": symbol(after_name(draft, name)) for name in blow.after.independent}
     images |= {name: symbol(impulse_name(draft, name, blow)) for name in blow.after.unknowns}
-    return short(substitute(substitute(value, images), blow.state.places))
+    return neat(substitute(substitute(value, images), blow.state.places), draft.study.assumptions)
 
 
 def _old(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
     """A value just before."""
     speeds = {f"{n}_dot": speed_symbol(draft, n, blow.number, v) for n, v in blow.state.speeds.items()}
-    return short(substitute(substitute(value, speeds), blow.state.places))
+    return neat(substitute(substitute(value, speeds), blow.state.places), draft.study.assumptions)
 
 
 def _balance(draft: Draft, blow: Blow, name: str):
@@ -129,24 +134,48 @@ def _minus(node: t.Node) -> t.Node:
     return t.neg(t.Group(node)) if isinstance(node, t.Add) else t.neg(node)
 
 
-def _restitution(draft: Draft, blow: Blow, element):
-    """n·(v₂' - v₁') = -e n·(v₂ - v₁)."""
-    along = pair(element["along"])
-    speeds = []
-    for system, seen in ((blow.after, _new), (blow.before, _old)):
-        first, second = (point_velocity(system, ref) for ref in element["points"])
-        speeds.append(draft.show(seen(draft, blow, along.dot(second - first))))
-    factor, approach = element["restitution"], speeds[1]
-    around = t.Group(approach) if isinstance(approach, t.Add) else approach
-    right = t.ZERO if factor == t.ZERO else t.neg(t.mul(factor, around)) if approach != t.ZERO else t.ZERO
+def _restitution(draft: Draft, blow: Blow, element: Element, name: str):
+    """n·(v₂' - v₁') = -e n·(v₂ - v₁); the same along the tangent for the friction of a bounce that does not slip."""
+    seen = ((blow.after, _new), (blow.before, _old))
+    speeds = [draft.show(show(draft, blow, approach(system, element, name, blow.after))) for system, show in seen]
+    is_normal = name == element.name
+    factor, before = element["restitution" if is_normal else "tangential"], speeds[1]
+    around = t.Group(before) if isinstance(before, t.Add) else before
+    right = t.ZERO if factor == t.ZERO else t.neg(t.mul(factor, around)) if before != t.ZERO else t.ZERO
+    kind = "restitution" if is_normal else "tangential"
     return draft.add(
-        f"restitution.{element.name}",
+        f"{kind}.{element.name}",
         "restitution",
         t.equation(speeds[0], _positive(right)),
-        f"phases.restitution.{'sticks' if scalar(factor).number() == 0 else 'parts'}",
+        f"phases.{kind}.{'taut.' * ('path' in element.values)}{'sticks' if scalar(factor).number() == 0 else 'parts'}",
         coefficient=factor,
         obligations=tuple(t.relation(part, ">=", t.ZERO) for part in (factor, t.add(t.ONE, t.neg(factor)))),
-        data={"element": element, "blow": blow},
+        data={"element": element, "name": name, "blow": blow},
+    )
+
+
+def _friction(draft: Draft, blow: Blow, element: Element) -> None:
+    """How much friction is needed to hold, or how fast it slips on: what a bounce asks for."""
+    found = blow.began.impulses
+    if element.values.get("coefficient") is None:
+        return
+    if is_holding(element):
+        letters = (impulse_name(draft, name, blow) for name in (element["friction"], element.name))
+        left, value = t.div(*map(t.Sym, letters)), short(found[element["friction"]] / found[element.name])
+    else:
+        geometry = geometry_of(blow.after)
+        slip = slip_speed(geometry, meeting(element, geometry))
+        left = draft.show(_new(draft, blow, slip))
+        value = short(substitute(_new(draft, blow, slip), draft.context.scalars))
+    draft.add(
+        f"friction.{element.name}",
+        "identity",
+        t.equation(left, draft.show(value, factor=True)),
+        f"phases.friction.{'holds' if is_holding(element) else 'slips'}",
+        premises=["after.speeds", *draft.those("after.impulses")],
+        coefficient=element["coefficient"],
+        is_result=True,
+        obligations=draft.asked(blow.began.held[element.name]),
     )
 
 
@@ -164,6 +193,8 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
     scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in {**values, **found}})
     rows = [row for step in steps for row in _equations(step.statement, scope)]
     used = {n for n in (*values, *found) if any(depends_on(row, n) for row in rows)}
+    rough = {e.name for e in blow.phase.impulses if e.values.get("coefficient") is not None}  # told with their friction
+    others = [demand for name, asked in blow.began.held.items() if name not in rough for demand in asked]
     for kind, group in (("speeds", values), ("impulses", found)):
         shown = [
             t.equation(t.Sym(n), draft.show(v, factor=True)) for n, v in group.items() if n in used or kind == "speeds"
@@ -179,6 +210,7 @@ def _solved(draft: Draft, blow: Blow, steps: list) -> None:
                 sources=[StepRef(step.id) for step in steps],
                 count=len(shown),
                 is_result=True,
+                obligations=draft.asked(others if kind == "impulses" else ()),
             )
 
 

@@ -18,7 +18,7 @@ from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, slip_senses, spare
 from rbpsym.mechanics.geometry import pair
-from rbpsym.mechanics.impulse import impulsive
+from rbpsym.mechanics.impulse import impulsive, restitutions
 from rbpsym.mechanics.phases import HandOver, Stage
 from rbpsym.mechanics.strings import segments
 from rbpsym.mechanics.study import Study
@@ -146,7 +146,7 @@ def strikes(stage: Stage, begins: Phase, put: Put, notation: Notation) -> dict[s
 
 def arrows(stage: Stage, begins: Phase, put: Put, notation: Notation) -> Iterator[dict[str, Any]]:
     """The impulses that are known and not zero, on all bodies."""
-    for force in impulsive(stage.study.system, begins.impulses):
+    for force in impulsive(stage.study.system, stage.began.phase.impulses):
         vector, point, couple = (put_in(stage.began, value) for value in (force.vector, force.point, force.couple))
         unknown = any(depends_on(part, n) for part in (vector.x, vector.y, couple) for n in force.unknowns)
         if not unknown and not all(map(is_zero, (vector.x, vector.y, couple))):
@@ -168,11 +168,11 @@ def put_in(began: HandOver, value: Vector | Scalar) -> Any:
 
 def letter(force: Force, stage: Stage, begins: Phase) -> t.Node:
     """A blow as it is given, a collision by its name, the impulse of a constraint with a hat."""
-    element = next((e for e in begins.impulses if e.name == force.name), None)
+    element = next((e for e in begins.impulses if force.name in (e.name, e.values.get("friction"))), None)
     if element is None:
         return t.Sym(hat(force.name, stage))
     given = [part for part in element["impulse"] if part != t.ZERO] if element.kind == "blow" else []
-    return given[0] if len(given) == 1 else t.Sym(element.name)
+    return given[0] if len(given) == 1 else t.Sym(force.name)
 
 
 def components(stage: Stage, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
@@ -181,7 +181,7 @@ def components(stage: Stage, begins: Phase) -> Iterator[tuple[t.Node, Scalar]]:
         if element.kind == "blow":
             vector = pair(element["impulse"])
             yield from ((present(part), part) for part in (vector.x, vector.y) if not is_zero(part))
-    own = {element.name for element in begins.impulses}
+    own = {name for element in begins.impulses for name in restitutions(element)}
     for name, value in stage.began.impulses.items():
         if not is_zero(value):
             yield t.Sym(name if name in own else hat(name, stage)), value

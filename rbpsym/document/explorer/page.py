@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,8 @@ from rbpsym.document.words import Words
 from rbpsym.document.writers.html import font
 from rbpsym.document.writers.page import shell
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
+from rbpsym.mechanics.endings import gap
+from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.mechanics.state import of_coordinate
@@ -127,7 +130,8 @@ def _phase(problem: Problem, parts: tuple[Stage, ...], k: int, names: tuple[str,
 
 def _ground(parts: tuple[Stage, ...]) -> tuple[Element, ...]:
     """The fixed lines that are touched in some phase: the floor is there also when nothing stands on it."""
-    found = (e for part in parts for e in part.study.problem.constraints)
+    struck = (e for part in parts[1:] for e in part.began.phase.impulses)
+    found = chain((e for part in parts for e in part.study.problem.constraints), struck)
     return tuple(
         e for e in found if e.values.get("line") is not None and e.values.get("of") is None and e.kind != "guide"
     )
@@ -142,12 +146,15 @@ def _ending(problem: Problem, parts: tuple[Stage, ...], k: int) -> PhaseEnding:
     if ending.event in ("reaches", "rests"):
         place, speed = of_coordinate(parts[k].study, ending.subject)
         goal = ending.subject, speed if ending.event == "rests" else place - scalar(ending.value)
+    if ending.event == "begins":
+        goal = ending.subject, gap(ending.gap, geometry_of(parts[k].study.system))
     names_of = tuple((kind, ending.subject) for kind in KINDS.get(ending.event, ()))
     return PhaseEnding(parts[k + 1].began.before.time, names_of, goal)
 
 
 # event that begins a phase -> events of the explorer that end the phase before
-KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",), "rests": ("reaches",)}
+KINDS = {"lost": ("lost", "slack"), "slips": ("slips",), "no slip": ("holds",), "reaches": ("reaches",), "rests": ("reaches",),
+         "begins": ("reaches",)}  # fmt: skip
 
 
 def _number(slider: Slider, notation: Notation, said: Words) -> dict[str, Any]:
