@@ -178,5 +178,12 @@ def unit_for(node: t.Node, study: Study, *, is_angle: bool = False) -> str:
 
 
 def rounded(value: float, digits: int) -> str:
-    """The value to so many significant figures."""
-    return f"{value:.{digits}g}" if not value or 1e-4 <= abs(value) < 10**digits else f"{value:.{digits - 1}e}"
+    """The value to so many significant figures, zeros at its end too.
+
+    >>> rounded(-2.697, 3), rounded(0.2, 3), rounded(300.04, 3), rounded(0, 3), rounded(12345.6, 3)
+    ('-2.70', '0.200', '300', '0', '1.23e+04')
+    """
+    if not value:
+        return "0"
+    is_plain = 1e-4 <= abs(value) < 10**digits
+    return f"{value:#.{digits}g}".rstrip(".") if is_plain else f"{value:.{digits - 1}e}"
