@@ -78,7 +78,7 @@ class Asked:
             return self.known
         study = study_of(replace(self.problem, phases=()))
         with suppress(LimitError):
-            check_start(study)
+            check_start(study, moves=not self.lasting)
         return study
 
     @cached_property

@@ -27,12 +27,14 @@ from rbpsym.statement.model import Element
 LARGEST = 4000  # terms: signs of what is longer are not looked for
 
 
-def check_start(study: Study) -> None:
-    """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense."""
-    for element, what, value in asked(study):
+def check_start(study: Study, *, moves: bool = True) -> None:
+    """Raises StatementError where a one-sided force or the friction at the start surely has the wrong sense; of a phase that
+    ends at once (it never `moves`), nothing has to begin to slide."""
+    found = [item for item in asked(study) if moves or item[1] != "gain"]
+    for element, what, value in found:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise WRONG[what](element, what, value)
-    if start_valid(study) is None:
+    if settle((Demand(value, OPS[what]) for _, what, value in found), study.assumptions) is None:
         rough = next((e for e in study.problem.constraints if e.values.get("coefficient") is not None), None)
         element = rough or study.problem.constraints[0]
         raise StatementError(

@@ -167,13 +167,58 @@ name = "back"
 event = "rests"
 of = "s"
 """
-NAMES = ("R", "beta", "v_0", "m", "M", "b", "e", "mu", "g", "ell", "J", "t")
+CUE = """
+[parameters]
+m = "mass: mass"
+R = "length: radius"
+h = "length < 7*R/5: height at which the cue strikes"
+J = "momentum: impulse of the cue"
+mu = "number: friction"
+g = "acceleration: gravity"
+[coordinates.x]
+dimension = "length"
+meaning = "way"
+start = "0"
+[coordinates.phi]
+meaning = "angle turned clockwise"
+start = "0"
+[bodies.ball]
+shape = "ball"
+mass = "m"
+radius = "R"
+center = ["x","R"]
+angle = "-phi"
+points = { hit = ["0", "h - R"] }
+[interactions.W]
+type = "gravity"
+[constraints.N]
+type = "touch"
+body = "ball"
+line = "y = 0"
+coefficient = "mu"
+slip = "forward"
+friction = "f"
+[[phases]]
+name = "slipping"
+event = "at once"
+[phases.impulses.B]
+type = "blow"
+on = "ball.hit"
+impulse = ["J", "0"]
+[[phases]]
+name = "rolling"
+event = "no slip"
+of = "N"
+constraints = { N = { type = "rolling" } }
+"""
+NAMES = ("h", "R", "beta", "v_0", "m", "M", "b", "e", "mu", "g", "ell", "J", "t")
 ASKED = (
     (STRIKING, "impulse of J when after begins", "m*M*(1 + e)*sqrt(6*g*b)/(m + 3*M)"),
     (STRUCK, "phi as a function of t", "J*t/(m*ell)"),
     (STRUCK, "T", "M*J^2/(m*ell*(m + M))"),
     (STRUCK, "time until phi = 2*pi", "2*pi*m*ell/J"),
     (STRUCK, "T at the start", "0"),
+    (CUE, "x_dot when rolling begins", "5*J*h/(7*m*R)"),
     (UPHILL, "largest s", "v_0^2*(2 + 5*mu*cos(beta)/sin(beta))/(2*g*(2*sin(beta) + 7*mu*cos(beta)))"),
 )
 
