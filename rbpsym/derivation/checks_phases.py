@@ -164,6 +164,11 @@ def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> V
     if what == "place":
         return same(context, substitute(value, here), stated)
     rate = time_derivative(value, context.study.system.scope)
+    if names_in(rate) & context.study.kept_speeds.keys():  # tied to what kept momenta give: each of these, and the tie
+        moving = [n for n in context.study.system.independent if depends_on(rate, f"{n}_dot")]
+        then = {f"{n}_dot": ending.state.speeds[n] for n in moving}
+        each = [_placed(context, ending, what, n, ending.state.speeds[n]) for n in moving]
+        return weakest([*each, same(context, substitute(substitute(rate, then), here), stated)])
     return same(context, substitute(context.along(rate * rate), here), stated * stated)
 
 
