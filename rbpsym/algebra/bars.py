@@ -20,7 +20,7 @@ def fraction(
         inside, outside = outside, []
     if not above and not inside and not outside:
         inside, functions = functions, []
-    whole = t.div(t.mul(*roots_last([*above, *inside])), t.mul(*sums_before_functions([*below, *lower])))
+    whole = t.div(t.mul(*roots_last([*above, *inside])), t.mul(*roots_last(sums_before_functions([*below, *lower]))))
     return t.mul(whole, *sums_before_functions([*functions, *outside]))
 
 

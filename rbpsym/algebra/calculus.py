@@ -203,7 +203,11 @@ def inside(value: Scalar, see: Callable[[Scalar], Scalar]) -> Scalar:
     images = {}
     for index in value.atoms():
         found = atoms.atom(index)
-        if isinstance(found.arg, Scalar) and found.kind != "sign" and (seen := see(found.arg)) != found.arg:
+        if not isinstance(found.arg, (Scalar, Poly)) or found.kind == "sign":
+            continue
+        arg = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
+        seen = see(arg)
+        if seen != arg and (seen.den is ONE or arg is found.arg):  # an angle has no sum below a bar
             images[index] = FUNCTIONS[{"root": "sqrt"}.get(found.kind, found.kind)](seen)
     num = _with_images(value.num, images)
     return num if value.den is ONE else num / _with_images(value.den, images)

@@ -54,6 +54,17 @@ def is_rooted(poly: Poly) -> bool:
     return any(atoms.atom(index).kind == "root" for index in poly.atoms())
 
 
+def has_roots(value: Scalar) -> bool:
+    """Whether a square root occurs in it, in an angle or a function too."""
+    return any(map(_holds_root, value.atoms()))
+
+
+@lru_cache(maxsize=16384)
+def _holds_root(index: int) -> bool:
+    found = atoms.atom(index)
+    return found.kind == "root" or (isinstance(found.arg, (Scalar, Poly)) and any(map(_holds_root, found.arg.atoms())))
+
+
 def bases_of(*polys: Poly) -> Bases:
     """Base angles: each monomial of an angle with the common denominator of its multiples."""
     denominators: dict[Monomial, int] = {}

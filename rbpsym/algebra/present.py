@@ -41,6 +41,7 @@ from rbpsym.algebra.grouping import (
 )
 from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly, inverse, tidy, times
+from rbpsym.algebra.roots import side_of, with_numbers_inside
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.signs import is_upside_down, positive_first, turned, turned_below
 from rbpsym.algebra.style import PLAIN, Style, atom_key, is_quadratic, moves, split, term_key
@@ -56,6 +57,7 @@ def present(value: Scalar, style: Style = PLAIN, *, factor: bool = False) -> t.N
 
 @remembered
 def _presented(value: Scalar, style: Style, factor: bool) -> t.Node:
+    value = with_numbers_inside(value)
     if value.den is ONE:
         return present_poly(with_joined_angles(value.num), style, factor)
     return present_ratio(value.num, value.den, replace(style, whole=True), factor=factor)
@@ -308,7 +310,8 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
     if isinstance(found.arg, Poly):
         return t.Fn(found.kind, angle_node(found.arg, style))
     if found.kind == "root":
-        return t.Sqrt(_radicand(found.arg, style))
+        side = side_of(found.arg)
+        return t.Sqrt(_radicand(found.arg, style)) if side is None else t.Abs(present(side, style, factor=True))
     return t.Fn(found.kind, present(found.arg, style))
 
 

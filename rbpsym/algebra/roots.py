@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.grouping import perfect_power
-from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of
+from rbpsym.algebra.calculus import inside, root
+from rbpsym.algebra.normal import has_roots, tidy
+from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse, times
+from rbpsym.algebra.ring import factors
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, total
 
 
 def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
@@ -23,57 +25,131 @@ def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar
     return outer if inner == ONE == value.den else outer * generator_of("root", Scalar(inner, value.den))
 
 
-def tidied(value: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:
-    """The value with the squares of its roots' radicands carried out, and √(3 g ℓ)/ℓ as √(3 g/ℓ).
+def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
+    """The value with one root in each product, in which nothing is squared: √(3 g ℓ)/ℓ as √3 √(g/ℓ), √a √b as √(a b).
 
-    `surely` tells which sums are known to be positive. The result has the same value where the radicands are
-    positive; the caller proves it.
+    `sense` tells 1 of what is known not to be negative, -1 of what is known not to be positive, else 0. The result has the
+    same value where the roots have one; who prints it proves it.
     """
-    for index in sorted(value.atoms()):
-        found = atoms.atom(index)
-        if found.kind == "root":
-            value = _with_divisor_inside(
-                _replaced(value, index, _tidied_root(found.arg, is_positive, surely)), is_positive
-            )
+    if not has_roots(value):
+        return value
+    value = tidy(without_even_roots(inside(value, lambda part: tidied(part, sense))))
+    above, below = value.num.content()[1], value.den.content()[1]
+    common = times(above, inverse(below))
+    if any(_is_root(i) for i, _ in common):
+        rest = Scalar(value.num.scaled(1, inverse(above))) / Scalar(value.den.scaled(1, inverse(below)))
+        value = _product(common, rest, sense)
+    elif any(map(_is_root, value.num.atoms())):
+        terms, below = value.num.terms.items(), UNITY / Scalar(value.den)
+        parted = total(_product(m, below * c, sense) for m, c in terms)
+        value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
+    for index in _sizes(value):  # what is even in √(x²) is a function of x
+        if _replaced(value, index, -Scalar(generator(index))) == value:
+            value = _replaced(value, index, side_of(atoms.atom(index).arg))
     return value
 
 
-def _tidied_root(radicand: Scalar, is_positive: Callable[[str], bool], surely: Callable[[Poly], bool]) -> Scalar:
-    radicand = tidied(without_even_roots(radicand), is_positive, surely)
-    below = perfect_power(radicand.den)
-    if below is not None and below[2] == 2:
-        side = next((side for side in (below[1], -below[1]) if surely(side)), None)
-        if side is not None:
-            return simplified_root(Scalar(radicand.num) / below[0], is_positive) / Scalar(side)
-    return simplified_root(radicand, is_positive)
+def _is_root(index: int) -> bool:
+    return atoms.atom(index).kind == "root"
+
+
+def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
+    """A product of powers and a rest, its roots made one: of each factor an even power stands before the root."""
+    radicand = math.prod((atoms.atom(i).arg ** e for i, e in powers if _is_root(i)), start=UNITY)
+    rest = rest * Scalar(Poly({tuple(item for item in powers if not _is_root(item[0])): 1}))
+    size, within = _factored(radicand)
+    if not within:
+        return rest * root(radicand)
+    number, before = _factored(rest)
+    ways = {factor: sense(Scalar(factor)) for factor in within}
+    unknown = [factor for factor, power in within.items() if power % 2 and not ways[factor]]
+    if len(unknown) == 1:  # the root has a value
+        others = (ways[factor] for factor, power in within.items() if power % 2 and factor not in unknown)
+        ways[unknown[0]] = math.prod(others, start=1 if size > 0 else -1)
+    for factor, way in ways.items():
+        if way:
+            power = 2 * before.get(factor, 0) + within[factor]
+            half = int(power / 2)  # towards zero: nothing stands both before the root and on the other side of its bar
+            number *= way ** abs(half - before.get(factor, 0))
+            size *= way ** abs(within[factor])
+            before[factor], within[factor] = half, power - 2 * half
+            size *= way ** abs(within[factor])
+    inner = _whole(1 if size > 0 else -1, within)
+    return _whole(number, before) * root(lift(abs(size))) * (UNITY if inner == UNITY else generator_of("root", inner))
+
+
+def _factored(value: Scalar) -> tuple[Fraction, dict[Poly, int]]:
+    """A number and irreducible factors with their powers, those below the bar negative."""
+    size, found = Fraction(1), {}
+    for poly, way in ((value.num, 1), (value.den, -1)):
+        low = tuple((i, e) for i, e in poly.content()[1] if e < 0)
+        number, parts = factors(poly.scaled(1, inverse(low)))
+        size *= Fraction(number) ** way
+        for factor, power in (*parts, *((generator(i), e) for i, e in low)):
+            found[factor] = found.get(factor, 0) + power * way
+    return size, found
+
+
+def _whole(number: Fraction | int, powers: Mapping[Poly, int]) -> Scalar:
+    return math.prod((Scalar(factor) ** power for factor, power in powers.items()), start=lift(number))
+
+
+def side_of(radicand: Scalar) -> Scalar | None:
+    """x, for x²; None for what is no square."""
+    number, powers = _factored(radicand)
+    size = root(lift(number)).number() if number > 0 and powers else None
+    if size is None or any(power % 2 for power in powers.values()):
+        return None
+    return _whole(size, {factor: power // 2 for factor, power in powers.items()})
+
+
+def _sizes(value: Scalar) -> Iterator[int]:
+    """Roots of squares, wherever they stand in it."""
+    for index in sorted(value.atoms()):
+        found = atoms.atom(index)
+        if isinstance(found.arg, (Scalar, Poly)):
+            yield from _sizes(found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg))
+        if found.kind == "root" and side_of(found.arg) is not None:
+            yield index
 
 
 def _replaced(value: Scalar, index: int, image: Scalar) -> Scalar:
-    if image.num == generator(index) and image.den is ONE:
-        return value
+    value = inside(value, lambda part: _replaced(part, index, image))
     return with_image(value.num, index, image) / with_image(value.den, index, image)
+
+
+def with_numbers_inside(value: Scalar) -> Scalar:
+    """The value with the numbers before a root in it: √6/3 √(ℓ/g) as √(2 ℓ/(3 g)), √2 √3 as √6; only squares stay before."""
+    if not any(map(_is_root, value.num.atoms())):
+        return value
+    number, common = value.num.content()
+    divisor = value.den.content()[0]
+    if not any(_is_root(i) for i, _ in common):
+        return total(_with_number_inside(m, Fraction(c)) for m, c in value.num.terms.items()) / Scalar(value.den)
+    rest = Scalar(value.num.scaled(1 / number, inverse(common)), value.den.scaled(1 / divisor))
+    return rest * _with_number_inside(common, number / divisor)
+
+
+def _with_number_inside(powers: Monomial, number: Fraction) -> Scalar:
+    roots = {i: atoms.atom(i).arg for i, e in powers if _is_root(i) and e == 1}
+    plain = {i: arg.number() for i, arg in roots.items() if arg.number() is not None}
+    size = math.prod(plain.values(), start=Fraction(1))
+    whole, others = Scalar(Poly({tuple(item for item in powers if item[0] not in plain): 1})), [*roots.keys() - plain.keys()]
+    if len(others) != 1:
+        return whole * number * (generator_of("root", lift(size)) if size != 1 else UNITY)
+    radicand = roots[others[0]]
+    own = radicand.num.content()[0] / radicand.den.content()[0]
+    size = number * number * size * own
+    before = Fraction(*(root(lift(part)).num.content()[0].numerator for part in size.as_integer_ratio()))
+    inner = radicand * (size / before**2 / own)
+    is_below = all(c.numerator == 1 and all(e < 0 for _, e in m) for m, c in inner.num.terms.items()) and inner.num.is_monomial()
+    image = 1 / generator_of("root", 1 / inner) if is_below else generator_of("root", inner)
+    return whole / Scalar(generator(others[0])) * image * (before if number > 0 else -before)
 
 
 def with_image(poly: Poly, index: int, image: Scalar) -> Scalar:
     """The polynomial with an image in place of a generator."""
     return sum((Scalar(part) * image**power for power, part in poly.by_power(index).items()), NOTHING)
-
-
-def _with_divisor_inside(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
-    """√(3 g ℓ)/ℓ as √(3 g/ℓ), where the root is a factor of the whole."""
-    common, divided = dict(value.num.content()[1]), dict(value.den.content()[1])
-    roots = [i for i, e in common.items() if e == 1 and atoms.atom(i).kind == "root" and atoms.atom(i).arg.atoms()]
-    if len(roots) != 1:
-        return value
-    radicand = atoms.atom(roots[0]).arg
-    inside = dict(radicand.num.content()[1]) if radicand.den is ONE else {}
-    below = {i: divided.get(i, 0) - common.get(i, 0) for i in inside}
-    moved = {i: 1 for i in below if inside[i] == 1 == below[i] and is_positive(atoms.symbol_name(i) or "")}
-    if not moved:
-        return value
-    by = tuple(sorted(moved.items()))
-    rest = value * Scalar(Poly({by: 1})) / Scalar(generator(roots[0]))
-    return rest * generator_of("root", Scalar(radicand.num.scaled(1, tuple((i, -2) for i, _ in by))))
 
 
 def _halved(powers: Monomial) -> Monomial:

@@ -10,14 +10,13 @@ from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.finding import Finding, checked
-from rbpsym.ask.forms import neat
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import rooted
+from rbpsym.equality.rooted import neat, rooted
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle

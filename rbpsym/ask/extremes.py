@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from rbpsym.algebra.calculus import derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.ask.forms import neat
 from rbpsym.ask.limits import leading
 from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.rooted import neat
 from rbpsym.mechanics.demands import Demand
 
 ENDS = ("at the lower end", "at the upper end")

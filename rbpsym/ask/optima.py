@@ -11,11 +11,11 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
-from rbpsym.ask.forms import neat
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
 from rbpsym.ask.zeros import precedes, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError

@@ -12,7 +12,6 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
-from rbpsym.ask.forms import neat
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question, is_jump, read_question
@@ -20,6 +19,7 @@ from rbpsym.ask.zeros import where_met, zeros
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, StatementError
 from rbpsym.mechanics.arrivals import floating

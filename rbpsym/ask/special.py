@@ -10,12 +10,12 @@ from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.finding import Finding, checked
-from rbpsym.ask.forms import neat
 from rbpsym.ask.limits import SMALL, Leading, leading
 from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen, told
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import find_witness
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import ReadError, StatementError

@@ -16,11 +16,10 @@ from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, functi
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE, Poly, generator
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
-from rbpsym.ask.forms import neat
 from rbpsym.ask.limits import leading
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
-from rbpsym.equality.rooted import rooted
+from rbpsym.equality.rooted import neat, rooted
 from rbpsym.equality.signs import sign
 from rbpsym.equality.slopes import sign_along
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle

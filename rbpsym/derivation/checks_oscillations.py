@@ -13,7 +13,6 @@ from itertools import permutations, zip_longest
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.roots import tidied
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
@@ -22,6 +21,7 @@ from rbpsym.derivation.expansion import Nearby, nearby
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.mechanics.demands import assuming
@@ -61,7 +61,7 @@ def force_vanishes(context: Context, step: Step) -> Verdict:
     [(left, _, right)] = list(relations(step.statement))
     stated = context.value(right) - context.value(left)
     there = substitute(force, {item.name: symbol(item.place)})
-    factor = short(_plain(there, context.assumptions) / _plain(stated, context.assumptions))
+    factor = short(neat(there, context.assumptions) / neat(stated, context.assumptions))
     asked = Scalar(factor.den) if item.stable is None else factor
     if not sign(substitute(asked, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
         return same(context, stated, there)
@@ -184,12 +184,8 @@ def given(context: Context, step: Step) -> Assumptions:
 def positive(context: Context, step: Step, value: Scalar) -> Verdict:
     """Whether it is, for all that is `given`; √(h²) is h where h is positive, which is proved."""
     known = given(context, step)
-    plain = _plain(value, known)
+    plain = neat(value, known)
     return weakest([same(context, plain, value), compare(NOTHING, plain, known, strict=True)])
-
-
-def _plain(value: Scalar, known: Assumptions) -> Scalar:
-    return tidied(value, lambda name: known.sign_of(name) == "positive", lambda total: False)
 
 
 def _leibniz(matrix: Matrix) -> Scalar:

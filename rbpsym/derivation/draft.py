@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import Any
 
-from rbpsym.algebra.atoms import symbol_name
 from rbpsym.algebra.effort import apart, ask_for_more, at_most
-from rbpsym.algebra.grouping import leads_positive
-from rbpsym.algebra.normal import is_rooted, without_even_roots
-from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.normal import has_roots
 from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import tidied
-from rbpsym.algebra.scalar import Scalar, quotient
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.assertions import Said, settled, told
 from rbpsym.derivation.binding import bound
@@ -21,6 +17,7 @@ from rbpsym.derivation.facts import facts_of
 from rbpsym.derivation.letters import introduce
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
+from rbpsym.equality.rooted import neat
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -114,44 +111,13 @@ class Draft:
 
     def show(self, value: Scalar, *, factor: bool = False) -> t.Node:
         """A value as a display tree in the problem's style."""
-        if not is_rooted(value.num) and not is_rooted(value.den):
+        if not has_roots(value):
             return present(value, self.study.style, factor=factor)
-        value = quotient(without_even_roots(value.num), without_even_roots(value.den))
-        plain = present(value, self.study.style, factor=factor)
-        shown = present(self._tidied(value), self.study.style, factor=factor)
-        forms = dict.fromkeys((self._roots_joined(shown), shown, plain))
-        return next(form for form in forms if form == plain or self._is_proved(form, value))
-
-    def _tidied(self, value: Scalar) -> Scalar:
-        """The value with what is known to be a square out of its roots."""
-        return tidied(
-            value, self._is_positive, lambda total: leads_positive(total, self.study.style) or self._adds_up(total)
-        )
-
-    def _is_positive(self, name: str) -> bool:
-        return self.study.assumptions.sign_of(name) == "positive"
-
-    def _adds_up(self, total: Poly) -> bool:
-        """Whether a sum has positive terms alone."""
-        names = [symbol_name(index) for index in total.atoms()]
-        return all(c > 0 for c in total.terms.values()) and all(name and self._is_positive(name) for name in names)
+        plain, shown = (present(form, self.study.style, factor=factor) for form in (value, neat(value, self.study.assumptions)))
+        return shown if shown == plain or self._is_proved(shown, value) else plain
 
     def _is_proved(self, form: t.Node, value: Scalar) -> bool:
         return scalars_equal(self.context.value(form), value, self.study.assumptions).is_proved
-
-    def _roots_joined(self, node: t.Node) -> t.Node:
-        """√a √b as √(ab), wherever it stands above or below a fraction line."""
-        if isinstance(node, t.Neg):
-            return t.neg(self._roots_joined(node.arg))
-        if isinstance(node, t.Add):
-            return t.add(*map(self._roots_joined, node.terms))
-        if isinstance(node, t.Div):
-            return t.div(self._roots_joined(node.num), self._roots_joined(node.den))
-        roots = [f for f in node.factors if isinstance(f, t.Sqrt)] if isinstance(node, t.Mul) else []
-        if len(roots) < 2:
-            return node
-        inside = present(self.context.value(t.mul(*(root.arg for root in roots))), self.study.style)
-        return t.mul(*(f for f in node.factors if f not in roots), t.Sqrt(inside))
 
     def show_brief(self, value: Scalar) -> t.Node:
         """As it is, or with its sums factored where that is much shorter."""

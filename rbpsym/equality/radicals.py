@@ -7,7 +7,8 @@ of signs of the factors whose sign is not known; it vanishes if it does so in ev
 from __future__ import annotations
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import Bases, bases_of
+from rbpsym.algebra.calculus import inside
+from rbpsym.algebra.normal import Bases, bases_of, has_roots
 from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar
@@ -17,6 +18,7 @@ from rbpsym.equality.factoring import cleared, reduced
 from rbpsym.equality.masks import NONZERO, ZERO
 from rbpsym.equality.points import all_atoms
 from rbpsym.equality.reading import Constraint, Reading
+from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError, Undecided
 
 MOST_CASES = 64
@@ -26,7 +28,7 @@ HOW = {False: "exact algebra of roots and functions", True: "exact algebra of ro
 
 def vanishes(value: Scalar, assumptions: Assumptions, *, deep: bool) -> str:
     """How it was proved that the numerator vanishes wherever it has a value; "" if it was not."""
-    value = without_even_roots(value)
+    value = without_even_roots(inside(value, lambda part: neat(part, assumptions) if has_roots(part) else part))
     bases = _bases(value)
     try:
         forced = _forced(value, Reading(assumptions, bases, deep, {}))

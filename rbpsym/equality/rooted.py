@@ -1,12 +1,13 @@
-"""Values in which the roots of squares of positive quantities are taken."""
+"""Values in which the roots of squares are taken, by the signs that are known."""
 
 from __future__ import annotations
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import shorten
-from rbpsym.algebra.roots import simplified_root, with_image, without_even_roots
+from rbpsym.algebra.roots import simplified_root, tidied, with_image, without_even_roots
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.signs import sign
 
 
 def shorter(value: Scalar) -> Scalar:
@@ -21,6 +22,16 @@ def rooted(value: Scalar, given: Assumptions) -> Scalar:
         found = atoms.atom(index)
         if found.kind == "root":
             inner = found.arg if isinstance(found.arg, Scalar) else Scalar(found.arg)
-            image = simplified_root(inner, lambda name: given.sign_of(name) == "positive")
+            image = root_of(inner, given)
             value = with_image(value.num, index, image) / with_image(value.den, index, image)
     return shorter(without_even_roots(value))
+
+
+def root_of(value: Scalar, given: Assumptions) -> Scalar:
+    """√value, with what is declared positive and squared taken out."""
+    return simplified_root(value, lambda name: given.sign_of(name) == "positive")
+
+
+def neat(value: Scalar, given: Assumptions) -> Scalar:
+    """The value as it is told: one root in each product, which holds no squares."""
+    return shorter(tidied(rooted(value, given), lambda part: sign(part, given).sense))

@@ -48,6 +48,11 @@ class SignResult:
         """Whether the value is surely not negative."""
         return self.kind in ("positive", "zero", "nonnegative")
 
+    @property
+    def sense(self) -> int:
+        """1 of what is surely not negative, -1 of what is surely not positive, else 0."""
+        return {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}.get(self.kind or "", 0)
+
 
 def sign(value: Scalar, assumptions: Assumptions = NONE, *, factoring: bool = True) -> SignResult:
     """The sign of a value for all quantities that satisfy the assumptions.

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.integration import definite
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.equality.slopes import sign_along
 from rbpsym.errors import NoNumber, NotApplicable
@@ -146,7 +146,7 @@ def _drive(study: Study, name: str) -> Scalar:
 
 def positive_root(study: Study, value: Scalar) -> Scalar:
     """The square root, with what is declared positive taken out."""
-    return simplified_root(short(value), lambda name: study.assumptions.sign_of(name) == "positive")
+    return root_of(short(value), study.assumptions)
 
 
 def floating(value: Scalar, numbers: Numbers) -> float:

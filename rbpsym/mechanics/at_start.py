@@ -9,6 +9,7 @@ from functools import cached_property
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.effort import apart, at_most
 from rbpsym.algebra.scalar import Scalar
+from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble

@@ -9,11 +9,12 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.poly import ONE, ZERO, generator
-from rbpsym.algebra.roots import simplified_root, tidied, without_even_roots
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
+from rbpsym.equality.rooted import neat, root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential
@@ -118,7 +119,7 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
         if power == 2:
             if sign(bound, given).kind != "positive":
                 continue
-            bound = simplified_root(bound, lambda n: given.sign_of(n) == "positive")
+            bound = root_of(bound, given)
         old = lower if way > 0 else upper
         if old == bound and demand.op != ">":
             continue
@@ -130,7 +131,7 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
 
 def neat(value: Scalar, given: Assumptions) -> Scalar:
     """The value with what is known to be a square out of its roots, and their even powers carried out."""
-    found = tidied(without_even_roots(value), lambda name: given.sign_of(name) == "positive", lambda total: False)
+    found = neat(value, given)
     return short(without_even_roots(found))
 
 

@@ -21,10 +21,9 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import rooted
+from rbpsym.equality.rooted import root_of, rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.demands import Demand, assuming
@@ -106,7 +105,7 @@ def squares(powers: Powers, assumptions: Assumptions) -> list[Scalar]:
     if len(even) > 3:
         return []
     a, b, c = even
-    spread = simplified_root(short(b * b - 4 * a * c), lambda name: assumptions.sign_of(name) == "positive")
+    spread = root_of(short(b * b - 4 * a * c), assumptions)
     return [(b - spread) / (2 * a), (b + spread) / (2 * a)]
 
 

@@ -13,9 +13,10 @@ from dataclasses import dataclass, field, replace
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root, without_even_roots
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming
@@ -97,21 +98,19 @@ class Given:
 
     def root(self, value: Scalar) -> Scalar:
         """The square root, with what is declared positive taken out."""
-        return simplified_root(short(value), lambda n: self.assumptions.sign_of(n) == "positive")
+        return root_of(short(value), self.assumptions)
 
     def sense(self, value: Scalar) -> int:
         """1, -1 or 0: the declared sign, else that at the sample numbers."""
-        known = sign(value, self.assumptions).kind
-        if known in SENSES:
-            return SENSES[known]
+        known = sign(value, self.assumptions)
+        if known.sense or known.kind == "zero":
+            return known.sense
         try:
             found = number(value, sample(self.study.problem))
         except NoNumber:
             return 0
         return (found > 0) - (found < 0)
 
-
-SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1, "zero": 0}
 
 
 def given(study: Study, name: str, *, small: bool = False) -> Given | None:

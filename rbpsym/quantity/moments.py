@@ -24,7 +24,7 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 from rbpsym.quantity.oscillations import PHRASES as OSCILLATIONS
-from rbpsym.quantity.path import SENSES, first_push, work_done
+from rbpsym.quantity.path import first_push, work_done
 from rbpsym.statement.source import did_you_mean
 
 if TYPE_CHECKING:
@@ -116,8 +116,8 @@ def _speed(world: ProblemWorld, name: str, square: Scalar, place: Mapping[str, S
 
 def _sense(world: ProblemWorld, value: Scalar) -> Scalar | int:
     """1 or -1, or x/|x| where the sign depends on the parameters."""
-    known = sign(value, world.motion.assumptions).kind
-    return 1 if known == "zero" else SENSES.get(known) or value / root(value * value)
+    known = sign(value, world.motion.assumptions)
+    return 1 if known.kind == "zero" else known.sense or value / root(value * value)
 
 
 def where_equal(world: ProblemWorld, phrase: str, name: str, text: str) -> Bound:

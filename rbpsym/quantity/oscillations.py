@@ -16,7 +16,6 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
-from rbpsym.quantity.path import SENSES
 
 if TYPE_CHECKING:
     from rbpsym.quantity.problem import ProblemWorld
@@ -102,8 +101,8 @@ def _ordered(world: ProblemWorld, values: list[Scalar]) -> list[Scalar]:
 
 
 def _compared(world: ProblemWorld, a: Scalar, b: Scalar) -> int:
-    found = SENSES.get(sign(a - b, world.motion.assumptions).kind)
-    if found is None:
+    found = sign(a - b, world.motion.assumptions).sense
+    if not found:
         raise StatementError("which of the frequencies is the lower one depends on the parameters, or is not decided")
     return found
 

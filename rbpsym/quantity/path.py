@@ -29,7 +29,6 @@ from rbpsym.mechanics.numbers import number
 from rbpsym.notation import tree as t
 from rbpsym.quantity.bound import Motion
 
-SENSES = {"positive": 1, "nonnegative": 1, "negative": -1, "nonpositive": -1}
 STEPS, EDGE = 32, 1e-9
 Branch = tuple[tuple[Scalar, ...], list[Condition]]
 
@@ -46,7 +45,7 @@ def sense(motion: Motion, name: str) -> int:
     What starts from rest in an equilibrium at an end of its range goes into the range.
     """
     push = first_push(motion, name)
-    if found := SENSES.get(sign(push, motion.assumptions).kind):
+    if found := sign(push, motion.assumptions).sense:
         return found
     return inward(motion, name) if is_zero(push) else 0
 

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.vector import ORIGIN, Space
+from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
@@ -214,7 +214,7 @@ def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
 def _gyration(world: ProblemWorld, name: str, about: str | None) -> Bound:
     mass = sum((state.mass for state in world.bodies(name)), NOTHING)
     square, signs = short(_moment(world, name, about).scalar / mass), world.study.assumptions
-    return Bound(simplified_root(square, lambda one: signs.sign_of(one) == "positive"), about=(name, about))
+    return Bound(root_of(square, signs), about=(name, about))
 
 
 def _centre(world: ProblemWorld, name: str | None) -> Bound:

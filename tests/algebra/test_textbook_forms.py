@@ -4,15 +4,18 @@ from fractions import Fraction
 
 import pytest
 
+from rbpsym.algebra.calculus import function, root
 from rbpsym.algebra.evaluate import Scope, scalar, value
 from rbpsym.algebra.grouping import perfect_power
 from rbpsym.algebra.joined import with_joined_angles
 from rbpsym.algebra.normal import same
 from rbpsym.algebra.present import present, present_ratio
 from rbpsym.algebra.roots import tidied
-from rbpsym.algebra.scalar import Scalar, generator_of, symbol
+from rbpsym.algebra.scalar import Scalar, generator_of, lift, symbol
 from rbpsym.algebra.style import COEFFICIENT, Style
 from rbpsym.algebra.trig import cosine, sine
+from rbpsym.equality.assumptions import positive
+from rbpsym.equality.decide import scalars_equal
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT
 from rbpsym.notation.latex import to_latex
@@ -91,14 +94,22 @@ def _root(radicand):
         (_root(g * ell) / ell, r"\sqrt{\frac{g}{\ell}}"),
         (_root((R - a) ** 2 + _root(a * (2 * R - a)) ** 2), "R"),
         (_root(4 * g / (R - a) ** 2) * (R - a), r"2 \sqrt{g}"),
+        (root(lift(6)) * _root(ell / g) / 3, r"\sqrt{\frac{2 \ell}{3 g}}"),
+        (root(lift(2)) / 2 * _root(g * sine(theta) / ell), r"\sqrt{\frac{g}{2 \ell} \sin\theta}"),
+        (root(lift(2)) * root(lift(3)) * g / 3, r"\frac{g \sqrt{6}}{3}"),
+        (_root(g) * _root(ell), r"\sqrt{g \ell}"),
+        (_root(m - M) / (m - M), r"\frac{1}{\sqrt{m - M}}"),
+        (_root((R**2 + a**2) ** 2 / (R + a) ** 3), r"\frac{R^2 + a^2}{(R + a) \sqrt{R + a}}"),
+        (_root((m - M) ** 2) * g, r"g \lvert m - M \rvert"),
+        (_root((m - M) ** 2) ** 2 * g, r"g (m - M)^2"),
+        (function("exp", _root((m - M) ** 2)) + function("exp", -_root((m - M) ** 2)), r"\exp(M - m) + \exp(m - M)"),
     ],
 )
-def test_roots_hold_no_squares(value_, latex):
-    def surely(total):
-        return same(Scalar(total), R - a)
-
-    found = tidied(value_, lambda name: True, surely)
-    assert to_latex(present(found, STYLE), DEFAULT) == latex
+def test_one_root_stands_in_a_product_and_nothing_squared_in_it(value_, latex):
+    known = (R - a, R + a, R**2 + a**2, *map(symbol, ("g", "ell", "R", "a")))
+    found = tidied(value_, lambda part: any(same(part, one) for one in known) - any(same(part, -one) for one in known))
+    assert to_latex(present(found, STYLE, factor=True), DEFAULT) == latex
+    assert same(found * found, value_ * value_) or scalars_equal(found, value_, positive("g", "ell", "R", "a")).is_proved
 
 
 def test_a_perfect_power_is_told_from_other_sums():

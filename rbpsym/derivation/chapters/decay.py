@@ -11,10 +11,10 @@ from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, root
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
+from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import essential
 from rbpsym.mechanics.elimination import short
@@ -110,7 +110,7 @@ def _critical(draft: Draft, item: Equilibrium, damping: Scalar, square: Scalar, 
     for name in (q.name for q in draft.study.problem.parameters):
         each = short(damping / symbol(name))
         if depends_on(damping, name) and not any(depends_on(value, name) for value in (each, square)):
-            positive = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
+            positive = root_of(square, draft.study.assumptions)
             value = short(positive * 2 / each)
             letter = draft.define(draft.free(f"{name}_crit"), value)
             said, data = t.equation(letter, draft.show(value, factor=True)), {"damping": damping, "square": square}

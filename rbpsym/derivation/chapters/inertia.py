@@ -10,11 +10,11 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.grouping import perfect_power
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.roots import simplified_root
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
+from rbpsym.equality.rooted import root_of
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.inertia import Moments, mass_moments, tidy
@@ -290,7 +290,7 @@ def as_power(draft: Draft, square: Scalar) -> t.Node:
     if found is not None and found[2] == 2:
         size = root(lift(found[0]))
         return draft.show(square) if size.number() is None else t.power(draft.show(Scalar(found[1]) * size), 2)
-    distance = simplified_root(square, lambda name: draft.study.assumptions.sign_of(name) == "positive")
+    distance = root_of(square, draft.study.assumptions)
     rooted = any(atoms.atom(index).kind == "root" for index in distance.atoms())
     return draft.show(square) if rooted else t.power(draft.show(distance), 2)
 
