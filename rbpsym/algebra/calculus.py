@@ -121,20 +121,17 @@ def function(name: str, arg: Scalar) -> Scalar:
     return FUNCTIONS[name](arg)
 
 
-def _known(name: str, values: Mapping[Fraction | int, Scalar]):
-    def build(arg: Scalar) -> Scalar:
-        number = arg.number()
-        return values[number] if number is not None and number in values else generator_of(name, arg)
-
-    return build
+def _known(name: str, values: Mapping[Scalar, Scalar]):
+    return lambda arg: values[arg] if arg in values else generator_of(name, arg)
 
 
-def _odd(values: Mapping[Fraction | int, Scalar]) -> dict[Fraction | int, Scalar]:
-    return {0: NOTHING, **values, **{-at: -value for at, value in values.items()}}
+def _odd(values: Mapping[Scalar, Scalar]) -> dict[Scalar, Scalar]:
+    return {NOTHING: NOTHING, **values, **{-at: -value for at, value in values.items()}}
 
 
 HALF = Fraction(1, 2)
-SINES = _odd({HALF: PI / 6, 1: PI / 2})
+SINES = _odd({lift(HALF): PI / 6, root(lift(HALF)): PI / 4, root(lift(3)) / 2: PI / 3, UNITY: PI / 2})
+TANGENTS = _odd({root(lift(3)) / 3: PI / 6, UNITY: PI / 4, root(lift(3)): PI / 3})
 
 
 FUNCTIONS = {
@@ -144,11 +141,11 @@ FUNCTIONS = {
     "cot": lambda a: cosine(a) / sine(a),
     "sec": lambda a: 1 / cosine(a),
     "csc": lambda a: 1 / sine(a),
-    "exp": _known("exp", {0: UNITY}),
-    "ln": _known("ln", {1: NOTHING}),
+    "exp": _known("exp", {NOTHING: UNITY}),
+    "ln": _known("ln", {UNITY: NOTHING}),
     "asin": _known("asin", SINES),
     "acos": _known("acos", {at: PI / 2 - angle for at, angle in SINES.items()}),
-    "atan": _known("atan", _odd({1: PI / 4})),
+    "atan": _known("atan", TANGENTS),
     "sqrt": root,
 }
 

@@ -117,10 +117,18 @@ def divisors(den: Poly) -> Monomial:
 
 
 def plain_value(poly: Poly) -> float | None:
-    """The value of a polynomial in π alone."""
-    if any(atoms.symbol_name(index) != "pi" for index in poly.atoms()):
+    """The value of a polynomial in π and roots of numbers alone."""
+    plain = {index: _plain_atom(index) for index in poly.atoms()}
+    if None in plain.values():
         return None
-    return sum(float(c) * math.prod(math.pi**e for _, e in m) for m, c in poly.terms.items())
+    return sum(float(c) * math.prod(plain[i] ** e for i, e in m) for m, c in poly.terms.items())
+
+
+def _plain_atom(index: int) -> float | None:
+    found = atoms.atom(index)
+    if found.kind == "root" and (number := found.arg.number()) is not None:
+        return math.sqrt(number)
+    return math.pi if index == atoms.PI else None
 
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:

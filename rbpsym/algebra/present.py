@@ -318,9 +318,9 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
 def _radicand(value: Scalar, style: Style) -> t.Node:
     """Below a root, a sum has one fraction line at most."""
     if value.den is not ONE or len(value.num) < 2 or not divisors(value.num):
-        return present(value, style)
+        return present(value, style, factor=True)
     coefficient, common, rest = taken_out(value.num, replace(style, whole=True), fenced=True)
-    more, pieces = _groups(rest, style, False)
+    more, pieces = _groups(rest, style, True)
     return _assembled(coefficient * more, common, pieces, style)
 
 

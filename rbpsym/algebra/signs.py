@@ -41,13 +41,19 @@ def turned(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: S
     return coefficient, pieces
 
 
-PRODUCTS = (t.Add, t.Mul, t.Neg, t.Sym)
-
-
 def turned_below(coefficient: Coefficient, pieces: list[tuple[t.Node, bool]], style: Style) -> tuple[Coefficient, list]:
-    """The same of a denominator without numbers, powers and functions: -c/(a - b) is printed c/(b - a)."""
-    plain = all(isinstance(part, PRODUCTS) for node, _ in pieces for part in t.walk(node))
-    return turned(coefficient, pieces, style) if plain else (coefficient, pieces)
+    """The same of a denominator: -c/(a - b) is printed c/(b - a), but for 4 - 3 sin² θ, which is never negative."""
+    return (coefficient, pieces) if any(_is_bounded(node) for node, _ in pieces) else turned(coefficient, pieces, style)
+
+
+def _is_bounded(node: t.Node) -> bool:
+    """Whether it is a number less no greater a multiple of sines and cosines."""
+    if not isinstance(node, t.Add) or not isinstance(node.terms[0], t.Num) or not t.is_negative(node.terms[1]):
+        return False
+    first, *others = (part for part in getattr(node.terms[1].arg, "factors", (node.terms[1].arg,)))
+    size, waves = (first.value, others) if isinstance(first, t.Num) else (1, [first, *others])
+    bases = (wave.base if isinstance(wave, t.Pow) else wave for wave in waves)
+    return size <= node.terms[0].value and all(isinstance(base, t.Fn) and base.name in ("sin", "cos") for base in bases)
 
 
 def _may_turn(node: t.Add, style: Style) -> bool:
@@ -60,7 +66,17 @@ def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | N
         return _compared(second.den, second.num)
     if isinstance(first, t.Pow) and isinstance(second, t.Pow) and first.exponent == second.exponent:
         return _compared(first.base, second.base)
+    (more, first), (less, second) = _counted(first), _counted(second)
+    if more > less:
+        return _compared(first, second)
     return getattr(first, "name", None), getattr(second, "name", None)
+
+
+def _counted(node: t.Node | None) -> tuple[int, t.Node | None]:
+    """The number before a product, and the rest."""
+    if isinstance(node, t.Mul) and isinstance(node.factors[0], t.Num):
+        return node.factors[0].value, t.mul(*node.factors[1:])
+    return 1, node
 
 
 def positive_first(nodes: list[t.Node]) -> list[t.Node]:

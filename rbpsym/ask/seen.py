@@ -29,7 +29,7 @@ from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
-from rbpsym.notation.machine import to_machine
+from rbpsym.notation.text import to_text
 from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.source import did_you_mean
 
@@ -85,7 +85,7 @@ def seen(world: Scene, phrase: str) -> Scalar:
 
 def told(value: Scalar) -> str:
     """A value as text."""
-    return to_machine(present(value))
+    return to_text(present(value))
 
 
 def moving(world: Scene, values: Iterable[Scalar]) -> list[str]:

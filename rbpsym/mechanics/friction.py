@@ -53,7 +53,7 @@ class FrictionNeed:
     """Static friction keeps a contact from slipping as long as |ratio| = |f|/N ≤ the coefficient.
 
     `ratio` is f/N as a function of the state (of the position alone, where the speed is known), N being the sum of
-    `normals`; `needed` is |f|/N if its sign is decided. `limit` is the declared coefficient, `holds` whether it
+    `normals`; `needed` is |f|/N if its sign is decided, where N > 0. `limit` is the declared coefficient, `holds` whether it
     is enough (None: it depends, or no coefficient is declared).
     """
 
@@ -80,7 +80,8 @@ ENOUGH = {"positive": True, "nonnegative": True, "zero": True, "negative": False
 
 def _need(element, reactions: Mapping[str, Scalar], assumptions: Assumptions) -> FrictionNeed:
     ratio = short(reactions[element["friction"]] / sum((reactions[name] for name in element.normals), NOTHING))
-    way = SIZES.get(sign(ratio, assumptions).kind)
+    sides = (sign(value, assumptions).kind for value in (ratio, reactions[element["friction"]]))  # where the contact pushes
+    way = next((SIZES[side] for side in sides if side in SIZES), None)
     needed = None if way is None else ratio * way
     limit = None if element["limit"] is None else scalar(element["limit"])
     holds = None if None in (needed, limit) else ENOUGH.get(sign(limit - needed, assumptions).kind)

@@ -20,6 +20,7 @@ from rbpsym.algebra.vector import QUARTER, Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.roots import zeros
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
@@ -229,18 +230,22 @@ def energy_lost(world: ProblemWorld, name: str | None) -> Bound:
 
 def friction_ratio(world: ProblemWorld, contact: str) -> Bound:
     """f/N of a contact that static friction holds."""
+    return number(_need(world, contact).ratio, "contact")
+
+
+def _need(world: ProblemWorld, contact: str) -> FrictionNeed:
     needs = {item.constraint: item for item in world.study.friction_needs}
     if contact not in needs:
         raise StatementError(
             f"static friction does not hold “{contact}”", instead=did_you_mean(contact, needs, "such contacts")
         )
-    return number(needs[contact].ratio, "contact")
+    return needs[contact]
 
 
 def needed_friction(world: ProblemWorld, contact: str) -> Bound:
     """|f|/N of a contact that static friction holds: the coefficient that it needs."""
-    ratio = friction_ratio(world, contact).scalar
-    return number(ratio * _sense(world, ratio), "contact")
+    need = _need(world, contact)
+    return number(need.ratio * _sense(world, need.ratio) if need.needed is None else need.needed, "contact")
 
 
 _W = r"([\w-]+)"
