@@ -12,7 +12,8 @@ from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy,
 from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
-MOST_FACTORED, FEW = 16, 6  # terms; longer sums are not worth the search for factors
+MOST_FACTORED, FEW = 16, 12  # terms; longer sums are not worth the search for factors
+ENOUGH = 2  # letters that a common factor of some terms has to save
 
 
 def taken_out(poly: Poly, style: Style, *, fenced: bool = False) -> tuple[Coefficient, Monomial, Poly]:
@@ -246,6 +247,20 @@ def by_moving(poly: Poly, style: Style) -> dict[Monomial, dict[Monomial, Coeffic
         fixed, moving = split(m, style)
         parts.setdefault(moving, {})[fixed] = c
     return parts
+
+
+def gathered(poly: Poly, style: Style) -> list[Poly]:
+    """The sum in parts, each with a factor that saves letters: (R² + r²) ω² - 4 g d, not R² ω² + r² ω² - 4 g d."""
+    if len(poly) < 3 or style.gathered or is_inertia(poly, style):
+        return [poly]
+    best, found = (ENOUGH, 0), poly
+    for index, exponent in sorted({item for m in poly.terms for item in m}):
+        shared = [m for m in poly.terms if dict(m).get(index, 0) / exponent >= 1]
+        part = Poly({m: poly.terms[m] for m in shared})
+        letters = sum(1 + (e != 1) for _, e in _common_powers(part))
+        if ((len(part) - 1) * letters, letters) > best:
+            best, found = ((len(part) - 1) * letters, letters), part
+    return [poly] if len(found) == len(poly) else [found, *gathered(poly - found, style)]
 
 
 def splits_by_parameters(poly: Poly, style: Style) -> bool:

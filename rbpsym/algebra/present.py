@@ -27,6 +27,7 @@ from rbpsym.algebra.grouping import (
     by_moving,
     common_coefficient,
     divisors,
+    gathered,
     is_inertia,
     is_worth_factoring,
     joined_squares,
@@ -227,6 +228,10 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
         whole = t.power(_plain_sum(-side if n % 2 == 0 and leads_negative(side, style) else side, style), n)
         size = t.mul(_monomial_node(abs(number), UNIT, style), whole)
         return t.neg(size) if number < 0 else size
+    parts = gathered(poly, style)
+    if len(parts) > 1:
+        style = replace(style, gathered=True)
+        return t.add(*positive_first([present_poly(part, style) for part in parts]))
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     if leads_backwards(poly, style):
         ordered = ordered[::-1]
@@ -312,7 +317,7 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
     if found.kind == "root":
         side = side_of(found.arg)
         return t.Sqrt(_radicand(found.arg, style)) if side is None else t.Abs(present(side, style, factor=True))
-    return t.Fn(found.kind, present(found.arg, style))
+    return t.Fn(found.kind, present(found.arg, style, factor=True))
 
 
 def _radicand(value: Scalar, style: Style) -> t.Node:

@@ -22,7 +22,7 @@ class Style:
     With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
     `whole`, sums get whole coefficients, as above a bar whose denominator has them. `greater` holds
     pairs of parameters of which the first is known to be the greater one: R - a, never a - R.
-    With `tangents`, sin A / cos A is printed tan A.
+    With `tangents`, sin A / cos A is printed tan A. In a `gathered` sum, no factor is taken out of some of its terms.
     """
 
     rank: Mapping[str, tuple] = field(default_factory=dict)
@@ -31,10 +31,11 @@ class Style:
     whole: bool = False
     greater: frozenset[tuple[str, str]] = frozenset()
     tangents: bool = True
+    gathered: bool = False
 
     @cached_property
     def _content(self) -> int:
-        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents))
+        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents, self.gathered))
 
     def __hash__(self) -> int:
         return self._content
