@@ -11,7 +11,7 @@ from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.parameters import finding, of_parameters
+from rbpsym.ask.parameters import finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
@@ -80,7 +80,10 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     if in_time is not None:
         with suppress(StatementError):
             return answer(asked, in_time, letter)
-    made = of_parameters(asked, plain, letter)
-    if made and made.verdict.is_refuted:
-        raise Undecided(f"what was found for “{plain}” is refuted by its own check, and is not told")
-    return made or answer(asked, read_question(plain), letter)
+    try:
+        return of_parameters(asked, plain, letter) or answer(asked, read_question(plain), letter)
+    except StatementError as refused:
+        with suppress(RbpsymError):
+            if (found := resorted(asked, plain, letter)) and (found.values or found.verdict.is_proved):
+                return found
+        raise refused

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Callable
+from contextlib import suppress
 
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.seen import Scene, number_in, seen
+from rbpsym.ask.seen import PLACE, Scene, moving, number_in, seen
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.verdict import proved
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import existence, settle
 from rbpsym.mechanics.elimination import short
 
+WHEN = re.compile(r" (?:where|when|at|until|up to|during|just|right|from|begins)\b")
 FACTORS = {"twice": "2", "half": "1/2"}
 
 
@@ -23,6 +27,8 @@ def _times(world: Scene, factor: str, text: str) -> Scalar:
 
 
 def _ratio(world: Scene, above: str, below: str) -> Scalar:
+    place = PLACE.fullmatch(below)
+    above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
     return short(value_of(world, above) / value_of(world, below))
 
 
@@ -52,20 +58,35 @@ MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
 )  # fmt: skip
 
 
-def value_of(world: Scene, text: str) -> Scalar:
-    """A quantity that is made of others, or one by itself. Raises StatementError or ReadError for what means nothing."""
-    try:
-        return seen(world, text)
-    except RbpsymError:
-        found = next(((make, words) for pattern, make in MADE if (words := re.fullmatch(pattern, text))), None)
-        if found is None:
-            raise
+SIGNS = (("+", operator.add), ("-", operator.sub)), (("*", operator.mul), ("/", operator.truediv))
+
+
+def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
+    """A quantity that is made of others, or one by itself; the magnitude where it is that `of_vectors`. Raises StatementError
+    or ReadError for what means nothing."""
+    used, refused = len(world.used), None
+    for phrase in (text, f"magnitude of {text}")[: 1 + of_vectors]:
+        try:
+            return seen(world, phrase)
+        except RbpsymError as error:
+            refused = refused or error
+    found = next(((make, words) for pattern, make in MADE if (words := re.fullmatch(pattern, text))), None)
+    if found is not None:
         return found[0](world, *found[1].groups())
+    for signs in SIGNS:
+        for cut in sorted((k for sign_, _ in signs for k in range(1, len(text)) if text[k] == sign_), reverse=True):
+            del world.used[used:]
+            with suppress(RbpsymError):
+                first, second = (value_of(world, part.strip()) for part in (text[:cut], text[cut + 1 :]))
+                return dict(signs)[text[cut]](first, second)
+    raise refused
 
 
 def made(world: Scene, text: str) -> Finding:
     """What is found for such a quantity: it is what the others in it are said to be."""
-    value = value_of(world, text)
+    value = neat(value_of(world, text), world.motion.assumptions)
+    if left := moving(world, (value,)):
+        raise StatementError(f"“{text}” still depends on {left[0]}", instead="say where, of each of them.")
     demands = [demand for _, found in world.used for part in found.values for demand in existence(part)]
     left = settle(demands, world.motion.assumptions)
     return Finding(proved("it is made of what is said"), values=(value,), valid=tuple(demands) if left is None else left)

@@ -13,15 +13,18 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
 from rbpsym.ask.seen import Scene, scene
+from rbpsym.mechanics.arrivals import mover
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
 _N, _FOR = r"(\w+)", r"(?:for|at|with) which"
 _NO_MODE = r"(?!(?:lowest|highest) frequency of |(?:longest|shortest) period of \w+$)"  # that of a mode is a quantity
 _BETWEEN = r"(?: (?:between|from) (?:\w+ = )?(.+) (?:and|to) (?:\w+ = )?(.+))?"
 _UNTIL = r"(?: (?:before|until|up to) (\w+) (?:=|reaches|is) (.+))?"
-ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
+Rows = tuple[tuple[str, Callable[..., Finding]], ...]
+ROWS: Rows = (
     (rf"does (.+) depend on {_N}", special.depends),
     (rf"is (.+) independent of {_N}", special.independent),
+    (r"is (?:the )?(.+) (?:conserved|constant|kept)", special.conserved),
     (rf"(?:does|do|will|when does|where does) (\w+) vanish{_UNTIL}", yesno.vanishes),
     (rf"(?:does|do|will) {_N} slip{_UNTIL}", lambda w, name, *to: yesno.does_not(w, _clause(f"{name} does not slip", *to))),
     (
@@ -48,7 +51,15 @@ ROWS: tuple[tuple[str, Callable[..., Finding]], ...] = (
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 
-
+# what is asked otherwise if the plain reading of it is refused
+RESORTS: Rows = (
+    (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: critical.which(w, None, name, " ".join(said))),
+    (
+        r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)",
+        lambda w, phrase: critical.which(w, None, mover(w.study), f"{phrase} = 0"),
+    ),
+    (r"(.+[-+*/].+)", made.made),
+)
 WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
 
 
@@ -68,7 +79,13 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     return None if found is None else concluded(found[0], text, found[1], letter)
 
 
-def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:
+def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
+    """The same for what is asked in another way; None if it is no such question."""
+    found = finding(asked, text, RESORTS)
+    return None if found is None else concluded(found[0], text, found[1], letter)
+
+
+def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding] | None:
     """What is found for a question about parameters, not concluded yet. Raises as `of_parameters`."""
     rest = ASKED.sub("", text, count=1) if ASKED.match(text) else text
     phase, place = PHASE.fullmatch(rest), None
@@ -76,7 +93,7 @@ def finding(asked: Asked, text: str) -> tuple[Scene, Finding] | None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
     if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in ROWS[:-1]):
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
-    for pattern, find in ROWS:
+    for pattern, find in rows:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
             world = scene(asked, place)
             return world, find(world, *words.groups())

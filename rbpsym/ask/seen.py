@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
@@ -21,7 +22,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.errors import DimensionError, StatementError
+from rbpsym.errors import DimensionError, RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
@@ -81,6 +82,9 @@ def seen(world: Scene, phrase: str) -> Scalar:
     (world.standing if found.moment is None else world.lasting).extend(lasts)
     world.doubts.extend(doubts)
     return neat(found.values[0], world.motion.assumptions)
+
+
+PLACE = re.compile(r"(.+?)((?: (?:where|when|at|just|right|in|once) ).+)")  # a quantity, and where or when it is asked
 
 
 def told(value: Scalar) -> str:

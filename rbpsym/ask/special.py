@@ -177,6 +177,16 @@ def depends(world: Scene, phrase: str, name: str) -> Finding:
     return Finding(undecided("whether its derivative vanishes is not decided"))
 
 
+def conserved(world: Scene, phrase: str) -> Finding:
+    """Whether a quantity stays what it is along the motion."""
+    rate = seen(world, f"rate of {phrase} as a function of the state")
+    if is_zero(rate):
+        return Finding(proved("its rate vanishes identically"), says=f"yes: “{phrase}” is conserved", holds=True)
+    if find_witness(rate, NOTHING, world.motion.assumptions) is not None:
+        return Finding(proved("its rate does not vanish"), says=f"no: “{phrase}” changes", holds=False)
+    return Finding(undecided("whether its rate vanishes is not decided"))
+
+
 def independent(world: Scene, phrase: str, name: str) -> Finding:
     """Whether a quantity does not depend on a parameter."""
     found = depends(world, phrase, name)

@@ -17,7 +17,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
-from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
+from rbpsym.ask.seen import PLACE, Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
@@ -231,12 +231,25 @@ def _damped(world: Scene, name: str, kind: str) -> Wanted:
     return Wanted((gap * way,), world.motion.assumptions, equal=is_equal, closed=False)
 
 
+def _rests_at(world: Scene, name: str, place: str) -> Wanted:
+    """It comes to rest at a place."""
+    return _equal(world, f"{name} where {name} comes to rest", place)
+
+
+def _equilibrium(world: Scene, name: str, text: str) -> Wanted:
+    """At rest at a place, it stays there."""
+    value, study = place_in(world, name, text), world.study
+    gained = seen(world, f"acceleration of {name} as a function of the state")
+    still = dict.fromkeys(study.system.speeds, NOTHING)
+    return Wanted((substitute(gained, {**still, name: value}),), world.motion.assumptions, equal=True)
+
+
 def _vanishes(world: Scene, phrase: str, place: str | None) -> Wanted:
     return _equal(world, phrase + (place or ""), "0")
 
 
 def _equal(world: Scene, left: str, right: str) -> Wanted:
-    first, second = value_of(world, left), value_of(world, right)
+    first, second = (value_of(world, side, of_vectors=True) for side in (left, right))
     require_same(world, first, second, (left, right))
     return Wanted((first - second,), world.motion.assumptions, equal=True)
 
@@ -244,7 +257,6 @@ def _equal(world: Scene, left: str, right: str) -> Wanted:
 SIGNS = {">=": (1, True), ">": (1, False), "<=": (-1, True), "<": (-1, False)}
 RELATION = re.compile(r" (=|>=|<=|>|<|equals|is at least|is at most) ")
 WORDS = {"equals": "=", "is at least": ">=", "is at most": "<="}
-PLACE = re.compile(r"(.+?)((?: (?:where|when|at|just|right|in|once) ).+)")
 
 
 def _compared(world: Scene, text: str) -> Wanted:
@@ -273,6 +285,7 @@ def _compared(world: Scene, text: str) -> Wanted:
 
 _N, _UNTIL = r"([\w.]+)", r"(?:,? (?:until|before|up to) (\w+) (?:=|reaches|is) (.+))?"
 WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
+    (rf"{_N} (?:comes|is brought) to rest (?:at|where|when|after) (?:\w+ = )?(.+)", _rests_at),
     (rf"{_N} (?:just )?reach(?:es)? (.+)", _reaches),
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
@@ -283,6 +296,7 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
+    (rf"{_N} = (.+) is (?:an equilibrium|in equilibrium|a place of rest)", _equilibrium),
     (rf"{_N} is (critically damped|overdamped|underdamped)", _damped),
     (r"(.+?) (?:just )?(?:vanish(?:es)?|is zero|goes to zero)((?: (?:where|when|at|just) .+)?)", _vanishes),
 )
