@@ -13,7 +13,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
-from rbpsym.errors import RbpsymError, StatementError, Undecided
+from rbpsym.errors import ReadError, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
@@ -81,9 +81,11 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
         with suppress(StatementError):
             return answer(asked, in_time, letter)
     try:
-        return of_parameters(asked, plain, letter) or answer(asked, read_question(plain), letter)
-    except StatementError as refused:
-        with suppress(RbpsymError):
-            if (found := resorted(asked, plain, letter)) and (found.values or found.verdict.is_proved):
-                return found
+        made = of_parameters(asked, plain, letter)
+        if made and made.verdict.is_refuted:
+            raise Undecided(f"what was found for “{plain}” is refuted by its own check, and is not told")
+        return made or answer(asked, read_question(plain), letter)
+    except (StatementError, ReadError) as refused:
+        if found := resorted(asked, plain, letter):
+            return found
         raise refused

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from contextlib import suppress
 
 from rbpsym.ask import critical, made, optima, special, through, yesno
 from rbpsym.ask.answer import Answer
@@ -13,6 +14,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
 from rbpsym.ask.seen import Scene, scene
+from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.arrivals import mover
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
@@ -80,9 +82,13 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
 
 
 def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
-    """The same for what is asked in another way; None if it is no such question."""
-    found = finding(asked, text, RESORTS)
-    return None if found is None else concluded(found[0], text, found[1], letter)
+    """The same for what is asked in another way; None if nothing is found."""
+    for row in RESORTS:
+        with suppress(RbpsymError):
+            found = finding(asked, text, (row,))
+            if found and (found[1].values or found[1].verdict.is_proved):
+                return concluded(found[0], text, found[1], letter)
+    return None
 
 
 def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding] | None:

@@ -168,7 +168,7 @@ def _linear_parts(poly: Poly, cos: int, sin: int) -> tuple[Scalar, Scalar, Scala
 
 
 def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
-    """Angles at which a cos A + b sin A + d = 0, for d = 0, a = 0 or b = 0."""
+    """Angles at which a cos A + b sin A + d = 0, for d = 0, a = 0, b = 0 or d = ±a."""
     if not d:
         if not a:
             return [NOTHING, PI]
@@ -182,7 +182,9 @@ def _solve_wave(a: Scalar, b: Scalar, d: Scalar) -> list[Scalar]:
     if not a:
         base = function("asin", -(d / b))
         return [base, PI - base]
-    return []
+    if is_zero(a + d):
+        return [NOTHING, function("atan", b / a) * 2]
+    return [PI, function("atan", a / b) * -2] if is_zero(a - d) else []
 
 
 def _principal(value: Scalar) -> Scalar:

@@ -1,0 +1,73 @@
+"""What is asked in other words: quantities put together, places named by a quantity, changes, what is conserved.
+
+Answers worked out by hand: Kleppner & Kolenkow 5-7 (rod let go as a pendulum, ball that slips and rolls), Taylor 5 (damping).
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.ask.asking import answered
+from rbpsym.ask.moments import Asked
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.text import to_text
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem
+from tests.ask.lines import on_line
+
+ASKED = (
+    ("rod-pendulum", "ratio of F_y to M*g where theta = 0", "(5 - 3*cos(theta_0))/2"),
+    ("rod-pendulum", "F_y at the start / (M*g)", "1 - 3*sin(theta_0)**2/4"),
+    ("rod-pendulum", "F_y where theta = 0 - F_y at the start", "3*M*g/2*(1 - cos(theta_0)) + 3*M*g*sin(theta_0)**2/4"),
+    ("rod-pendulum", "rotational kinetic energy of rod where theta = 0", "M*g*ell*(1 - cos(theta_0))/8"),
+    ("rod-pendulum", "translational kinetic energy of rod where theta = 0", "3*M*g*ell*(1 - cos(theta_0))/8"),
+    ("rod-pendulum", "change of kinetic energy until theta = 0", "M*g*ell*(1 - cos(theta_0))/2"),
+    ("rod-pendulum", "is energy conserved", True),
+    ("rod-pendulum", "is the angular momentum of rod about O conserved", False),
+    ("ball-slipping-to-rolling", "ratio of energy lost until rolling to kinetic energy at the start", "2/7"),
+    ("ball-slipping-to-rolling", "is angular momentum of ball about O conserved", True),
+    ("spring-coupled-pendulums", "highest frequency of theta_1 / lowest frequency of theta_1", None),
+    ("sliding-ladder", "theta where N_w = 0", "asin(2*sin(theta_0)/3)"),
+)
+
+
+@pytest.mark.parametrize(("name", "question", "worked_out"), ASKED, ids=lambda value: str(value)[:60])
+def test_other_words_get_the_answer(name: str, question: str, worked_out: str | bool | None) -> None:
+    asked = Asked(load_problem(find_problem(name)))
+    found = answered(asked, question)
+    assert found.verdict.is_proved, found.verdict
+    if isinstance(worked_out, bool):
+        assert found.holds_so is worked_out
+    elif worked_out:
+        world = asked.world(0)
+        assert scalars_equal(found.value, scalar(read_infix(worked_out, world.names)), world.motion.assumptions).is_proved
+
+
+PRINTED = (
+    ("-k*x", {"speed": "0"}, "magnitude of force P on block", "k|x|"),
+    ("-k*x - b*x_dot", {"start": "0"}, "speed of x as a function of t", "√(4mk − b²)"),
+    ("-k*x", {}, "amplitude of x", "√((mv₀² + kx₀²)/k)"),
+)
+
+
+@pytest.mark.parametrize(("force", "start", "question", "part"), PRINTED, ids=lambda value: str(value)[:40])
+def test_roots_are_printed_as_in_books(force: str, start: dict[str, str], question: str, part: str) -> None:
+    found = answered(Asked(on_line(force, **start)), question)
+    text = "; ".join(map(to_text, found.nodes))
+    assert part in text, text
+
+
+REFUSED = (
+    ("rod-pendulum", "ratio of F_y to foo", "means nothing"),
+    ("rod-pendulum", "ratio of F_y to F_x", "means nothing"),
+    ("rod-pendulum", "theta where velocity of rod.tip = 0", "means nothing"),
+)
+
+
+@pytest.mark.parametrize(("name", "question", "told"), REFUSED, ids=lambda value: str(value)[:40])
+def test_what_is_put_together_of_nothing_gets_a_sentence(name: str, question: str, told: str) -> None:
+    with pytest.raises(RbpsymError, match=told):
+        answered(Asked(load_problem(find_problem(name))), question)
