@@ -66,6 +66,7 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> 
     if len(unknown) == 1:  # the root has a value
         others = (ways[factor] for factor, power in within.items() if power % 2 and factor not in unknown)
         ways[unknown[0]] = math.prod(others, start=1 if size > 0 else -1)
+    sizes = UNITY
     for factor, way in ways.items():
         if way:
             power = 2 * before.get(factor, 0) + within[factor]
@@ -74,8 +75,14 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> 
             size *= way ** abs(within[factor])
             before[factor], within[factor] = half, power - 2 * half
             size *= way ** abs(within[factor])
+        elif within[factor] % 2 == 0:  # |x| stands alone
+            power, plain = within.pop(factor) // 2, before.get(factor, 0)
+            power, before[factor] = (power, plain) if plain % 2 else (power + plain, 0)
+            one = (power > 0) - (power < 0) if power % 2 else 0
+            before[factor] += power - one
+            sizes = sizes * generator_of("root", Scalar(factor) ** 2) ** one
     inner = _whole(1 if size > 0 else -1, within)
-    return _whole(number, before) * root(lift(abs(size))) * (UNITY if inner == UNITY else generator_of("root", inner))
+    return _whole(number, before) * sizes * root(lift(abs(size))) * (UNITY if inner == UNITY else generator_of("root", inner))
 
 
 def _factored(value: Scalar) -> tuple[Fraction, dict[Poly, int]]:
@@ -141,6 +148,8 @@ def _with_number_inside(powers: Monomial, number: Fraction) -> Scalar:
     own = radicand.num.content()[0] / radicand.den.content()[0]
     size = number * number * size * own
     before = Fraction(*(root(lift(part)).num.content()[0].numerator for part in size.as_integer_ratio()))
+    if before.denominator > 1 and radicand.den is ONE and all(e > 0 for m in radicand.num.terms for _, e in m):
+        before /= (size / before**2).denominator  # √(2 g h)/4, and no bar in the root
     inner = radicand * (size / before**2 / own)
     is_below = all(c.numerator == 1 and all(e < 0 for _, e in m) for m, c in inner.num.terms.items()) and inner.num.is_monomial()
     image = 1 / generator_of("root", 1 / inner) if is_below else generator_of("root", inner)

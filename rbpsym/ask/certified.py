@@ -21,6 +21,7 @@ from rbpsym.derivation.checks_values import TURNED
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.errors import RbpsymError, StatementError
@@ -246,14 +247,15 @@ def _said(draft: Draft, found: Found) -> dict[str, tuple[str, ...]]:
 
 def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
     """The step that says a value, and how that is made of it."""
+    known = draft.study.assumptions
     for turned, turn in TURNED.items():
-        value = turn(asked) if asked or turned != "the square of its frequency" else asked
+        value = neat(turn(asked) if asked or turned != "the square of its frequency" else asked, known)
         saying = []
         for step in draft.steps:
             for left, op, right in t.relations(step.statement):
                 is_name = op == "=" and len(list(t.walk(left))) <= LONGEST_NAME and not draft.context.grows(right)
                 said = draft.context.value(right) if is_name else None
-                if isinstance(said, Scalar) and is_zero(said - value):
+                if isinstance(said, Scalar) and is_zero(neat(said, known) - value):
                     saying.append((len(_letters(right, value)), step.id))
         if saying:
             return min(saying, key=lambda pair: pair[0])[1], turned
