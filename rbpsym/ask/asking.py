@@ -13,7 +13,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
-from rbpsym.errors import ReadError, RbpsymError, StatementError, Undecided
+from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
