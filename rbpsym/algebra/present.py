@@ -231,7 +231,7 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
     parts = gathered(poly, style)
     if len(parts) > 1:
         style = replace(style, gathered=True)
-        return t.add(*positive_first([present_poly(part, style) for part in parts]))
+        return t.add(*positive_first([present_poly(part, style, True) for part in parts]))
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     if leads_backwards(poly, style):
         ordered = ordered[::-1]

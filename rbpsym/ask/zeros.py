@@ -162,6 +162,9 @@ def _places(factor: Scalar, name: str, given: Assumptions) -> list[Place] | None
     index = next((i for i in factor.num.atoms() if atoms.atom(i).kind == "root" and atom_depends(i, name)), None)
     if index is not None:
         return _squared(factor, index, name, given)
+    index = next((i for i in factor.num.atoms() if atoms.atom(i).kind in UNDONE and atom_depends(i, name)), None)
+    if index is not None:
+        return _undone(factor, index, name, given)
     turn, found = period(factor, name), factor_zeros(factor, name) or _by_power(factor, name) or _by_phase(factor, name, given)
     if not found:
         return None
@@ -181,15 +184,36 @@ def _squared(factor: Scalar, index: int, name: str, given: Assumptions) -> list[
     if set(parts) - {0, 1}:
         return None
     a, b = parts.get(0, NOTHING), parts[1]
+    found = _all_places(rooted(a * a - b * b * atoms.atom(index).arg, given), name, given)
+    if found is None:
+        return None
+    return [(place, (*asked, Demand(-substitute(a * b, {name: place}), ">="))) for place, asked in found]
+
+
+def _all_places(value: Scalar, name: str, given: Assumptions) -> list[Place] | None:
+    """The zeros of all factors; None if one of them that may vanish has no closed ones."""
     found: list[Place] = []
-    for part in factors_in(rooted(a * a - b * b * atoms.atom(index).arg, given), name):
+    for part in factors_in(value, name):
         places = _places(part, name, given)
-        if places is None:
-            if not sign(part, given).is_nonzero:
-                return None
-            continue
-        found += [(place, (*asked, Demand(-substitute(a * b, {name: place}), ">="))) for place, asked in places]
+        if places is None and not sign(part, given).is_nonzero:
+            return None
+        found += places or ()
     return found
+
+
+UNDONE = {"acos": ("cos", NOTHING, PI), "asin": ("sin", -PI / 2, PI / 2), "atan": ("tan", -PI / 2, PI / 2)}
+
+
+def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[Place] | None:
+    """a arccos x + b = 0 where x = cos(b/a), between the ends of what arccos can be."""
+    parts = {k: Scalar(part) for k, part in factor.num.by_power(index).items()}
+    if set(parts) - {0, 1} or any(depends_on(part, name) for part in parts.values()):
+        return None
+    kind, low, high = UNDONE[atoms.atom(index).kind]
+    angle = short(-parts.get(0, NOTHING) / parts[1])
+    found = _all_places(atoms.atom(index).arg - function(kind, angle), name, given)
+    asked = (Demand(angle - low, ">="), Demand(high - angle, ">="))
+    return None if found is None else [(place, (*asked, *more)) for place, more in found]
 
 
 def _by_power(factor: Scalar, name: str) -> list[Scalar]:

@@ -60,8 +60,13 @@ def _is_free(value: Scalar, slope: Scalar, given: Assumptions) -> bool:
 
 
 def _degree(value: Scalar, name: str) -> int | None:
-    """The degree of the numerator, if it is a polynomial in the quantity itself."""
+    """The degree of the numerator, if it is a polynomial in the quantity itself; of a² - b² x for a + b √x."""
     index = atoms.intern("symbol", name)
+    rooted_ = [i for i in value.num.atoms() if i != index and atom_depends(i, name)]
+    if len(rooted_) == 1 and atoms.atom(rooted_[0]).kind == "root":
+        parts = {k: Scalar(part) for k, part in value.num.by_power(rooted_[0]).items()}
+        a, b = (parts.pop(k, NOTHING) for k in (0, 1))
+        return None if parts else _degree(a * a - b * b * atoms.atom(rooted_[0]).arg, name)
     if any(other != index and atom_depends(other, name) for other in value.num.atoms()):
         return None
     powers = value.num.by_power(index)

@@ -31,6 +31,11 @@ ASKED = (
     ("ball-slipping-to-rolling", "is angular momentum of ball about O conserved", True),
     ("spring-coupled-pendulums", "highest frequency of theta_1 / lowest frequency of theta_1", None),
     ("sliding-ladder", "theta where N_w = 0", "asin(2*sin(theta_0)/3)"),
+    ("bullet-in-a-rod", "d for which impulse of F_x when embedded begins = 0", "2*ell/3"),
+    ("bullet-in-a-rod", "v_0 for which theta where theta comes to rest = pi/3",
+     "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)"),
+    ("bullet-in-a-rod", "v_0 for which theta comes to rest where theta = pi/3",
+     "sqrt(g*(M*ell + 2*m*d)*(M*ell**2 + 3*m*d**2)/6)/(m*d)"),
 )
 
 
