@@ -151,7 +151,8 @@ def _with_number_inside(powers: Monomial, number: Fraction) -> Scalar:
     if before.denominator > 1 and radicand.den is ONE and all(e > 0 for m in radicand.num.terms for _, e in m):
         before /= (size / before**2).denominator  # √(2 g h)/4, and no bar in the root
     inner = radicand * (size / before**2 / own)
-    is_below = all(abs(c.numerator) == 1 and all(e < 0 for _, e in m) for m, c in inner.num.terms.items()) and inner.num.is_monomial()
+    [(above, one), *more] = inner.num.terms.items()
+    is_below = not more and abs(one.numerator) == 1 and all(e < 0 for _, e in above)
     image = 1 / generator_of("root", 1 / inner) if is_below else generator_of("root", inner)
     return whole / Scalar(generator(others[0])) * image * (before if number > 0 else -before)
 
