@@ -331,5 +331,6 @@ def _radicand(value: Scalar, style: Style) -> t.Node:
 
 def angle_node(angle: Poly, style: Style = PLAIN) -> t.Node:
     """The argument of a sine: its terms, a positive one first, nothing taken out."""
-    ordered = sorted(angle.terms.items(), key=lambda item: term_key(item[0], style))
+    terms = with_numbers_inside(Scalar(angle)).num.terms
+    ordered = sorted(terms.items(), key=lambda item: term_key(item[0], style))
     return t.add(*positive_first([_signed(c, m, style) for m, c in ordered]))

@@ -5,20 +5,23 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rbpsym.ask.answer import Answer, Found, answer, found_of
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
-from rbpsym.ask.parameters import finding, of_parameters, resorted
+from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
+from rbpsym.ask.seen import scene
+from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.bound import Bound, number
 from rbpsym.statement.model import Problem
 
 # what a motion as a function of the time tells, and is no question about parameters
+OF_TIME = re.compile(r"as (?:a )?functions? of (?:the )?(?:t|time)$")
 OF_COURSE = re.compile("|".join((*MANNERS, r"(?:greatest|largest|maximum) speed of \w+$")))
 
 
@@ -74,6 +77,9 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     """The answer to one question, called by the letter."""
     plain = _plain(text)
+    if (said := WITH.fullmatch(plain)) and OF_TIME.search(said[1]):
+        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        return replace(found, question=replace(found.question, text=plain))
     in_time = read_question(plain) if OF_COURSE.search(plain) else None
     if in_time is not None and in_time.manner:
         return answer(asked, in_time, letter)

@@ -71,6 +71,7 @@ CLAUSES: tuple[tuple[str, str, str], ...] = (
 # what is only another way to write something
 OTHERWISE = (
     (r"^(?:the )?time of (?:flight|fall|motion)\b", "time"),
+    (r"\b(functions? of) (?:the )?time\b", r"\1 t"),
     (r"^(?:the )?turning point of (\w+)", r"\1 where \1 comes to rest"),
     (r"\|(.+)\|", r"magnitude of \1"),
     (rf"\b({_AT}) (?:the )?(?:angular )?(?:speed|velocity) of (\w+) (=|reaches|is) ", r"\1 \2_dot \3 "),

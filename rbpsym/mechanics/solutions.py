@@ -28,6 +28,7 @@ from rbpsym.mechanics.study import Study
 TIME = symbol("t")
 WEAK, CRITICAL, STRONG = "weak", "critical", "strong"
 CASES = (WEAK, CRITICAL, STRONG)
+SURE = {"positive": (WEAK,), "negative": (STRONG,), "zero": (CRITICAL,)}
 STEADY, SMALL = "steady", "small"
 
 
@@ -208,7 +209,7 @@ def _cases(known: Given) -> Iterator[Course]:
         found = SOLVED[kind](known)
         yield from () if found is None else (found,)
         return
-    sure = {"positive": (WEAK,), "negative": (STRONG,)}.get(sign(known.form.gap, known.assumptions).kind, CASES)
+    sure = SURE.get(sign(known.form.gap, known.assumptions).kind, CASES)
     for case in sure:
         found = DAMPED[case](known, known.form.gap)
         if found is not None:
@@ -311,18 +312,19 @@ def _strong(known: Given, gap: Scalar) -> Course | None:
 
 
 def _critical(known: Given, gap: Scalar) -> Course | None:
-    """Where one parameter, to which the damping is proportional, has the value that makes 4 s = b²."""
-    form = known.form
-    for name in (q.name for q in known.study.problem.parameters):
+    """Where 4 s = b², or one parameter, to which the damping is proportional, has the value that makes it so."""
+    form, where = known.form, None
+    for name in (q.name for q in known.study.problem.parameters if not is_zero(gap)):
         each = short(form.damping / symbol(name))
         if depends_on(form.damping, name) and not any(depends_on(value, name) for value in (each, form.stiffness)):
-            value = short(known.root(form.stiffness) * 2 / each)
-            at = {name: value}
-            left, place, speed = (substitute(part, at) for part in _free(known))
-            rate = known.letter("vartheta")
-            moved = (place + (speed + rate * place) * TIME) * function("exp", -rate * TIME)
-            return Course(left + moved, _named(rate, root(form.stiffness)), CRITICAL, where=(name, value))
-    return None
+            where = name, short(known.root(form.stiffness) * 2 / each)
+            break
+    if where is None and not is_zero(gap):
+        return None
+    left, place, speed = (substitute(part, dict([where] if where else ())) for part in _free(known))
+    rate = known.letter("vartheta")
+    moved = (place + (speed + rate * place) * TIME) * function("exp", -rate * TIME)
+    return Course(left + moved, _named(rate, root(form.stiffness)), CRITICAL, where=where)
 
 
 def _resisted(known: Given) -> Course | None:

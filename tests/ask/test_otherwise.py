@@ -65,6 +65,21 @@ def test_roots_are_printed_as_in_books(force: str, start: dict[str, str], questi
     assert part in text, text
 
 
+IN_TIME = (
+    ("x as a function of t with b = 2*sqrt(k*m)", "x_0*(1 + sqrt(k/m)*t)*exp(-sqrt(k/m)*t)"),
+    ("x as a function of time with b = 0", "x_0*cos(sqrt(k/m)*t)"),
+)
+
+
+@pytest.mark.parametrize(("question", "worked_out"), IN_TIME)
+def test_a_special_value_chooses_the_case_of_damping(question: str, worked_out: str) -> None:
+    asked = Asked(on_line("-k*x - b*x_dot", speed="0"))
+    found, world = answered(asked, question), asked.world(0)
+    assert found.verdict.is_proved and found.question.text == question
+    wanted = scalar(read_infix(worked_out, [*world.names, "t"]))
+    assert scalars_equal(found.value, wanted, world.motion.assumptions).is_proved
+
+
 REFUSED = (
     ("rod-pendulum", "ratio of F_y to foo", "means nothing"),
     ("rod-pendulum", "ratio of F_y to F_x", "means nothing"),
