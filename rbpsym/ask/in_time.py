@@ -69,7 +69,7 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     # the end of a declared range may be where the motion is to come
     if sign(substitute(gap, letters), study.assumptions.without(*study.system.coordinates)).is_nonzero:
         raise StatementError(f"“{subject}” never has this value in this motion, though it may come ever closer to it")
-    first = None if known is None or names_in(gap) & study.system.scope.rates.keys() else time_to(gap, known, letters)
+    first = None if known is None or names_in(gap) & (study.system.scope.rates.keys() - {"t"}) else time_to(gap, known, letters)
     if first is None:
         raise NotApplicable(f"no closed form was found for the time at which “{subject}” has this value")
     time, valid = first

@@ -106,13 +106,17 @@ def positive(context: Context, step: Step, value: Scalar) -> Verdict:
 
 
 def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdict:
-    """What vanishes then grows all the time, or falls; or it is a cos ϑt + b sin ϑt + c, with c = 0 or b = 0 in the first
-    half of the period, else in its first quarter. What dies out is taken off as a factor."""
+    """What vanishes then grows all the time, or falls, from rest ever faster too; or it is a cos ϑt + b sin ϑt + c, with c = 0
+    or b = 0 in the first half of the period, else in its first quarter. What dies out is taken off as a factor."""
     slope = derivative(gap, "t")
     dying = [function("exp", atoms.atom(i).arg) for i in gap.atoms() if atoms.atom(i).kind == "exp" and "t" in atom_names(i)]
     steady = [slope, *(short(slope / factor) for factor in dying)]
     if sign(slope, _given(context, step)).is_nonzero or any(value and not depends_on(value, "t") for value in steady):
         return Verdict(PROVED, how="it changes in one sense all the time")
+    given_ = _given(context, step)
+    begins, bends = sign(substitute(slope, {"t": NOTHING}), given_), sign(derivative(slope, "t"), given_)
+    if bends.is_nonzero and bends.sense and (begins.kind == "zero" or begins.sense == bends.sense):
+        return Verdict(PROVED, how="it changes in one sense, ever faster")
     for value in (gap, *(short(gap / factor) for factor in dying)):
         rates = {derivative(Scalar(atoms.atom(i).arg), "t") for i in value.atoms() if atoms.atom(i).kind in ("cos", "sin")}
         rates = {rate for rate in rates if rate and not depends_on(rate, "t")}

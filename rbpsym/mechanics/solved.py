@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, substitute
+from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly, generator
 from rbpsym.algebra.roots import with_image
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
@@ -146,9 +147,9 @@ def feature(known: Given, key: str) -> Scalar | None:
 
 def time_to(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
     """The first t > 0 at which a function of the time vanishes, and what has to be positive for that; None where no formula
-    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm, or in sines and cosines of ϑt.
-    `letters` stand for their values in it, and in the time that is found."""
-    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_logarithm, _by_wave))
+    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm, in e^{ηt} and e^{-ηt} alone, or in
+    sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
+    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_growth, _by_logarithm, _by_wave))
     return next((one for one in found if one is not None), None)
 
 
@@ -181,6 +182,23 @@ def _by_power(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tupl
     rate = derivative(atoms.atom(moving[0]).arg, "t")
     way = known.sense(substitute(rate, letters))
     return function("ln", value**way) / (rate * way), (Demand(whole), Demand((whole - 1) * way))
+
+
+def _by_growth(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a e^{ηt} + b e^{-ηt} + c = 0 where a and b have one sign, and c the other one: after the least value between."""
+    moving = _moving(gap)
+    rates = {index: derivative(atoms.atom(index).arg, "t") for index in moving if atoms.atom(index).kind == "exp"}
+    if len(moving) != 2 or rates.keys() != set(moving) or not is_zero(sum(rates.values(), NOTHING)):
+        return None
+    first, second = sorted(rates, key=lambda index: -known.sense(substitute(rates[index], letters)))
+    a, b = (Scalar(gap.num.by_power(index).get(1, Poly({}))) for index in (first, second))
+    c = short(gap - a * Scalar(generator(first)) - b * Scalar(generator(second)))
+    way = known.sense(substitute(a, letters))
+    if not way or any(depends_on(part, "t") for part in (a, b, c)):
+        return None
+    value = (root(short(c * c - a * b * 4)) * way - c) / (a * 2)
+    asked = tuple(Demand(short(substitute(part * way, letters))) for part in (a, b, -(a + b + c)))
+    return function("ln", value) / rates[first], asked
 
 
 def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:

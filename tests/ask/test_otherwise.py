@@ -30,6 +30,8 @@ ASKED = (
     ("ball-slipping-to-rolling", "ratio of energy lost until rolling to kinetic energy at the start", "2/7"),
     ("ball-slipping-to-rolling", "is angular momentum of ball about O conserved", True),
     ("spring-coupled-pendulums", "highest frequency of theta_1 / lowest frequency of theta_1", None),
+    ("bead-on-rotating-rod", "time until r = 2*r_0", "ln(2 + sqrt(3))/Omega"),
+    ("bead-on-rotating-rod", "time until r = ell", "ln((ell + sqrt(ell**2 - r_0**2))/r_0)/Omega"),
     ("sliding-ladder", "theta where N_w = 0", "asin(2*sin(theta_0)/3)"),
     ("bullet-in-a-rod", "d for which impulse of F_x when embedded begins = 0", "2*ell/3"),
     ("bullet-in-a-rod", "v_0 for which theta where theta comes to rest = pi/3",
