@@ -22,7 +22,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.errors import DimensionError, RbpsymError, StatementError
+from rbpsym.errors import DimensionError, StatementError
 from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways

@@ -13,7 +13,6 @@ from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import events, friction, motion, oscillation, rest
 from rbpsym.mechanics.assemble import assemble
-from rbpsym.mechanics.demands import neat
 from rbpsym.mechanics.dynamics import FEW_PRODUCTS
 from rbpsym.mechanics.instant import Instant, has_start, start_of
 from rbpsym.mechanics.study import MOST_PRODUCTS, Study

@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
-from rbpsym.equality.rooted import neat, root_of
+from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential
@@ -127,12 +127,6 @@ def _narrowed(given: Assumptions, demand: Demand, tighter: bool) -> Iterator[Ass
             side = 0 if way > 0 else 1
             sides = (given.sides_of(name) - {side}) | (set() if demand.op == ">" else {side})
             yield given.with_range(name, *((bound, upper) if way > 0 else (lower, bound)), sides)
-
-
-def neat(value: Scalar, given: Assumptions) -> Scalar:
-    """The value with what is known to be a square out of its roots, and their even powers carried out."""
-    found = neat(value, given)
-    return short(without_even_roots(found))
 
 
 # --- where a formula has a value

@@ -18,10 +18,11 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.style import Style
+from rbpsym.equality.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import study_of
-from rbpsym.mechanics.demands import Demand, neat, settle
+from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
 from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike

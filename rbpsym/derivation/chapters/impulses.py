@@ -15,9 +15,9 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.chapters.endings import kinetic, speed_symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, StepRef
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.demands import neat
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State
