@@ -170,7 +170,7 @@ def _swing(context: Context, step: Step) -> tuple[Scalar, list[Verdict]]:
     rate, gained = derivative(steady, "t"), context.on_motion(symbol(f"{name}_ddot"))
     found = [same(context, derivative(rate, "t"), _with(gained, name, steady, rate))]
     found.append(same(context, derivative(rate, "t"), -part * form.frequency**2))
-    return part * part + (rate / form.frequency) ** 2, [*found, *_positive(context, form.stiffness)]
+    return part * part + (rate / form.frequency) ** 2, [*found, positive(context, step, form.stiffness)]
 
 
 def _amplitude(context: Context, step: Step, value: Scalar) -> list[Verdict]:

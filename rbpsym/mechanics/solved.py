@@ -39,6 +39,11 @@ def sets_out(known: Given) -> tuple[Demand, ...]:
     return () if is_sure else (Demand(push * known.sense(push)),)
 
 
+def swings(known: Given, key: str) -> tuple[Demand, ...]:
+    """What has to be positive for the motion to swing, of which this is told."""
+    return (Demand(known.form.stiffness),) if key in ("amplitude", "greatest speed", "phase lag") else ()
+
+
 def _swing(known: Given) -> Scalar | None:
     """The square of the amplitude: (q - rest)² + q̇²/s of a free oscillation; of a driven one that of what is left at last."""
     form = known.form

@@ -10,6 +10,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.solutions import STEADY, Course, Given
 from rbpsym.mechanics.state import State
 from rbpsym.notation import tree as t
@@ -92,10 +93,11 @@ def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> N
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
     shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
     phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
+    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions) or ()
     data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}
     draft.add(f"{key.replace(' ', '_')}.{name}", "feature", t.equation(made, shown), f"course.{phrase}",
               premises=draft.those(law or f"motion.{name}"), name=t.Sym(name), letter=made, is_result=True, data=data,
-              obligations=draft.asked(known.valid), **more)  # fmt: skip
+              obligations=draft.asked(valid), **more)  # fmt: skip
 
 
 def _quotient(draft: Draft, known: Given) -> t.Node:
