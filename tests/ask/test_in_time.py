@@ -242,6 +242,7 @@ TURNED_BEAD = """
 m = "mass: bead"
 k = "stiffness: spring"
 a = "length: natural length"
+L = "length: rod"
 J = "moment of inertia: rod"
 Omega = "angular speed: of the rod"
 [coordinates.r]
