@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
@@ -115,12 +116,12 @@ def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     goes, between = way_to(context, name, end)
     lost = context.along(symbol(step.data["force"]))
     at_start, there = (substitute(lost, {name: place}) for place in (context.start(symbol(name)), end))
-    changed = [compare(NOTHING, at_start, given, strict=False)]
-    changed += [] if step.data["at"] else [compare(there, NOTHING, given)]
+    changed = [(NOTHING, at_start, given, False), *([] if step.data["at"] else [(there, NOTHING, given, True)])]
     system = context.study.system
     forces = [context.along(symbol(n)) for e in system.problem.constraints for n in pushes(e)]
     kept = [value for value in forces if step.data["at"] or not is_zero(value - lost)]
-    return weakest([*goes, *changed, *(compare(NOTHING, value, between) for value in kept)])
+    ordered = (*changed, *((NOTHING, value, between, True) for value in kept))
+    return weakest(chain(goes, (compare(low, high, where, strict=strict) for low, high, where, strict in ordered)))
 
 
 def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()) -> tuple[list[Verdict], Assumptions]:
