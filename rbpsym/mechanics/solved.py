@@ -72,12 +72,10 @@ def _amplitude(known: Given) -> Scalar | None:
 
 def support(known: Given) -> Scalar | None:
     """How a support swings, if the drive is that alone: what of the places of bodies is told to swing."""
-    states, swinging = known.study.system.bodies.values(), set()
-    for place in (part for state in states for part in (state.center.x, state.center.y)):
-        swinging.add(short(-derivative(derivative(place, "t"), "t") / known.form.frequency**2))
-    swinging -= {NOTHING}
-    moving = {*known.study.system.coordinates, *known.study.system.speeds}
-    return next(iter(swinging)) if len(swinging) == 1 and not names_in(next(iter(swinging))) & moving else None
+    places = (part for state in known.study.system.bodies.values() for part in (state.center.x, state.center.y))
+    gained = {short(-derivative(derivative(place, "t"), "t") / known.form.frequency**2) for place in places} - {NOTHING}
+    is_given = len(gained) == 1 and not names_in(next(iter(gained))) & {*known.study.system.coordinates}
+    return gained.pop() if is_given else None
 
 
 def _lag(known: Given) -> Scalar | None:
