@@ -46,4 +46,9 @@ EQUIVALENT: dict[str, str] = {
     "mechanics/numbers.py _side: given < 0 -> given <= 0": "0 is on neither side",
     "algebra/grouping.py _nearer: a > 0 -> a >= 0": "no exponent of a monomial is 0",
     "methods/known_works.py steady: start[f\"{q}_dot\"] ** 2 -> (start[f\"{q}_dot\"]) * (2)": "what is constant drops out",
+    "equality/constants.py _order: Fraction(1, 2) - turns -> (Fraction(1, 2)) + (turns)":
+    "the two differ by a half turn: the orders by a factor 2 where one is odd, which the totient does not see",
+    "mechanics/roots.py _principal: -Fraction(number) + 1 -> (-Fraction(number)) - (1)": "the two are the same modulo 2",
+    "ask/numbers.py _digits: 1 -> 2": "the least number of figures that are told is 3",
+    "equality/factoring.py _factor_list: 1 / rational -> (1) * (rational)": "factors have no content but their sign",
 }
