@@ -206,3 +206,8 @@ def test_logarithms_in_exponents_are_powers():
     x = symbol("x")
     for power in (2, -1, 3):
         assert is_zero(without_logarithms(function("exp", function("ln", x) * power)) - x**power)
+
+
+def test_a_balance_rests_on_the_laws_of_its_body_and_not_on_the_motion_of_all():
+    """The nearest premises are tried first: they are what a reader would name."""
+    assert {"law.force.ball", "law.torque.ball"} == {*unsimulated("ball-in-a-loop").step("balance.ball").premises}

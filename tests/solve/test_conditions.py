@@ -8,7 +8,7 @@ import pytest
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import ReadError, RbpsymError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.notation.infix import read_infix
@@ -63,6 +63,8 @@ def test_what_a_page_asks_for_the_answer_asks_for(name):
 NOT_TOLD = {
     "ball-in-a-loop": {"at_loss.N.f"},  # the root in the friction where the contact is lost
     "cylinder-in-rolling-pipe": {"kept.x"},  # the kept momentum is divided by 1 - cos theta
+    "rod-with-spring": {"work.S.rod", "balance"},  # the length of the spring at the start, and where the forces balance
+    "spring-coupled-pendulums": {"work.S.left", "work.S.right"},
     "rod-over-rim-of-bowl": {"equilibrium.1", "linear.1", "frequency.1"},  # radicands that are always positive, undecided
 }
 
@@ -79,7 +81,11 @@ def test_every_open_condition_of_a_page_stands_in_the_answer(name):
     missing = set()
     for step in found.steps:
         for duty in () if step.id.startswith("motion.from_") else step.certificate.verdict.open_obligations:
-            value, op = found.letters.value(duty.relation.items[0]), duty.relation.ops[0]
+            try:
+                value, op = found.letters.value(duty.relation.items[0]), duty.relation.ops[0]
+            except ReadError:  # of values at the start alone
+                missing.add(step.id)
+                continue
             if value not in sided and not any(_tells(one, value, op, found) for one in known):
                 missing.add(step.id)
     assert missing == NOT_TOLD.get(name, set())

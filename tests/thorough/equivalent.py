@@ -38,7 +38,6 @@ EQUIVALENT: dict[str, str] = {
     "equality/reading.py Reading.raised: 0 -> 1": "no exponent of a monomial is 0",
     "derivation/checks_solutions.py _terminal: other * value -> (other) / (value)": ONLY_SIGN,
     "derivation/checks_places.py _beyond: 1 -> 2": ONLY_SIGN,
-    "derivation/binding.py _levels: op != \"=\" -> op == \"=\"": ORDER,
     "derivation/entailment.py _image: [(index, kept)] if kept else [] -> ([]) if (kept) else ([(index, kept)])": QUICK,
     "notation/latex_names.py _unknown: 1 -> 2": "of the names that are near only the nearest is told",
     "mechanics/numbers.py _parameter: 0.4 * generic -> (0.4) / (generic)": SAMPLE,
