@@ -8,7 +8,7 @@ import pytest
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.errors import ReadError, RbpsymError
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.notation.infix import read_infix
