@@ -3,7 +3,6 @@
 SAMPLE = "which of many sets of sample numbers is drawn; all of them are as good"
 SIGN = "a sign is its own inverse"
 ONLY_SIGN = "only its sign is asked for"
-ORDER = "what is tried first; what is found is proved and irredundant in each order"
 EFFORT = "a bound of effort or a margin, whose exact size is no matter of right and wrong"
 QUICK = "the quick look by numbers says what to try first; what is said is found by the exact way"
 NEVER_EQUAL = "a number of floating point beside a tolerance is not just equal to it"
