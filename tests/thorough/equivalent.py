@@ -4,7 +4,6 @@ SAMPLE = "which of many sets of sample numbers is drawn; all of them are as good
 SIGN = "a sign is its own inverse"
 ONLY_SIGN = "only its sign is asked for"
 EFFORT = "a bound of effort or a margin, whose exact size is no matter of right and wrong"
-QUICK = "the quick look by numbers says what to try first; what is said is found by the exact way"
 NEVER_EQUAL = "a number of floating point beside a tolerance is not just equal to it"
 
 EQUIVALENT: dict[str, str] = {
@@ -37,7 +36,6 @@ EQUIVALENT: dict[str, str] = {
     "equality/reading.py Reading.raised: 0 -> 1": "no exponent of a monomial is 0",
     "derivation/checks_solutions.py _terminal: other * value -> (other) / (value)": ONLY_SIGN,
     "derivation/checks_places.py _beyond: 1 -> 2": ONLY_SIGN,
-    "derivation/entailment.py _image: [(index, kept)] if kept else [] -> ([]) if (kept) else ([(index, kept)])": QUICK,
     "notation/latex_names.py _unknown: 1 -> 2": "of the names that are near only the nearest is told",
     "mechanics/numbers.py _parameter: 0.4 * generic -> (0.4) / (generic)": SAMPLE,
     "mechanics/numbers.py _parameter: 3 -> 4": SAMPLE,
