@@ -11,7 +11,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.forms import neat
-from rbpsym.ask.lasting import lasts_to_place
+from rbpsym.ask.lasting import lasts_to_place, sets_out
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
 from rbpsym.ask.wanted import Wanted, arrives, wanted
@@ -46,7 +46,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
-    asked = (demand for demand in condition.asked if not depends_on(demand.value, name))
+    asked = (demand for demand in (*condition.asked, *sets_out(world.study)) if not depends_on(demand.value, name))
     left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
@@ -96,7 +96,9 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     if not zeros:
         found = checked("vanishes_for", value=value, name=name, places=(), given=given)
         says = f"there is no such {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=asked, **found)
+        case = (*world.demands, *world.standing)  # in which the motion is told
+        within = [demand for demand in case if depends_on(demand.value, name)]
+        return Finding(symbol=name, says=says, valid=(*asked, *(settle(within, world.motion.assumptions) or ())), **found)
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)

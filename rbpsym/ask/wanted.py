@@ -25,6 +25,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.source import did_you_mean
@@ -195,11 +196,15 @@ def _holds_then(world: Scene, contact: str, phase: str, name: str = "") -> Wante
 
 
 def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:
-    """All one-sided forces stay positive."""
-    names = [name for element in world.study.problem.constraints for name in pushes(element)]
+    """All one-sided forces stay positive; beside that, what sticks or rolls does not slip before."""
+    constraints = world.study.problem.constraints
+    names = [name for element in constraints for name in pushes(element)]
     if not names:
         raise StatementError("no contact or string of the problem can let go")
-    return on_way(world, tuple(seen(world, name) for name in names), " and ".join(names), until, text, world.motion.assumptions)
+    values, given = tuple(seen(world, name) for name in names), world.motion.assumptions
+    found = on_way(world, values, " and ".join(names), until, text, given)
+    grips = [left for element in constraints for left in spare(element, lambda name: seen(world, name))]
+    return replace(found, beside=tuple(value for value in grips if sign(value, found.given).kind != "positive"))
 
 
 def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:

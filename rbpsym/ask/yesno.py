@@ -9,6 +9,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import UNITY
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding
+from rbpsym.ask.lasting import sets_out
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
@@ -28,7 +29,8 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
         demands = [*least_values(world, condition)]
-        surely = settle(condition.asked, world.motion.assumptions) or ()
+        still = (Demand(value, ">=") for value in condition.beside if not moving(world, (value,)))
+        surely = settle((*condition.asked, *still, *sets_out(world.study)), world.motion.assumptions) or ()
     except Undecided as error:
         return Finding(undecided(error.what))
     left = settle(demands, condition.given)
