@@ -146,6 +146,8 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     along, given = condition.along, condition.given
     own = [demand for demand in (*condition.asked, *moments) if depends_on(demand.value, name)]
     given = premise = where_met(given, [*condition.asked, *moments])
+    if condition.others and any(depends_on(demand.value, name) for demand in condition.asked):
+        return Finding(undecided(f"the sense in which it sets out depends on {name}, and it may come in both"), name)
     if own:  # what is asked of the symbol itself is a premise of the rest only
         within = {along: given.range_of(along)} if along else {}
         given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})

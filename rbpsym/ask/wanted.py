@@ -17,7 +17,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
-from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
+from rbpsym.ask.seen import Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to, ways_to
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
@@ -37,7 +37,7 @@ class Wanted:
 
     closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).
     comes: whether the motion goes all the way for all parameters. beside: what must not be negative either for it to be the
-    motion that is stated, though it is not asked for.
+    motion that is stated, though it is not asked for. others: whether it may come by setting out in the other sense, too.
     """
 
     values: tuple[Scalar, ...]
@@ -49,6 +49,7 @@ class Wanted:
     asked: tuple[Demand, ...] = ()
     comes: bool = True
     beside: tuple[Scalar, ...] = ()
+    others: bool = False
 
 
 def wanted(world: Scene, text: str, name: str = "") -> Wanted:
@@ -74,7 +75,8 @@ def _reaches(world: Scene, name: str, text: str) -> Wanted:
     name, end = free_place(world, name, text)
     way, given = way_to(world, name, end, world.motion.assumptions)
     _check_phase(world, way, end)
-    return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked)
+    others = len(ways_to(world, name, end, world.motion.assumptions)) > 1
+    return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked, others=others)
 
 
 def _check_phase(world: Scene, way: Way, end: Scalar) -> None:
