@@ -11,13 +11,12 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.errors import LimitError, RbpsymError, StatementError, Undecided
-from rbpsym.mechanics import pushing
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, value_reached
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.pushing import OPS, start_valid
+from rbpsym.mechanics.pushing import start_valid
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
@@ -72,15 +71,6 @@ def begins(study: Study) -> tuple[Demand, ...]:
         return start_valid(study) or ()
     except LimitError:
         return ()
-
-
-def sets_out(study: Study) -> tuple[Demand, ...]:
-    """What of that is asked of sides and slips, and not of forces."""
-    try:
-        found = [Demand(value, OPS[what]) for _, what, value in pushing.asked(study) if what != "force"]
-    except LimitError:
-        return ()
-    return settle(found, study.assumptions) or ()
 
 
 def regime(study: Study) -> list[Demand]:

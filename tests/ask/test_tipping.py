@@ -147,6 +147,10 @@ ASKED = (
     (STANDING, "smallest h for which it tips", ["μg − A ≥ 0"]),
     (STANDING, "does it tip", ["μg − A ≥ 0", "2gb − Ah ≥ 0"]),
     (SLIDING, "smallest c for which it tips", ["P − μmg > 0"]),
+    (STANDING, "A for which N_R >= m*g/4", ["μh − b ≥ 0"]),
+    (SLIDING, "largest c for which N_A stays positive until x = d", ["P − μmg > 0"]),
+    (ROLLING, "mu for which time until rolling = v_0/g", ["v₀ − Rw₀ > 0"]),
+    (ROLLING, "w_0 for which speed of x when rolling begins >= 2*v_0", ["v₀ − Rw₀ > 0"]),
     (ROLLING, "w_0 for which speed of x when rolling begins = 2*v_0", ["v₀ − Rw₀ > 0"]),
 )
 
