@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
@@ -194,10 +195,13 @@ def _work(asked: Asked, question: Question) -> Found:
         raise StatementError(BACKWARDS, instead="ask the other way round.")
     between = asked.names[first : found.moment.place]
     ends = [moment_of(asked, When("end", (name,)), question) for name in between]
-    if re.search(r"\b(net|external) work", question.quantity) and any(asked.stage(e.place + 1).began.is_blow for e in ends):
+    words, blows = set(re.findall(r"\w+", question.quantity)), [asked.stage(end.place + 1).began for end in ends]
+    struck = {name for blow in blows if blow.is_blow for name, size in blow.impulses.items() if not is_zero(size)}
+    is_struck = any(name == word or name.startswith(f"{word}_") for name in struck for word in words)
+    if is_struck or (re.search(r"\b(net|external) work", question.quantity) and any(blow.is_blow for blow in blows)):
         raise StatementError("a blow between does work too", instead="ask phase by phase: “… from PHASE to PHASE”.")
     acting = [{force.name for force in asked.study(place).system.forces} for place in range(found.moment.place + 1)]
-    named = set(re.findall(r"\w+", question.quantity)) & acting[-1]  # what does not act yet in a phase does no work in it
+    named = words & acting[-1]  # what does not act yet in a phase does no work in it
     return _since(found, before, [_at_moment(asked, question, end) for end in ends if named <= acting[end.place]])
 
 

@@ -13,7 +13,7 @@ from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
-from rbpsym.ask.wanted import Wanted, arrives, wanted
+from rbpsym.ask.wanted import Wanted, arrives, premises, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
@@ -42,10 +42,14 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     condition = wanted(world, text, name)
     if condition.equal:
         return _values(world, superlative, name, condition, text)
+    stated = premises(world, condition)
+    own = (demand.value for demand in stated if depends_on(demand.value, name) and demand.op != "!=")
+    condition = replace(condition, beside=(*condition.beside, *own))
     found = _region(world, name, condition, text, SUPERLATIVES.get(superlative, 0))
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
-    asked = (demand for demand in condition.asked if not depends_on(demand.value, name))
+    asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
+    asked += [] if found.values else [demand for demand in world.demands if depends_on(demand.value, name)]
     left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
@@ -95,7 +99,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     if not zeros:
         found = checked("vanishes_for", value=value, name=name, places=(), given=given)
         says = f"there is no such {name}: “{text}” holds for none in its range"
-        return Finding(symbol=name, says=says, valid=asked, **found)
+        return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **found)
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
     places = tuple(neat(zero.place, given) for zero in zeros)
@@ -104,7 +108,8 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
     every = [zero.place for zero in table.zeros.found if not zero.is_pole]
     own = tuple(tuple(d for d in zero.asked if d not in shared) for zero in zeros)
     found = checked("vanishes_for", value=value, name=name, places=every, given=under)
-    return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked))), asked=own, met=True, **found)
+    firm = settle([d for d in world.demands if d.op == ">" and not depends_on(d.value, name)], world.motion.assumptions) or ()
+    return Finding(symbol=name, values=places, valid=tuple(dict.fromkeys((*shared, *asked, *firm))), asked=own, met=True, **found)
 
 
 def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Demand, ...] | None:
@@ -125,8 +130,13 @@ def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Deman
 def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
     """What does not depend on the symbol."""
     if is_zero(value):
-        return Finding(proved("it is an identity"), name, says=f"“{text}” holds for every {name}")
+        return Finding(proved("it is an identity"), name, says=f"“{text}” holds for every {name}", valid=_case(world))
     raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
+
+
+def _case(world: Scene) -> tuple[Demand, ...]:
+    """What the motion that was told asks of the parameters."""
+    return settle([*world.demands, *world.standing], world.motion.assumptions) or ()
 
 
 def on_what(world: Scene, value: Scalar) -> str:
@@ -143,6 +153,8 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     along, given = condition.along, condition.given
     own = [demand for demand in (*condition.asked, *moments) if depends_on(demand.value, name)]
     given = premise = where_met(given, [*condition.asked, *moments])
+    if condition.others and any(depends_on(demand.value, name) for demand in condition.asked):
+        return Finding(undecided(f"the sense in which it sets out depends on {name}, and it may come in both"), name)
     if own:  # what is asked of the symbol itself is a premise of the rest only
         within = {along: given.range_of(along)} if along else {}
         given = replace(condition.given, ranges={**world.motion.assumptions.ranges, **within})
@@ -175,7 +187,7 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     said = _said(parts, name, found, given, along, sense)
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
     is_lost = any(one and bound is not None and bound in (one.lower, one.upper) for one in beside for bound in told_.values)
-    return replace(told_, says="there a contact is lost") if is_lost else told_
+    return replace(told_, says=condition.there) if is_lost else told_
 
 
 def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:

@@ -84,7 +84,7 @@ def write(draft: Draft, moment: Moment) -> tuple[str, ...]:
     """The ids of the steps that say the motion as a function of the time, after those on which they rest."""
     laws = oscillations.laws(draft) if moment.is_small else {}
     draft.chapter = "course"
-    told = tuple(course.told(draft, name, one, laws.get(name, "")) for name, one in moment.courses.items())
+    told = tuple(course.told(draft, name, one, laws.get(name) or "", moment.courses) for name, one in moment.courses.items())
     if moment.watched is None:
         return told
     letters = {letter: value for one in moment.courses.values() for letter, value in one.letters.items()}

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import parts
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import require_numbers
@@ -19,6 +19,7 @@ from rbpsym.ask.question import Question, When
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.compiled import compiled_rates, compiled_values
 from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -38,12 +39,24 @@ def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -
     if question.when is None or question.of or question.since:
         what = "without a closed form, a value is found at one moment only"
         raise StatementError(what, instead="say when: “… where theta = 0”.")
-    place = asked.named(question.phase) if question.phase else 0
+    refused = None
+    for place in [asked.named(question.phase)] if question.phase else range(asked.lasting, len(asked.names)):
+        try:
+            return _in_phase(asked, question, numbers, place)
+        except StatementError as error:
+            refused = refused or error
+    raise refused
+
+
+def _in_phase(asked: Asked, question: Question, numbers: Mapping[str, float], place: int):
+    """The same in one phase. Raises StatementError, where it ends before too."""
     world, study = asked.world(place), asked.study(place)
     is_time = question.quantity == "time"
     named = (symbol("t"),) if is_time else parts(world.bound(question.quantity))
     ledger = world.motion.ledger
-    values = [*named, _watched(world, question.when), *ledger.values(), *map(symbol, _pushes(study))]
+    if place > asked.lasting and not question.phase and any(depends_on(value, work) for value in named for work in ledger):
+        raise StatementError("without a closed form, a work is counted in one phase", instead="name it: “… in phase PHASE”.")
+    values = [*named, _watched(world, question.when), *ledger.values(), *_lasting(study)]
     values = [_on_motion(study, value) for value in values]
     begin = {name: study.system.scope.start.get(name) for name in (*study.system.coordinates, *study.system.speeds)}
     missing = next((name for name, value in begin.items() if value is None), None)
@@ -53,8 +66,16 @@ def integrated(asked: Asked, question: Question, numbers: Mapping[str, float]) -
     evaluate = _evaluated(study, values, numbers, tuple(ledger))
     start = [*(number(value, numbers) for value in begin.values()), *(0.0 for _ in ledger)]
     time, state = _followed(study, evaluate, start, numbers, len(named), len(ledger), question)
+    after = place + 1 < len(asked.names) and asked.stage(place + 1).began.before.time
+    if after is None:
+        raise StatementError("when this phase ends is not known in closed form", instead="state it as a problem of its own.")
+    if after is not False and number(after, numbers) < time:
+        raise StatementError(f"with these numbers the phase ends before {question.when.text}", instead="name another phase.")
+    clock = asked.stage(place).clock if is_time and place else NOTHING
+    if clock is None:
+        raise StatementError("the time until the phase begins has no closed form", instead="ask for it in that phase alone.")
     told = substitute(named[0], {name: power * symbol("t") for name, power in ledger.items()})
-    return tuple(float(value) for value in evaluate(time, state)[: len(named)]), present(told)
+    return tuple(float(value) + number(clock, numbers) for value in evaluate(time, state)[: len(named)]), present(told)
 
 
 def _watched(world: ProblemWorld, when: When) -> Scalar:
@@ -70,8 +91,17 @@ def _watched(world: ProblemWorld, when: When) -> Scalar:
     raise StatementError(f"no closed form was found for the moment “{when.text}”", instead="ask at a place: “where theta = 0”.")
 
 
-def _pushes(study: Study) -> list[str]:
-    return [name for element in study.problem.constraints for name in pushes(element) if name in study.dynamics.reactions]
+def _lasting(study: Study) -> list[Scalar]:
+    """What must not become negative: one-sided forces, what friction has left, slips in their sense, room in the ranges."""
+    elements = study.problem.constraints
+    found = [symbol(name) for element in elements for name in pushes(element) if name in study.dynamics.reactions]
+    for need in study.friction_needs:
+        most = sum(map(symbol, need.normals), NOTHING) * (need.limit or NOTHING)
+        found += [most + symbol(need.friction) * side for side in (-1, 1) if need.limit is not None]
+    for name in study.system.coordinates:
+        ends = zip(study.assumptions.range_of(name), (1, -1), strict=True)
+        found += [(symbol(name) - end) * side for end, side in ends if end is not None]
+    return [*found, *slips(study.system).values()]
 
 
 def _on_motion(study: Study, value: Scalar) -> Scalar:
@@ -105,6 +135,7 @@ def _followed(study: Study, evaluate: Evaluate, start: list[float], numbers, fir
         raise StatementError(f"with these numbers the motion does not come {question.when.text}", instead="change a number.")
     time = path.seen[0][0]
     looks = np.array([evaluate(at, path.at(at))[first + 1 + works :] for at in np.linspace(0, time, LOOKS)[:-1]])
-    if looks.size and (looks < -NEAR * np.abs(looks).max()).any():
-        raise StatementError("with these numbers a contact is lost before", instead="ask for what comes before that.")
+    if looks.size and (looks < -NEAR * np.abs(looks).max(axis=0)).any():
+        what = "with these numbers a contact is lost, something slips or a range is left before"
+        raise StatementError(what, instead="ask for what comes before that.")
     return time, path.at(time)

@@ -132,8 +132,18 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
     if moment.how in ("start", "rest"):
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and moment.watched[0] in study.system.coordinates)
-    places = moment.state.places if is_place else None
-    return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, places)))
+    if is_place:
+        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places)))
+    return _decided(lambda: (*slipping(study, moment.state), *never_lost(study, moment.state), *_on_way(study, None)))
+
+
+def never_lost(study: Study, state: State) -> Iterator[Demand]:
+    """No contact is lost on the whole motion where that depends on one condition; else its force still pushes in a state."""
+    for loss, (_, here) in zip(study.losses, contacts_last(study, state.places), strict=True):
+        yield Demand(-loss.valid[0].value, OPPOSITE[loss.valid[0].op]) if len(loss.valid) == 1 else here
+
+
+OPPOSITE = {">": ">=", ">=": ">"}
 
 
 def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...], tuple[str, ...]]:

@@ -19,11 +19,10 @@ from rbpsym.mechanics.demands import existence, settle
 from rbpsym.mechanics.elimination import short
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|just|right|from|begins)\b")
-FACTORS = {"twice": "2", "half": "1/2"}
 
 
 def _times(world: Scene, factor: str, text: str) -> Scalar:
-    return number_in(world, FACTORS.get(factor, factor)) * value_of(world, text)
+    return number_in(world, factor) * value_of(world, text)
 
 
 def _ratio(world: Scene, above: str, below: str) -> Scalar:
@@ -41,8 +40,7 @@ def _pendulum(world: Scene, name: str | None) -> Scalar:
 
 
 def _magnitude(world: Scene, force: str, when: str) -> Scalar:
-    x, y = (seen(world, f"impulse of {force}_{axis}{when}") for axis in "xy")
-    return root(short(x * x + y * y))
+    return root(short(seen(world, f"impulse of {force}_x{when}") ** 2 + seen(world, f"impulse of {force}_y{when}") ** 2))
 
 
 MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
@@ -52,8 +50,8 @@ MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
      lambda world, name: PI * 2 * _ratio(world, f"decay rate of {name}", f"damped frequency of {name}")),
     (r"(?:length of the simple pendulum with (?:the )?(?:equal|same) period|equivalent length)(?: of (\w+))?", _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
-    (r"(twice|half) (?:the )?(.+)", _times),
-    (r"([\w./^]+?) ?(?:\*|times) ?(?:the )?(.+ .+)", _times),
+    (r"twice (?:the )?(.+)", lambda world, text: _times(world, "2", text)),
+    (r"([\w./^]+?) ?(?:\*|times) ?(?:the )?((?!.* [+-] ).+ .+)", _times),
     (r"ratio of (.+) to (?:the )?((?!.* mode$).+)", _ratio),
 )  # fmt: skip
 

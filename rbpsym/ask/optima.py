@@ -12,6 +12,7 @@ from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, verdict_of
 from rbpsym.ask.lasting import lasts_to_place
+from rbpsym.ask.regions import region
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
 from rbpsym.ask.zeros import precedes, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -52,6 +53,11 @@ def extremum(
     if not depends_on(value, name):
         raise StatementError(f"“{phrase}” does not depend on {name}", instead=on_what(world, value))
     given = where_met(given, [demand for demand in world.demands if not depends_on(demand.value, name)])
+    for demand in (*world.demands, *world.standing) if name not in (*world.coordinates, "t") else ():
+        where = region(demand.value, name, given) if depends_on(demand.value, name) else None
+        if where and not (where.asked or where.crossing or where.is_empty):
+            ends = zip((where.lower, where.upper), given.range_of(name), strict=True)
+            given = given.with_range(name, *(old if end is None else end for end, old in ends))
     if is_turned := sense > 0 and sign(value, given).kind in ("negative", "nonpositive"):
         value = -value
     ways = [((), given)]

@@ -17,7 +17,9 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
-from rbpsym.ask.seen import PLACE, Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to
+from rbpsym.ask.seen import (
+    PLACE, Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to, ways_to,
+)  # fmt: skip
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
@@ -25,8 +27,10 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes
+from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.impulse import is_holding
 from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.stability import essential
 from rbpsym.statement.source import did_you_mean
 
 
@@ -36,7 +40,8 @@ class Wanted:
 
     closed: zero is enough; end: at this place of the way it is enough if the last value vanishes (it arrives at rest).
     comes: whether the motion goes all the way for all parameters. beside: what must not be negative either for it to be the
-    motion that is stated, though it is not asked for.
+    motion that is stated, though it is not asked for; there: what is said where one of these vanishes first. others:
+    whether it may come by setting out in the other sense, too.
     """
 
     values: tuple[Scalar, ...]
@@ -48,6 +53,8 @@ class Wanted:
     asked: tuple[Demand, ...] = ()
     comes: bool = True
     beside: tuple[Scalar, ...] = ()
+    others: bool = False
+    there: str = "beyond it the motion is not the one that is stated"
 
 
 def wanted(world: Scene, text: str, name: str = "") -> Wanted:
@@ -73,7 +80,16 @@ def _reaches(world: Scene, name: str, text: str) -> Wanted:
     name, end = free_place(world, name, text)
     way, given = way_to(world, name, end, world.motion.assumptions)
     _check_phase(world, way, end)
-    return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked)
+    others = len(ways_to(world, name, end, world.motion.assumptions)) > 1
+    return Wanted(going_on(world, way, given), given, name, end=end, asked=way.asked, others=others)
+
+
+def premises(world: Scene, condition: Wanted) -> list[Demand]:
+    """What contacts, friction and the start ask of the parameters for the motion to be the one that is stated, beside what
+    the condition itself says."""
+    said = {essential(value, condition.given) for value in condition.values}
+    standing = (demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,)))
+    return [demand for demand in standing if essential(demand.value, condition.given) not in said]
 
 
 def _check_phase(world: Scene, way: Way, end: Scalar) -> None:
@@ -166,7 +182,8 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
     found = on_way(world, values, "the friction that is needed", until, text, given)
     normal = {need.constraint for need in held if len(need.normals) == 1}
     others = [seen(world, name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
-    return replace(found, beside=tuple(value for value in others if sign(value, found.given).kind != "positive"))
+    beside = tuple(value for value in others if sign(value, found.given).kind != "positive")
+    return replace(found, beside=beside, there="there a contact is lost")
 
 
 def _held_then(world: Scene, contact: str, phase: str | None, name: str = "") -> Wanted | None:
@@ -195,11 +212,16 @@ def _holds_then(world: Scene, contact: str, phase: str, name: str = "") -> Wante
 
 
 def _touches(world: Scene, until: str | None = None, text: str | None = None) -> Wanted:
-    """All one-sided forces stay positive."""
-    names = [name for element in world.study.problem.constraints for name in pushes(element)]
+    """All one-sided forces stay positive; beside that, what sticks or rolls does not slip before."""
+    constraints = world.study.problem.constraints
+    names = [name for element in constraints for name in pushes(element)]
     if not names:
         raise StatementError("no contact or string of the problem can let go")
-    return on_way(world, tuple(seen(world, name) for name in names), " and ".join(names), until, text, world.motion.assumptions)
+    values, given = tuple(seen(world, name) for name in names), world.motion.assumptions
+    found = on_way(world, values, " and ".join(names), until, text, given)
+    grips = [left for element in constraints for left in spare(element, lambda name: seen(world, name))]
+    beside = tuple(value for value in grips if sign(value, found.given).kind != "positive")
+    return replace(found, beside=beside, there="there it slips")
 
 
 def _stable(world: Scene, name: str, text: str, opposite: str | None) -> Wanted:

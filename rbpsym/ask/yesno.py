@@ -10,7 +10,7 @@ from rbpsym.algebra.scalar import UNITY
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.seen import Scene, moving, way_to
-from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, wanted
+from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
 from rbpsym.equality.verdict import proved, undecided
 from rbpsym.errors import StatementError, Undecided
@@ -28,7 +28,8 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
         demands = [*least_values(world, condition)]
-        surely = settle(condition.asked, world.motion.assumptions) or ()
+        still = (Demand(value, ">=") for value in condition.beside if not moving(world, (value,)))
+        surely = settle((*condition.asked, *still, *premises(world, condition)), world.motion.assumptions) or ()
     except Undecided as error:
         return Finding(undecided(error.what))
     left = settle(demands, condition.given)

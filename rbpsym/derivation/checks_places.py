@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
@@ -16,14 +17,15 @@ from rbpsym.derivation.checks import along_motion, relations, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import compare
-from rbpsym.equality.domain import IMPLIED, conditions
+from rbpsym.equality.decide import compare, refuted_only_where
+from rbpsym.equality.domain import IMPLIED, Condition, conditions
 from rbpsym.equality.signs import SignResult, sign
 from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.ways import taken
+from rbpsym.notation import tree as t
 
 
 def under(context: Context, step: Step, *ops: str) -> Context:
@@ -93,10 +95,8 @@ def can_rest(context: Context, step: Step) -> Verdict:
     """The stated place exists, lies within the ranges, and no force there has the wrong sense (`data`: "at")."""
     context, printed = under(context, step), demanded(context, step)
     nothing = Verdict(PROVED, how="no range, no one-sided force and no limit of friction forbids it")
-    found = weakest([nothing, *_exists(context, step, printed), *_within(context, step), *_holds(context, step, printed)])
-    if found.is_refuted and not all(IMPLIED[demand.op](sign(demand.value, context.assumptions)) for demand in printed):
-        return Verdict(UNDECIDED, reason="whether it can rest there under the conditions printed is not decided")
-    return found
+    with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
+        return weakest([nothing, *_exists(context, step, printed), *_within(context, step), *_holds(context, step, printed)])
 
 
 def comes_first(context: Context, step: Step) -> Verdict:
@@ -115,12 +115,12 @@ def _first(context: Context, step: Step, end: Scalar) -> Verdict:
     goes, between = way_to(context, name, end)
     lost = context.along(symbol(step.data["force"]))
     at_start, there = (substitute(lost, {name: place}) for place in (context.start(symbol(name)), end))
-    changed = [compare(NOTHING, at_start, given, strict=False)]
-    changed += [] if step.data["at"] else [compare(there, NOTHING, given)]
+    changed = [(NOTHING, at_start, given, False), *([] if step.data["at"] else [(there, NOTHING, given, True)])]
     system = context.study.system
     forces = [context.along(symbol(n)) for e in system.problem.constraints for n in pushes(e)]
     kept = [value for value in forces if step.data["at"] or not is_zero(value - lost)]
-    return weakest([*goes, *changed, *(compare(NOTHING, value, between) for value in kept)])
+    ordered = (*changed, *((NOTHING, value, between, True) for value in kept))
+    return weakest(chain(goes, (compare(low, high, where, strict=strict) for low, high, where, strict in ordered)))
 
 
 def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] = ()) -> tuple[list[Verdict], Assumptions]:

@@ -42,9 +42,11 @@ def _with(value: Scalar, name: str, place: Scalar, speed: Scalar) -> Scalar:
 
 def course(context: Context, step: Step) -> Verdict:
     """The stated function of the time solves the equation of motion, and starts as the motion does unless it is what is left
-    at last (`data`: "name", "law", "steady"), where a parameter has the value that the sentence says (`slots`: "where")."""
+    at last (`data`: "name", "law", "steady"; "beside": all coordinates that the law ties), where a parameter has the value
+    that the sentence says (`slots`: "where")."""
     [(left, _, right)] = relations(step.statement)
-    name, gained, at = step.data["name"], _gained(context, step), {}
+    name, at, tied = step.data["name"], {}, _tied(context, step, context.value(right))
+    gained = NOTHING if tied else _gained(context, step)
     if step.slots.get("where") is not None:
         [(parameter, _, stated)] = relations(step.slots["where"])
         at = {parameter.name: context.value(stated)}
@@ -53,11 +55,25 @@ def course(context: Context, step: Step) -> Verdict:
     follows = substitute(_with(gained, name, place, speed), at)
     if left.name != name or names_in(follows) & {*context.study.system.coordinates, *context.study.system.speeds}:
         return Verdict(UNDECIDED, reason="the acceleration is no function of the time with this")
-    found = [same(context, derivative(speed, "t"), follows)]
+    found = tied or [same(context, derivative(speed, "t"), follows)]
     if not step.data["steady"]:
         begins = [(place, name), (speed, f"{name}_dot")]
         found += [same(context, substitute(a, {"t": NOTHING}), substitute(context.start(symbol(b)), at)) for a, b in begins]
     return weakest(found)
+
+
+def _tied(context: Context, step: Step, stated: Scalar) -> list[Verdict]:
+    """Where the law is a system of rows: each holds with all coordinates, of which the stated one is as said."""
+    law, moved = context.steps.get(step.data.get("law")), step.data.get("beside", {})
+    if law is None or law.rule != "linear_system":
+        return []
+    context.use(law.id)
+    speeds = {f"{name}_dot": derivative(place, "t") for name, place in moved.items()}
+    at = {**moved, **speeds, **{f"{speed.removesuffix('_dot')}_ddot": derivative(v, "t") for speed, v in speeds.items()}}
+    rows = (substitute(context.value(left) - context.value(right), at) for left, _, right in relations(law.statement))
+    begins = ((substitute(value, {"t": NOTHING}), context.start(symbol(name))) for name, value in {**moved, **speeds}.items())
+    solves = [same(context, stated, moved[step.data["name"]]), *(same(context, row, NOTHING) for row in rows)]
+    return [*solves, *(same(context, *pair) for pair in begins)]
 
 
 def reached(context: Context, step: Step) -> Verdict:
@@ -174,7 +190,7 @@ def _swing(context: Context, step: Step) -> tuple[Scalar, list[Verdict]]:
     rate, gained = derivative(steady, "t"), context.on_motion(symbol(f"{name}_ddot"))
     found = [same(context, derivative(rate, "t"), _with(gained, name, steady, rate))]
     found.append(same(context, derivative(rate, "t"), -part * form.frequency**2))
-    return part * part + (rate / form.frequency) ** 2, [*found, *_positive(context, form.stiffness)]
+    return part * part + (rate / form.frequency) ** 2, [*found, positive(context, step, form.stiffness)]
 
 
 def _amplitude(context: Context, step: Step, value: Scalar) -> list[Verdict]:

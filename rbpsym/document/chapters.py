@@ -158,6 +158,7 @@ def _forces(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[
     if long:
         yield Paragraph(said.say("forces.long", forces=[step.slots["force"] for step in long]))
         yield from (telling.joined([step], said) for step in long)
+    yield from telling.Teller(said).conditions(steps)
 
 
 def _manner_of_motion(derivation: Derivation, said: Words) -> str:

@@ -67,7 +67,20 @@ def scalars_equal(a: Scalar, b: Scalar, assumptions: Assumptions = NONE) -> Verd
 
 def compare(a: Scalar, b: Scalar, assumptions: Assumptions = NONE, *, strict: bool = True) -> Verdict:
     """Whether a < b (or a <= b) for all quantities that satisfy the assumptions."""
-    return _guarded(lambda: _compare(a, b, assumptions, strict, _refuting.get()))
+    return _guarded(lambda: _compare(a, b, assumptions, strict, _where.get(), _refuting.get()))
+
+
+_where: ContextVar[tuple[Condition, ...]] = ContextVar("what is met at a point at which a relation fails", default=())
+
+
+@contextmanager
+def refuted_only_where(met: Iterable[Condition]) -> Iterator[None]:
+    """Within it, a relation is refuted by points alone at which the conditions are met."""
+    token = _where.set(tuple(met))
+    try:
+        yield
+    finally:
+        _where.reset(token)
 
 
 _refuting: ContextVar[bool] = ContextVar("whether points are looked for at which a relation fails", default=True)
@@ -84,14 +97,16 @@ def proofs_alone() -> Iterator[None]:
 
 
 @remembered
-def _compare(a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool, refuting: bool) -> Verdict:
+def _compare(
+    a: Scalar, b: Scalar, assumptions: Assumptions, strict: bool, where: tuple[Condition, ...], refuting: bool
+) -> Verdict:
     found = sign(b - a, assumptions)
     if found.kind == "positive" or (not strict and found.is_nonnegative):
         return proved(f"right - left is {found.kind}: {found.certificate}")
     if not refuting:
         return undecided("it is not proved")
     failing = (0, 1) if strict else (1,)
-    witness = find_witness(a, b, assumptions, (), lambda x, y: enclosure.sign_of(x - y) in failing)
+    witness = find_witness(a, b, assumptions, where, lambda x, y: enclosure.sign_of(x - y) in failing)
     if witness is not None:
         return refuted("the relation fails at a point", witness)
     return undecided("the sign of the difference could not be determined")

@@ -16,7 +16,6 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 
-SMOOTH = ("sin", "cos", "exp")
 MOST_SLOPES = 3
 Known = Callable[[Scalar], bool]
 
@@ -45,16 +44,11 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
 
 
 def _is_smooth(value: Scalar, name: str) -> bool:
-    """Whether the value is a polynomial in the quantity, in waves and exponentials of its multiples."""
-    if not depends_on(value, name):
-        return False
-    inner = {(index, exponent > 0) for term in value.num.terms for index, exponent in term if atom_depends(index, name)}
-    return all(is_above and _is_even(index, name) for index, is_above in inner)
+    """Whether the value is a polynomial in the quantity, in waves and exponentials of what changes evenly with it."""
+    inner = {(atoms.atom(index), power > 0) for term in value.num.terms for index, power in term if atom_depends(index, name)}
+    return bool(inner) and all(is_above and (atom.kind == "symbol" or _is_even(atom, name)) for atom, is_above in inner)
 
 
-def _is_even(index: int, name: str) -> bool:
-    """Whether it is the quantity itself, or a wave or an exponential of what changes evenly with it."""
-    kind, arg = atoms.atom(index).kind, atoms.atom(index).arg
-    if kind not in SMOOTH:
-        return kind == "symbol"
-    return not depends_on(derivative(arg if isinstance(arg, Scalar) else Scalar(arg), name), name)
+def _is_even(atom: atoms.Atom, name: str) -> bool:
+    is_wave = atom.kind in ("sin", "cos", "exp")
+    return is_wave and not depends_on(derivative(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg), name), name)

@@ -104,7 +104,7 @@ def _conditions(
     comes = (way.ahead(place), _drive(study, way.name) * way.sense, there)
     asked = [*existence(place), *_first_turn(study, way), *(Demand(value) for value in comes if not is_zero(value))]
     given = assuming(study.assumptions, settle(asked, study.assumptions) or ())
-    between, known = way.until(place, given), {demand.value for demand in asked}.__contains__
+    between, known = way.until(place, given), {demand.value for demand in asked if demand.op != "!="}.__contains__
     for value in (way.square, *gaps):
         for factor in () if sign(value, between).is_nonzero else factors_in(value, way.name):
             if sign(factor, between).is_nonzero or sign_along(factor, way.name, between, known):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.calculus import depends_on, names_in, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
@@ -79,6 +79,14 @@ def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:
         there = _at_start(value, start)
         if there is not None and not any(depends_on(there, name) for name in study.system.coordinates):
             yield element, there
+
+
+def ways_kept(study: Study) -> Iterator[tuple[Element, Scalar]]:
+    """What has to stay positive in each position for strings to run, springs to reach and things to touch as the formulas
+    have it, where the declared ranges do not say so."""
+    for element, value in taken(study.system):
+        if names_in(value) & study.system.scope.rates.keys() and not sign(value, study.assumptions).is_nonnegative:
+            yield element, value
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:

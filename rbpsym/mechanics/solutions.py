@@ -22,7 +22,7 @@ from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.oscillation import Equilibrium, where_stable
+from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, where_stable
 from rbpsym.mechanics.study import Study
 
 TIME = symbol("t")
@@ -228,8 +228,8 @@ def course(known: Given, case: str = "") -> Course | None:
 def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     """The solution for each coordinate for which there is one, in the case that is named, of `small` oscillations, or
     what is left of it at last (`steady`). Raises NotApplicable where there is none."""
-    found = {}
-    for name in study.system.independent:
+    found = modes_of(study) if manner == SMALL and len(study.system.independent) == 2 else {}
+    for name in () if found else study.system.independent:
         known = given(study, name, small=SMALL in manner)
         if known is not None and STEADY in manner and known.form.drive:
             found[name] = driven(known)
@@ -239,6 +239,22 @@ def courses_of(study: Study, manner: str = "") -> dict[str, Course]:
     if not found:
         raise NotApplicable("no closed form was found for the motion as a function of the time")
     return found
+
+
+def modes_of(study: Study) -> dict[str, Course]:
+    """Small oscillations of two coordinates from the start, each a sum of two modes; none where these are not known."""
+    item, names, start = swinging(study), study.system.independent, study.system.scope.start
+    squares = item.frequencies_squared if item and {*names} <= start.keys() & item.at.keys() else ()
+    ratios = [amplitude_ratio(item, square) for square in squares]
+    if len(ratios) != 2 or None in ratios:
+        return {}
+    rates = [symbol(study.letters.free(f"vartheta_{k}")) for k in (1, 2)]
+    moved = [(start[name] - item.at[name], start.get(f"{name}_dot", NOTHING)) for name in names]
+    shares = [[short((ratios[1 - k] * a - b) / (ratios[1 - k] - ratios[k])) for a, b in zip(*moved, strict=True)] for k in (0, 1)]
+    waves = [a * function("cos", w * TIME) + b / w * function("sin", w * TIME) for (a, b), w in zip(shares, rates, strict=True)]
+    letters = _named(*(part for pair in zip(rates, map(root, squares), strict=True) for part in pair))
+    parts = (waves, [wave * ratio for wave, ratio in zip(waves, ratios, strict=True)])
+    return {n: Course(item.at[n] + a + b, letters, valid=item.valid) for n, (a, b) in zip(names, parts, strict=True)}
 
 
 def kind_of(form: Form) -> str:

@@ -40,6 +40,11 @@ def sets_out(known: Given) -> tuple[Demand, ...]:
     return () if is_sure else (Demand(push * known.sense(push)),)
 
 
+def swings(known: Given, key: str) -> tuple[Demand, ...]:
+    """What has to be positive for the motion to swing, of which this is told."""
+    return (Demand(known.form.stiffness),) if key in ("amplitude", "greatest speed", "phase lag") else ()
+
+
 def _swing(known: Given) -> Scalar | None:
     """The square of the amplitude: (q - rest)² + q̇²/s of a free oscillation; of a driven one that of what is left at last."""
     form = known.form
@@ -68,12 +73,10 @@ def _amplitude(known: Given) -> Scalar | None:
 
 def support(known: Given) -> Scalar | None:
     """How a support swings, if the drive is that alone: what of the places of bodies is told to swing."""
-    states, swinging = known.study.system.bodies.values(), set()
-    for place in (part for state in states for part in (state.center.x, state.center.y)):
-        swinging.add(short(-derivative(derivative(place, "t"), "t") / known.form.frequency**2))
-    swinging -= {NOTHING}
-    moving = {*known.study.system.coordinates, *known.study.system.speeds}
-    return next(iter(swinging)) if len(swinging) == 1 and not names_in(next(iter(swinging))) & moving else None
+    places = (part for state in known.study.system.bodies.values() for part in (state.center.x, state.center.y))
+    gained = {short(-derivative(derivative(place, "t"), "t") / known.form.frequency**2) for place in places} - {NOTHING}
+    is_given = len(gained) == 1 and not names_in(next(iter(gained))) & {*known.study.system.coordinates}
+    return gained.pop() if is_given else None
 
 
 def _lag(known: Given) -> Scalar | None:

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 ROWS = re.findall(r"`([\w/]+\.py)::(\w+)`", (ROOT / "laws.md").read_text(encoding="utf-8"))
 KINDS = ("A1 A2 A3 A4 A5 A6 A7 A8 A9 B1 B2 B3 B4 B5 B6 B7 B8 C1 C2 C3 C4 C5 C6 D1 D2 D3 D4 D5 D6 D7 D8 D9 D10 E "
-         "Q1 Q2 Q3 W1 W2 W3 W7 K1 K2 K3 K4 K5 K6 K7 K8").split()  # fmt: skip
+         "Q1 Q2 Q3 Q4 W1 W2 W3 W7 K1 K2 K3 K4 K5 K6 K7 K8").split()  # fmt: skip
 
 
 @pytest.mark.parametrize(("file", "test"), sorted(set(ROWS)))

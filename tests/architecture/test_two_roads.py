@@ -15,6 +15,7 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.conditions"): "what a constraint asks is the statement",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.contacts"): "where bodies touch; their speeds are its own",
     ("rbpsym.derivation.checks_constraints", "rbpsym.mechanics.friction"): "the poses as places of points",
+    ("rbpsym.derivation.checks_phases", "rbpsym.mechanics.contacts"): "where bodies touch is the statement",
     ("rbpsym.derivation.checks_phases", "rbpsym.mechanics.friction"): "the poses as places of points",
     ("rbpsym.derivation.checks_phases", "rbpsym.mechanics.geometry"): "the direction that the statement names",
     ("rbpsym.derivation.checks_oscillations", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",

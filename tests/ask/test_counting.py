@@ -127,3 +127,10 @@ def test_the_value_of_an_impulse_is_not_its_name(name: str) -> None:
             for question in (f"impulse of {blow.name}", f"impulse of {blow.name} when {phase.name} begins"):
                 found = answered(asked, question)
                 assert {name for node in found.nodes for name in t.names(node)} <= names_in(found.value)
+
+
+def test_what_a_struck_contact_does_in_the_blow_is_no_part_of_its_work() -> None:
+    asked = Asked(load_problem(problem_files()["bullet-in-a-rod"]))
+    with pytest.raises(StatementError, match="a blow between"):
+        answered(asked, "work of P on bullet until theta = pi/6")
+    assert answered(asked, "work of P on bullet until theta = pi/6 in phase embedded").verdict.is_proved

@@ -235,3 +235,51 @@ def test_places_that_only_the_time_ties_are_told_by_the_time(question: str, told
     [found] = ask(load_text(SLIPPING), question)
     names = ("m", "R", "mu", "g", "v_0", "t")
     assert found.verdict.is_proved and equal(*(read_infix(text, names) for text in (found.text, told))).is_proved
+
+
+TURNED_BEAD = """
+[parameters]
+m = "mass: bead"
+k = "stiffness: spring"
+a = "length: natural length"
+L = "length: rod"
+J = "moment of inertia: rod"
+Omega = "angular speed: of the rod"
+[coordinates.r]
+dimension = "length"
+start = "a"
+[bodies.rod]
+shape = "given"
+mass = "m"
+moment = "J"
+center = "O"
+angle = "Omega*t"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["r*cos(Omega*t)","r*sin(Omega*t)"]
+[interactions.S]
+type = "spring"
+between = ["O","bead.center"]
+stiffness = "k"
+natural_length = "a"
+[constraints.P]
+type = "pivot"
+point = "rod.center"
+[constraints.C]
+type = "prescribed-angle"
+body = "rod"
+angle = "Omega*t"
+[constraints.N]
+type = "guide"
+point = "bead.center"
+line = "y = 0"
+of = "rod"
+"""
+
+
+def test_an_amplitude_is_told_with_the_condition_under_which_it_swings() -> None:
+    found, at = ask(load_text(TURNED_BEAD), "amplitude of r", "Omega for which amplitude of r = a")
+    assert found.verdict.is_proved and [to_text(node) for node in found.valid] == ["k − mΩ² > 0"]
+    names = ("k", "m")
+    assert at.verdict.is_proved and equal(*(read_infix(text, names) for text in (at.text, "sqrt(k/(2*m))"))).is_proved

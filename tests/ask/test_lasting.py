@@ -5,6 +5,10 @@ from __future__ import annotations
 import pytest
 
 from rbpsym.ask.asking import ask
+from rbpsym.ask.integrated import integrated
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.question import read_question
+from rbpsym.errors import StatementError
 from rbpsym.notation.machine import to_machine
 from rbpsym.statement.loader import load_problem, load_text
 from tests.ask.textbook import ROLLING, TALL_BOX
@@ -202,3 +206,26 @@ def test_a_coordinate_at_an_end_of_its_range_goes_into_it() -> None:
     text = ROD.replace('start = "theta_0"', 'start = "0"') + PUSH
     [found] = ask(load_text(text), "speed of theta as a function of theta")
     assert not found.text.startswith("-")
+
+
+TRIED = {"m": 1.0, "L": 1.0, "g": 9.81, "theta_0": 0.3}
+SLIPS = [
+    (ROD, "time until theta = pi/3", TRIED | {"mu": 0.1}),
+    (ROD, "time until theta = pi/3", TRIED | {"mu": 0.4}),
+    (SMOOTH.replace('range = ["0", "pi/2"]', 'range = ["0", "pi/4"]'), "time until theta = pi/3", TRIED),
+    (TUBE, "time until r = 2*L", {"m": 1.0, "M": 1.0, "L": 1.0, "r_0": 0.5, "Omega": 1.0}),
+]
+
+
+@pytest.mark.parametrize(("text", "question", "numbers"), SLIPS, ids=lambda value: str(value)[-30:])
+def test_what_is_integrated_lasts_to_the_moment(text: str, question: str, numbers: dict[str, float]) -> None:
+    with pytest.raises(StatementError, match="something slips or a range is left before"):
+        integrated(Asked(load_text(text)), read_question(question), numbers)
+
+
+def test_what_is_integrated_goes_through_the_phases() -> None:
+    asked, numbers = Asked(load_problem("ball-slipping-to-rolling")), {"M": 2.0, "R": 0.1, "v_0": 7.0, "mu": 0.2, "g": 9.8}
+    [late], _ = integrated(asked, read_question("time until x = 20"), numbers)
+    [speed], _ = integrated(asked, read_question("speed of x where x = 20"), numbers)
+    start, gone = 2 * 7 / (7 * 0.2 * 9.8), 12 * 7**2 / (49 * 0.2 * 9.8)
+    assert abs(speed - 5) < 1e-6 and abs(late - (start + (20 - gone) / 5)) < 1e-6

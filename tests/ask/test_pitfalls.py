@@ -6,7 +6,12 @@ import pytest
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import ask
+from rbpsym.ask.limits import leading
+from rbpsym.ask.numbers import rounded
+from rbpsym.ask.special import _term
+from rbpsym.ask.telling import latex_of
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.errors import StatementError
 from rbpsym.notation.infix import read_infix
@@ -58,3 +63,21 @@ def test_what_means_nothing_gets_a_sentence(name, question, told):
 def test_the_lowest_frequency_is_that_of_a_mode():
     low, high = answers("double-compound-pendulum", "lowest frequency of theta_1", "highest frequency of theta_1")
     assert low.text != high.text
+
+
+@pytest.mark.parametrize(("power", "to"), [(-2, "b"), (3, "b"), (1, None), (-1, None)])
+def test_the_leading_term_of_a_power_is_that_power(power, to):
+    x, c, end = symbol("x"), symbol("c"), None if to is None else symbol(to)
+    value = c * (x if end is None else x - end) ** power
+    assert is_zero(_term(leading(value, "x", end, 1), "x", end, 1) - value)
+
+
+def test_a_vector_stands_in_brackets():
+    place, mass = answers("spoked-wheel-moments", "centre of mass of wheel and counterweight", "mass of wheel")
+    assert latex_of(place).startswith(r"\left(") and len(place.values) == 2
+    assert not latex_of(mass).startswith(r"\left(")
+
+
+@pytest.mark.parametrize(("value", "told"), [(45.6, "45.6"), (456.0, "456"), (4560.0, "4.56e+03"), (0.00123, "0.00123")])
+def test_numbers_are_told_with_their_figures(value, told):
+    assert rounded(value, 3) == told

@@ -163,6 +163,8 @@ ANSWERS = (
     ("coupled-rods", "k for which highest frequency of theta_1 = 2*lowest frequency of theta_1", "3*m*g*ell/(4*a**2)"),
     ("coupled-rods", "k for which frequency of theta_1 in the highest mode = twice the frequency of theta_1 in the lowest mode",
      "3*m*g*ell/(4*a**2)"),
+    ("coupled-rods", "theta_2 as a function of t for small oscillations",
+     "theta_0/2*(cos(sqrt(3*g/(2*ell))*t) - cos(sqrt(3*g/(2*ell) + 6*k*a**2/(m*ell**2))*t))"),
     ("base-excitation", "decay rate of x", "c/(2*m)"),
     ("base-excitation", "undamped frequency of x", "sqrt(k/m)"),
     ("base-excitation", "damping ratio of x", "c/(2*sqrt(m*k))"),

@@ -322,3 +322,34 @@ def test_a_rate_at_which_motion_dies_out_is_that_of_its_damper():
     assert step.certificate.verdict.is_proved
     told, wanted = step.statement.items[-1], read_infix("2*c/(m*R^2)", ["c", "m", "R"])
     assert scalars_equal(scalar(told), scalar(wanted)).is_proved
+
+
+DAMPED_BLOCK = """
+[parameters]
+m = "mass"
+k = "stiffness{bound}"
+c = "damping"
+[coordinates.x]
+dimension = "length"
+start = "x_0"
+[bodies.block]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+[interactions.S]
+type = "spring"
+between = ["O", "block.center"]
+stiffness = "k"
+[interactions.D]
+type = "damper"
+between = ["O", "block.center"]
+coefficient = "c"
+"""
+
+
+@pytest.mark.parametrize(("bound", "said", "other"), [(" > c**2/(4*m)", "surely", "never"), (" < c**2/(4*m)", "never", "surely")])
+def test_whether_a_damped_motion_swings_is_checked(bound, said, other):
+    found = derive(load_text(DAMPED_BLOCK.format(bound=bound)), simulation=False)
+    [step] = [step for step in found.steps if step.id.startswith("damped.")]
+    assert step.data["swings"] == said and step.certificate.verdict.is_proved
+    assert not certify(found.letters, replace(step, data={**step.data, "swings": other})).verdict.is_proved

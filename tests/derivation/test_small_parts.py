@@ -1,10 +1,12 @@
 """Small parts of steps, each by what it states: no row of several is lost, no sign of a side, no word for its opposite."""
 
 import gc
+from dataclasses import replace
 from types import SimpleNamespace as Told
 
 import pytest
 
+from rbpsym.algebra.calculus import function
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, lift, symbol
@@ -18,7 +20,9 @@ from rbpsym.derivation.chapters.places import coordinates_of
 from rbpsym.derivation.draft import Draft
 from rbpsym.derive import derive
 from rbpsym.mechanics.constraints import JOINTS
+from rbpsym.mechanics.endings import at_start, is_before
 from rbpsym.mechanics.roots import _principal
+from rbpsym.mechanics.solved import without_logarithms
 from rbpsym.methods import conservation
 from rbpsym.methods.balances import _crossing
 from rbpsym.notation import tree as t
@@ -171,3 +175,39 @@ def test_why_no_energy_is_conserved(driven, reason, monkeypatch):
     said = []
     conservation._not_conserved(Told(study=Told(system=Told(has_clock=driven)), skip=lambda name, why: said.append(why)))
     assert said == [f"skipped.{reason}"]
+
+
+def test_a_centre_of_mass_has_both_coordinates():
+    corners = 'shape = "polygon"\nmass = "M"\nvertices = [["0", "0"], ["a", "0"], ["0", "b"]]'
+    problem = load_text(f'[parameters]\nM = "mass"\na = "length"\nb = "length"\n[bodies.plate]\n{corners}')
+    found = derive(problem, simulation=False).step("center.plate").statement
+    assert isinstance(found, t.System) and len(found.rows) == 2
+
+
+def test_a_point_of_a_body_is_a_label_and_a_fixed_one_a_letter():
+    steps = {step.id: step for step in unsimulated("spoked-wheel-moments").steps}
+    assert steps["moment.wheel.O"].slots["point"] == t.Sym("O")
+    assert steps["moment.wheel.wheel.bottom"].slots["point"] == ["wheel.bottom"]
+
+
+@pytest.mark.parametrize("name", ["ball-on-incline", "block-on-table", "rod-and-disk-fixed", "cylinder-on-wedge"])
+def test_brackets_stand_round_sums_alone(name):
+    nodes = (node for step in unsimulated(name).steps if step.rule != "work_energy" for node in t.walk(step.statement))
+    assert all(isinstance(node.arg, t.Add) for node in nodes if isinstance(node, t.Group))
+
+
+def test_a_state_comes_with_itself():
+    study = unsimulated("rod-hits-ball-at-bottom").study
+    state = at_start(study)
+    assert is_before(study, state, state) and is_before(study, replace(state, time=None), replace(state, time=None))
+
+
+def test_logarithms_in_exponents_are_powers():
+    x = symbol("x")
+    for power in (2, -1, 3):
+        assert is_zero(without_logarithms(function("exp", function("ln", x) * power)) - x**power)
+
+
+def test_a_balance_rests_on_the_laws_of_its_body_and_not_on_the_motion_of_all():
+    """The nearest premises are tried first: they are what a reader would name."""
+    assert {"law.force.ball", "law.torque.ball"} == {*unsimulated("ball-in-a-loop").step("balance.ball").premises}

@@ -13,7 +13,8 @@ from rbpsym.algebra.scalar import PI, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.algebra.vector import EX, Space
 from rbpsym.equality.assumptions import Assumptions, positive
-from rbpsym.equality.decide import compare, equal
+from rbpsym.equality.decide import compare, equal, refuted_only_where
+from rbpsym.equality.domain import Condition
 from rbpsym.equality.verdict import PROVED, REFUTED, UNDECIDED, all_of, proved, undecided
 from rbpsym.errors import ReadError
 from rbpsym.notation import tree as t
@@ -171,3 +172,15 @@ def test_an_integral_beside_a_pole_is_proved_with_its_obligation() -> None:
     verdict = equal(t.Integral(t.Div(t.ONE, t.Pow(X, t.TWO)), "x", t.ONE, t.TWO), t.Div(t.ONE, t.TWO), positive("a"))
     assert verdict.is_proved
     assert verdict.obligations and not verdict.open_obligations
+
+
+def test_a_relation_is_refuted_only_where_the_conditions_hold():
+    """Conditions that say nothing of one quantity alone, so that no assumption can be made of them."""
+    a, b, given = symbol("a"), symbol("b"), positive("a", "b")
+    less, more = ((Condition(t.ZERO, ">", way * (a**3 - a * b**2)),) for way in (-1, 1))
+    assert compare(a, b, given).is_refuted
+    with refuted_only_where(more):
+        assert compare(a, b, given).is_refuted
+    with refuted_only_where(less):
+        assert compare(a, b, given).kind is UNDECIDED
+    assert compare(a, b, given).is_refuted

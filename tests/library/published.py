@@ -191,7 +191,7 @@ ANSWERS = (
     ("ball-bouncing-with-spin", "speed of x when bounced begins", "(5*v_x-2*R*omega_0)/7"),
     ("ball-bouncing-with-spin", "impulse of f_J", "-2*m*(v_x+R*omega_0)/7"),
     ("ball-bouncing-with-spin", "smallest mu for which it does not slip when bounced begins", "2*(v_x+R*omega_0)/(7*(1+e)*v_y)"),
-    ("slack-tow-rope", "speed of x when towing begins", "m*v_0/(m+M)"),
+    ("slack-tow-rope", "speed of s when towing begins", "m*v_0/(m+M)"),
     ("slack-tow-rope", "impulse of S", "m*M*v_0/(m+M)"),
     ("slack-tow-rope", "energy lost when towing begins", "m*M*v_0^2/(2*(m+M))"),
     ("rod-dropped-on-rough-floor", "speed of theta when hit begins", "-3*v*cos(beta)/(2*ell)"),

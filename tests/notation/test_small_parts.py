@@ -106,3 +106,20 @@ def test_of_a_name_that_is_not_known_forty_letters_are_told():
 @pytest.mark.parametrize(("left", "right", "widths"), [(50, 50, (50, 50)), (60, 50, (33, 67)), (10, 95, (10, 90))])
 def test_two_sides_are_made_narrower_only_where_they_do_not_fit(left, right, widths):
     assert fitted(left, right, 100) == widths
+
+
+OTHER_WORDS = {
+    "log": "ln", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "sen": "sin", "tg": "tan", "ctg": "cot", "cotg": "cot",
+    "cosec": "csc", "arcsen": "asin", "arctg": "atan",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("word", "name"), OTHER_WORDS.items())
+def test_other_words_of_functions(word, name):
+    assert read_infix(f"{word}(x)", {"x"}) == t.Fn(name, t.Sym("x"))
+
+
+@pytest.mark.parametrize("text", ["x^{2}_1", "x^{{2}}_1", "x^{a + {b}}_1"])
+def test_a_subscript_may_stand_behind_what_is_raised(text):
+    found = read_latex(text, {"x_1", "a", "b"})
+    assert isinstance(found, t.Pow) and found.base == t.Sym("x_1")

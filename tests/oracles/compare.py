@@ -19,6 +19,7 @@ from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import Values, number
 from rbpsym.mechanics.phases import Stage, known_stages
+from rbpsym.mechanics.pushing import ways_taken
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Problem
 from rbpsym.verify import simulation_phases
@@ -139,6 +140,7 @@ def _bench(study: Study, numbers: Numbers) -> Bench:
 
 def _one(study: Study, numbers: Numbers, label: str, time: float | None, found: Findings, longest: float) -> None:
     bench = _bench(study, numbers)
+    _goes_as_told(study, bench.sample)
     own = Findings()
     _rests(bench, study, numbers, own)
     start = declared_start(bench)
@@ -159,6 +161,13 @@ def _one(study: Study, numbers: Numbers, label: str, time: float | None, found: 
     for name, error in own.errors.items():
         found.note(f"{label}: {name}", error, numbers)
     found.missing |= {f"{label}: {name}": reason for name, reason in own.missing.items()}
+
+
+def _goes_as_told(study: Study, numbers: Numbers) -> None:
+    """Strings run, and things touch, at the start on the side that the formulas are told for."""
+    for element, value in ways_taken(study):
+        if not number(value, numbers) > 0:
+            raise Unfit(f"{element.name} runs, or touches, on another side at the start than is told")
 
 
 def _moving_start(bench: Bench, study: Study, start):

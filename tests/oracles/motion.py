@@ -12,9 +12,11 @@ from types import MappingProxyType
 import numpy as np
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.pushing import ways_kept
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.paths import runs
 from rbpsym.verify.simulation import Bench
@@ -76,7 +78,20 @@ def watches(bench: Bench, study: Study) -> dict[tuple[str, str], Watch]:
             found["no slip", element.name] = _slip(bench, element, size)
         if element.kind == "string":
             found |= _runs(bench, element)
+    for element, value in ways_kept(study):
+        if element.kind == "spring":
+            found["string", element.name] = _reach(bench, value)
     return found
+
+
+def _reach(bench: Bench, value: Scalar) -> Watch:
+    """A spring on a straight line does not shrink to nothing: its ends would pass through each other."""
+
+    def left(state: np.ndarray) -> float:
+        q = bench.placement.coordinates(state[: bench.equations.size].tolist(), bench.generic.q)
+        return number(value, {**bench.sample, **dict(zip(bench.placement.names, map(float, q), strict=True))})
+
+    return left
 
 
 def _runs(bench: Bench, element) -> dict[tuple[str, str], Watch]:

@@ -1,15 +1,21 @@
 """The conditions that stand under the formulas of the results on a page stand in the answer for machines too."""
 
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+
 import pytest
 
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.errors import RbpsymError, ReadError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
 from rbpsym.solve import answer_of, solve
 from rbpsym.statement import load_text
-from tests.library.derived import NAMES, unsimulated
+from tests.library.derived import FOLLOWED, NAMES, unsimulated
 
 FALLING = """
 [parameters]
@@ -51,6 +57,74 @@ def test_what_a_page_asks_for_the_answer_asks_for(name):
              for text in (*told["valid_where"], *told["start_valid_where"])]  # fmt: skip
     for value, op in under_results(found):
         assert any(_follows(value, op, one) for one in known), (name, value, op)
+
+
+# Open conditions of a step that no entry of the answer tells; to be empty.
+NOT_TOLD = {
+    "ball-in-a-loop": {"at_loss.N.f"},  # the root in the friction where the contact is lost
+    "cylinder-in-rolling-pipe": {"kept.x"},  # the kept momentum is divided by 1 - cos theta
+    "rod-with-spring": {"work.S.rod", "balance"},  # the length of the spring at the start, and where the forces balance
+    "spring-coupled-pendulums": {"work.S.left", "work.S.right"},
+    "rod-over-rim-of-bowl": {"equilibrium.1", "linear.1", "frequency.1"},  # radicands that are always positive, undecided
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWED)
+def test_every_open_condition_of_a_page_stands_in_the_answer(name):
+    """Wherever it stands there; the speeds by which other roads to the equation of motion divide are no part of it, and of
+    one-sided forces the answer has a list."""
+    found = unsimulated(name)
+    told = answer_of(found)
+    names = {*found.letters.scalars, *found.study.letters.quantities, *found.study.system.scope.rates, "t"}
+    known = _known(found, told, names)
+    sided = [symbol(row["force"]) for row in told["one_sided"]]
+    missing = set()
+    for step in found.steps:
+        for duty in () if step.id.startswith("motion.from_") else step.certificate.verdict.open_obligations:
+            try:
+                value, op = found.letters.value(duty.relation.items[0]), duty.relation.ops[0]
+            except ReadError:  # of values at the start alone
+                missing.add(step.id)
+                continue
+            if value not in sided and not any(_tells(one, value, op, found) for one in known):
+                missing.add(step.id)
+    assert missing == NOT_TOLD.get(name, set())
+
+
+def _tells(one: Demand, value: Scalar, op: str, found) -> bool:
+    same = _follows(value, op, one) or scalars_equal(value, one.value, found.study.assumptions).is_proved
+    return one.op in (op, ">") and same
+
+
+def _known(found, told, names) -> list[Demand]:
+    """All conditions that stand anywhere in the answer, as far as their letters are those of the first phase."""
+    known = []
+    for text in _conditions(told):
+        left, op, _ = text.rsplit(" ", 2)
+        with suppress(RbpsymError):
+            known.append(Demand(found.letters.value(read_infix(left, names)), op))
+    return known
+
+
+def _conditions(told) -> Iterator[str]:
+    if isinstance(told, Mapping):
+        for key, value in told.items():
+            yield from (value or ()) if key.endswith("valid_where") else _conditions(value) if key != "questions" else ()
+    elif isinstance(told, list):
+        for value in told:
+            yield from _conditions(value)
+
+
+WAYS = {"linear-molecule": {"x_2 - x_1 > 0", "x_3 - x_2 > 0"}, "block-on-table": {"d - x > 0", "h + x > 0"}}
+
+
+@pytest.mark.parametrize(("name", "asked"), WAYS.items())
+def test_the_ways_of_strings_and_springs_are_asked_for_on_the_whole_way(name, asked):
+    """Springs on a line whose ends pass through each other, strings that are used up: there the formulas end."""
+    found = unsimulated(name)
+    assert asked <= {*answer_of(found)["valid_where"]}
+    owed = [duty.relation for step in found.steps for duty in step.certificate.verdict.open_obligations]
+    assert asked <= {to_machine(relation) for relation in owed}
 
 
 def _follows(value: Scalar, op: str, one: Demand) -> bool:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.derivation.draft import length
 from rbpsym.notation import tree as t
-from rbpsym.teaching.distractors import size
 from rbpsym.teaching.lines import shares
 from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
 from rbpsym.teaching.plan import plan_of
@@ -71,5 +71,5 @@ def test_no_one_is_asked_to_write_a_formula_of_half_a_page() -> None:
     """The forces at the hinge of this system are some 600 parts long."""
     sheet = plan_of("rod-with-spring").worksheet(Student("a"))
     keys = [item.key.value for item in sheet.items if isinstance(item.key, FormulaKey)]
-    assert all(size(key) <= LONGEST for key in keys)
+    assert all(length(key) <= LONGEST for key in keys)
     assert "number" in {item.kind for item in sheet.items}

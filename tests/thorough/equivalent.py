@@ -3,9 +3,7 @@
 SAMPLE = "which of many sets of sample numbers is drawn; all of them are as good"
 SIGN = "a sign is its own inverse"
 ONLY_SIGN = "only its sign is asked for"
-ORDER = "what is tried first; what is found is proved and irredundant in each order"
 EFFORT = "a bound of effort or a margin, whose exact size is no matter of right and wrong"
-QUICK = "the quick look by numbers says what to try first; what is said is found by the exact way"
 NEVER_EQUAL = "a number of floating point beside a tolerance is not just equal to it"
 
 EQUIVALENT: dict[str, str] = {
@@ -38,12 +36,15 @@ EQUIVALENT: dict[str, str] = {
     "equality/reading.py Reading.raised: 0 -> 1": "no exponent of a monomial is 0",
     "derivation/checks_solutions.py _terminal: other * value -> (other) / (value)": ONLY_SIGN,
     "derivation/checks_places.py _beyond: 1 -> 2": ONLY_SIGN,
-    "derivation/binding.py _levels: op != \"=\" -> op == \"=\"": ORDER,
-    "derivation/entailment.py _image: [(index, kept)] if kept else [] -> ([]) if (kept) else ([(index, kept)])": QUICK,
     "notation/latex_names.py _unknown: 1 -> 2": "of the names that are near only the nearest is told",
     "mechanics/numbers.py _parameter: 0.4 * generic -> (0.4) / (generic)": SAMPLE,
     "mechanics/numbers.py _parameter: 3 -> 4": SAMPLE,
     "mechanics/numbers.py _side: given < 0 -> given <= 0": "0 is on neither side",
     "algebra/grouping.py _nearer: a > 0 -> a >= 0": "no exponent of a monomial is 0",
     "methods/known_works.py steady: start[f\"{q}_dot\"] ** 2 -> (start[f\"{q}_dot\"]) * (2)": "what is constant drops out",
+    "equality/constants.py _order: Fraction(1, 2) - turns -> (Fraction(1, 2)) + (turns)":
+    "the two differ by a half turn: the orders by a factor 2 where one is odd, which the totient does not see",
+    "mechanics/roots.py _principal: -Fraction(number) + 1 -> (-Fraction(number)) - (1)": "the two are the same modulo 2",
+    "ask/numbers.py _digits: 1 -> 2": "the least number of figures that are told is 3",
+    "equality/factoring.py _factor_list: 1 / rational -> (1) * (rational)": "factors have no content but their sign",
 }

@@ -30,7 +30,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.pushing import ways_taken
+from rbpsym.mechanics.pushing import ways_kept, ways_taken
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
 from rbpsym.statement.curves import curve_body, toucher
@@ -92,15 +92,17 @@ def _geometric(draft: Draft, element: Element, given: Given) -> None:
         force=t.Vec(element.name),
         points=_labels(element),
         count=len(_labels(element)),
-        obligations=_taken(draft, element),
+        obligations=as_taken(draft, element),
         body=BodyRef(body) if isinstance(body, str) else PhraseRef("kinematics.nothing"),
     )
 
 
-def _taken(draft: Draft, element: Element) -> tuple[t.Node, ...]:
-    """That it runs, or touches, on the side that is taken, as far as nothing declared says so."""
-    values = dict.fromkeys(value for other, value in ways_taken(draft.study) if other is element)
-    open_ = (value for value in values if sign(value, draft.study.assumptions).kind != "positive")
+def as_taken(draft: Draft, element: Element) -> tuple[t.Node, ...]:
+    """That it runs, or touches, on the side that is taken, as far as nothing declared says so: in each position, else at
+    the start."""
+    ways = (ways_kept(draft.study), ways_taken(draft.study))
+    kept, begun = ([value for other, value in found if other is element] for found in ways)
+    open_ = (value for value in dict.fromkeys(kept or begun) if sign(value, draft.study.assumptions).kind != "positive")
     return tuple(t.relation(draft.show(value), ">", t.ZERO) for value in open_)
 
 
@@ -292,7 +294,7 @@ def _run(draft: Draft, element: Element, name: str, run: tuple[Turn, ...], given
         variant="identity" if trivial else "round" if len(run) > 2 else "straight",
         force=t.Sym(name),
         ends=[_end(turn) for turn in (run[0], run[-1])],
-        obligations=_taken(draft, element),
+        obligations=as_taken(draft, element),
         data={"tension": name},
     )
 

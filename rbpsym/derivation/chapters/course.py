@@ -10,6 +10,7 @@ from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.solutions import STEADY, Course, Given
 from rbpsym.mechanics.state import State
 from rbpsym.notation import tree as t
@@ -32,8 +33,9 @@ def write(draft: Draft) -> None:
             feature(draft, known, name, key)
 
 
-def told(draft: Draft, name: str, one: Course, law: str = "") -> str:
-    """The id of the step that says a solution; before it one for each of its letters that is new."""
+def told(draft: Draft, name: str, one: Course, law: str = "", beside: Mapping[str, Course] | None = None) -> str:
+    """The id of the step that says a solution, with those `beside` it that the law ties to it; before it one for each of its
+    letters that is new."""
     letters = {letter: _letter(draft, letter, value) for letter, value in one.letters.items()}
     said = {step.id for step in draft.steps for letter in letters.values() if _tells(step, letter)}
     place = substitute(one.place, {old: symbol(new) for old, new in letters.items()})
@@ -41,20 +43,16 @@ def told(draft: Draft, name: str, one: Course, law: str = "") -> str:
     where = None if one.where is None else t.equation(t.Sym(one.where[0]), draft.show(one.where[1]))
     return draft.add(
         f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation,
-        f"course.{one.case or ('small' if law else 'plain')}",
-        premises=draft.those(f"motion.{name}", law, *said),
-        is_result=True,
-        obligations=draft.asked(one.valid),
-        name=t.Sym(name),
-        where=where,
-        data={"name": name, "law": law, "steady": one.case == STEADY},
+        f"course.{one.case or ('small' if law else 'plain')}", premises=draft.those(f"motion.{name}", law, *said),
+        is_result=True, obligations=draft.asked(one.valid), name=t.Sym(name), where=where,
+        data={"name": name, "law": law, "steady": one.case == STEADY,
+              "beside": {n: each.whole for n, each in (beside or {}).items()}},
     ).id  # fmt: skip
 
 
 def _tells(step: Step, letter: str) -> bool:
     """Whether the step says what a letter, or its square, is."""
-    left = step.statement.items[0] if isinstance(step.statement, t.Chain) else t.ZERO
-    return t.Sym(letter) in (left, getattr(left, "base", None))
+    return any(t.Sym(letter) in (left, getattr(left, "base", None)) for left, _, _ in t.relations(step.statement))
 
 
 def _letter(draft: Draft, letter: str, value: Scalar) -> str:
@@ -92,10 +90,11 @@ def feature(draft: Draft, known: Given, name: str, key: str, law: str = "") -> N
     made = draft.define(draft.free(letter if is_one else f"{letter}_{name}", taken=draft.context.scalars.keys()), value)
     shown = _quotient(draft, known) if key == "amplitude" and known.form.drive else draft.show(value, factor=True)
     phrase = "mode" if key in OF_MODE else f"{key.replace(' ', '_')}{kind}"
+    valid = settle((*known.valid, *solved.swings(known, key)), known.study.assumptions) or ()
     data = {"name": name, "law": law, "key": key, "form": known.form, "steady": solutions.steady(known)}
     draft.add(f"{key.replace(' ', '_')}.{name}", "feature", t.equation(made, shown), f"course.{phrase}",
               premises=draft.those(law or f"motion.{name}"), name=t.Sym(name), letter=made, is_result=True, data=data,
-              obligations=draft.asked(known.valid), **more)  # fmt: skip
+              obligations=draft.asked(valid), **more)  # fmt: skip
 
 
 def _quotient(draft: Draft, known: Given) -> t.Node:

@@ -6,6 +6,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Space
+from rbpsym.derivation.chapters.conditions import as_taken
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.dynamics import torque_about_center
@@ -80,6 +81,7 @@ def _entry(draft: Draft, force: Force) -> None:
         where=_place(draft, force),
         force=node,
         data={"forces": (force,), "origin": state.center, "value": center},
+        obligations=() if draft.study.system.is_reaction(force) else as_taken(draft, draft.study.system.element(force.name)),
     )
 
 

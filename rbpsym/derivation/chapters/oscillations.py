@@ -33,7 +33,8 @@ def laws(draft: Draft) -> dict[str, str]:
     """The chapter, and the ids of the linear equations of the coordinates about what is stable."""
     write(draft, where_stable=True)
     near = (step for step in draft.steps if step.rule == "linearization" and step.data["proved"] != "unstable")
-    return {step.data["name"]: step.id for step in near}
+    rows = [step.id for step in draft.steps if step.rule == "linear_system"]
+    return dict.fromkeys(draft.study.system.independent, *rows[-1:]) | {step.data["name"]: step.id for step in near}
 
 
 def _rest(draft: Draft) -> None:
