@@ -18,7 +18,17 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
 from rbpsym.ask.seen import (
-    PLACE, Scene, going_on, is_sure, moving, one_period, place_in, require_same, seen, way_to, ways_to,
+    PLACE,
+    Scene,
+    going_on,
+    is_sure,
+    moving,
+    one_period,
+    place_in,
+    require_same,
+    seen,
+    way_to,
+    ways_to,
 )  # fmt: skip
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
