@@ -176,11 +176,14 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
-    beside = [region_on_way(value, name, along or "", premise) for value in condition.beside]
+    pairs = [(value, region_on_way(value, name, along or "", premise)) for value in condition.beside]
+    if any(one is None for _, one in pairs):
+        world.doubts.append("whether the contacts and the friction last so far is not decided")
+    beside, others = [one for _, one in pairs if one is not None], [value for value, one in pairs if one is not None]
     found = _first(regions, beside, given, sense)
     if found is None:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
-    parts = (*values, *condition.beside), [*regions, *beside]
+    parts = (*values, *others), [*regions, *beside]
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
