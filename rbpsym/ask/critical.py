@@ -50,7 +50,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
-    asked += [] if found.values else [demand for demand in world.demands if depends_on(demand.value, name)]
+    asked += [] if found.values else _case(world)
     left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
