@@ -263,7 +263,8 @@ def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Quest
             raise NoClosedForm(f"“{question.quantity}” depends on {name}, for which no closed form was found", instead=BY_NUMBERS)
         raise StatementError(
             f"“{question.quantity}” still depends on {name} there",
-            instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."?',
+            instead=f'does [coordinates.{name.removesuffix("_dot")}] have a start = "..."? Where the time alone puts it '
+            "there, leave its start out and give it a range: then it is a function of the time.",
         )
     return value
 

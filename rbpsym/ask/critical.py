@@ -49,7 +49,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     if any(depends_on(demand.value, name) for demand in found.valid):
         found = replace(found, verdict=undecided(f"it was found under conditions on {name} itself"))
     asked = [demand for demand in (*condition.asked, *stated) if not depends_on(demand.value, name)]
-    asked += [] if found.values else [demand for demand in world.demands if depends_on(demand.value, name)]
+    asked += [] if found.values else _case(world)
     left = settle((*found.valid, *asked), world.motion.assumptions)
     return found if left is None else replace(found, valid=left)
 
@@ -175,11 +175,14 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
-    beside = [region_on_way(value, name, along or "", premise) for value in condition.beside]
+    pairs = [(value, region_on_way(value, name, along or "", premise)) for value in condition.beside]
+    if any(one is None for _, one in pairs):
+        world.doubts.append("whether the contacts and the friction last so far is not decided")
+    beside, others = [one for _, one in pairs if one is not None], [value for value, one in pairs if one is not None]
     found = _first(regions, beside, given, sense)
     if found is None:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)
-    parts = (*values, *condition.beside), [*regions, *beside]
+    parts = (*values, *others), [*regions, *beside]
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):

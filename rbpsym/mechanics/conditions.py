@@ -176,7 +176,7 @@ def _held(value: Scalar, names: tuple[str, ...], problem: Problem) -> Scalar | N
 
     used = _names_in(value, names)
     coordinate = next((c for c in problem.coordinates if [c.name] == used), None)
-    if coordinate is not None and depends_on(value, CLOCK):
+    if coordinate is not None and coordinate.start is None and depends_on(value, CLOCK):
         return _driven(value, coordinate, declared(problem.parameters).assumptions)
     if coordinate is not None and coordinate.start is not None:
         return _held_at_start(value, coordinate)

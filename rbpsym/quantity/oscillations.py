@@ -67,11 +67,14 @@ def _damped(name: str) -> StatementError:
 
 def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None = None, about: str | None = None) -> Bound:
     """An angular frequency of small oscillations about the stable equilibrium; of what is driven, that without the drive."""
-    if world.study.system.has_clock:
+    try:
+        item = _about(world, name, about)
+    except StatementError:
+        if not world.study.system.has_clock:
+            raise
         if _one_mode(world, name)[0]:
-            raise _damped(name)
+            raise _damped(name) from None
         return of_mode(world, "undamped frequency", name)
-    item = _about(world, name, about)
     return number(function("sqrt", _mode(world, item, mode or ordinal, name)), "oscillations")
 
 

@@ -15,8 +15,6 @@ m = "mass"
 Omega = "angular speed"
 [coordinates.phi]
 range = ["-pi/2", "pi/2"]
-start = "0"
-speed = "r*Omega/L"
 [bodies.crank]
 shape = "rod"
 mass = "m"
