@@ -11,8 +11,8 @@ from rbpsym.algebra.calculus import depends_on, names_in, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle
@@ -66,7 +66,7 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
         first = _at_start(slip, start)
         if first is not None and is_zero(first):
             first = _at_start(study.begun(time_derivative(slip, study.system.scope)), start)
-            if first is not None and study.solved.accelerations and not is_zero(without_even_roots(first)):
+            if first is not None and study.solved.accelerations and not is_zero(neat(first, study.assumptions)):
                 yield element, "gain", first
         elif first is not None:
             yield element, "slip", first
