@@ -15,7 +15,6 @@ from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
-from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
 from rbpsym.mechanics.demands import Demand
@@ -24,7 +23,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.open_rest import Balance
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
-from rbpsym.mechanics.pushing import ways_kept
+from rbpsym.mechanics.pushing import begins, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
@@ -132,7 +131,7 @@ def results(study: Study) -> dict[str, Any]:
         "equilibria": _equilibria(study),
         "equilibria_complete": _complete(study.rest),
         "balance": _balance(study),
-        "start_valid_where": _demands(_begins(study), study),
+        "start_valid_where": _demands(begins(study), study),
         "conditions": [_condition(loss, study) for loss in study.losses],
         "conditions_complete": _complete(study.ended)
         | {"open": [_condition(loss, study) for loss in study.ended.open_]},
@@ -316,16 +315,6 @@ def _demands(found, study: Study) -> list[str]:
     return [f"{text(demand.value, study)} {demand.op} 0" for demand in found]
 
 
-def _begins(study: Study):
-    """The conditions of the start; none where the forces grow too long."""
-    from rbpsym.mechanics.pushing import start_valid
-
-    try:
-        return start_valid(study) or ()
-    except LimitError:
-        return ()
-
-
 def _complete(found) -> dict[str, Any]:
     """Whether a list is all that there is, and why not."""
     return {"complete": "undecided" if found.complete is None else found.complete, "reason": found.reason or None}
@@ -392,7 +381,7 @@ def _phase(stage) -> dict[str, Any]:
         "impulses": _table(began.impulses, study),
         "energy_lost": text(began.energy_lost, study) if began.is_blow else None,
         "energy_taken": text(began.energy_taken, study),
-        "start_valid_where": _demands((*began.asked, *chain(*began.held.values()), *_begins(study)), study),
+        "start_valid_where": _demands((*began.asked, *chain(*began.held.values()), *begins(study)), study),
         "at_start": _start(study),
         "static_friction": [_need(item, study) for item in study.friction_needs],
         "accelerations": _accelerations(study),

@@ -73,7 +73,8 @@ def _in_phase(asked: Asked, question: Question, numbers: Mapping[str, float], pl
         raise StatementError(f"with these numbers the phase ends before {question.when.text}", instead="name another phase.")
     clock = asked.stage(place).clock if is_time and place else NOTHING
     if clock is None:
-        raise StatementError("the time until the phase begins has no closed form", instead="ask for it in that phase alone.")
+        what = "no closed form was found for the time until the phase begins"
+        raise StatementError(what, instead="ask for it in that phase alone.")
     told = substitute(named[0], {name: power * symbol("t") for name, power in ledger.items()})
     return tuple(float(value) + number(clock, numbers) for value in evaluate(time, state)[: len(named)]), present(told)
 

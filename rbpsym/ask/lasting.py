@@ -10,13 +10,13 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.errors import LimitError, RbpsymError, StatementError, Undecided
+from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, value_reached
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.pushing import start_valid
+from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
@@ -63,14 +63,6 @@ def held(study: Study) -> list[Demand]:
         else:
             kept += grips((need,))
     return kept
-
-
-def begins(study: Study) -> tuple[Demand, ...]:
-    """What the stated sides, forces and slips ask for at the start."""
-    try:
-        return start_valid(study) or ()
-    except LimitError:
-        return ()
 
 
 def regime(study: Study) -> list[Demand]:

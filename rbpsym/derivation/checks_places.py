@@ -19,6 +19,7 @@ from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare, refuted_only_where
 from rbpsym.equality.domain import IMPLIED, Condition, conditions
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import SignResult, sign
 from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
@@ -150,8 +151,9 @@ def _exists(context: Context, step: Step, printed: list[Demand]) -> Iterator[Ver
 
 def _follows(asked: Demand, printed: list[Demand], given: Assumptions) -> bool:
     """It is a multiple of what is printed, by a factor of which the sign is known."""
+    value = neat(asked.value, given)  # as conditions are printed
     for demand in printed:
-        above, below = asked.value.num * demand.value.den, asked.value.den * demand.value.num
+        above, below = value.num * demand.value.den, value.den * demand.value.num
         factor = sign(quotient(above, below), given)
         if demand.op in (">", asked.op) and (factor.is_nonzero if asked.op == "!=" else factor.kind == "positive"):
             return True

@@ -14,7 +14,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.errors import StatementError
+from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
@@ -47,6 +47,14 @@ def check_start(study: Study, *, moves: bool = True) -> None:
 def start_valid(study: Study) -> tuple[Demand, ...] | None:
     """Under which conditions the motion begins as stated; None if under none."""
     return settle((Demand(value, OPS[what]) for _, what, value in asked(study)), study.assumptions)
+
+
+def begins(study: Study) -> tuple[Demand, ...]:
+    """The same as far as it is known: nothing where the forces grow too long."""
+    try:
+        return start_valid(study) or ()
+    except LimitError:
+        return ()
 
 
 OPS = {"way": ">", "force": ">=", "slip": ">", "gain": ">"}

@@ -104,7 +104,7 @@ WRONG = [
     (ON_ROD, "v_0 for which T where theta = pi = L", "is a force, but"),
     (ON_ROD, "v_0 for which foo vanishes", "means nothing"),
     (ON_ROD, "R for which T where theta = pi vanishes", "does not depend on R"),
-    (ON_ROD, "v_0 for which velocity of bob.cm vanishes", "is a vector"),
+    (ON_ROD, "v_0 for which velocity of bob.cm vanishes", "still depends on theta"),
     (ON_ROD, "largest T over phi", "no parameter of the problem"),
     (ON_ROD, "largest T over R", "depends on theta"),
     (ON_ROD, "largest m", "is constant on the motion"),
