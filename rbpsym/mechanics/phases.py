@@ -145,7 +145,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
     is_blow = bool(phase.impulses) or any(not is_zero(value) for value in (lost, *impulses.values()))
     taken = _taken(study, before)
-    lost = short(without_even_roots(lost))
+    lost = short(without_even_roots(lost)) if is_blow else NOTHING
     factors = [factor for item in phase.impulses for factor in restitutions(item).values()]
     asked = settle((Demand(x, ">=") for e in factors for x in (e, 1 - e)), study.assumptions) or ()
     held = dict(_held(study, phase, struck, asked, lost)) if is_blow else {}
