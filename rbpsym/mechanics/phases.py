@@ -143,6 +143,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     )
     after = _started(problem, study.style, before.places, speeds)
     lost = _kinetic(study.system, before.places, before.speeds) - _kinetic(placed.system, before.places, speeds)
+    lost = neat(lost, study.assumptions)
     is_blow = bool(phase.impulses) or any(not is_zero(value) for value in (lost, *impulses.values()))
     taken = _taken(study, before)
     lost = short(without_even_roots(lost)) if is_blow else NOTHING
