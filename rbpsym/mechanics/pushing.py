@@ -63,7 +63,7 @@ OPS = {"way": ">", "force": ">=", "slip": ">", "gain": ">"}
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
     """What has to be positive at the start: lengths and heights that tell ways and sides, one-sided forces, the slip in
     its sense, or its gain from rest."""
-    start, reactions = _start(study), study.solved.reactions
+    start, reactions = _gained(study), study.solved.reactions
     yield from ((element, "way", value) for element, value in ways_taken(study))
     for element in study.problem.constraints:
         for name in pushes(element):
@@ -98,7 +98,12 @@ def ways_kept(study: Study) -> Iterator[tuple[Element, Scalar]]:
 
 
 def _start(study: Study) -> Mapping[str, Scalar]:
-    start = {**dict.fromkeys(study.system.speeds, NOTHING), **study.system.scope.start}
+    return {**dict.fromkeys(study.system.speeds, NOTHING), **study.system.scope.start}
+
+
+def _gained(study: Study) -> Mapping[str, Scalar]:
+    """The same with the accelerations there, as far as they are known."""
+    start = _start(study)
     gained = {name: _at_start(value, start) for name, value in (study.solved.accelerations or {}).items()}
     return {**{name: value for name, value in gained.items() if value is not None}, **start}
 

@@ -32,7 +32,7 @@ ANSWERS = (
     ("block-sliding-or-tipping", "P for which A vanishes", "m*g*(c-mu*b)/(2*h-b)"),
     ("brake-drum", "time until held", "I*omega_0*a/(mu*P*ell*r)"),
     ("crate-on-truck", "largest A for which it does not slip", "mu*g"),
-    ("crate-on-truck", "smallest A for which it tips", "g*c/h"),
+    ("crate-on-truck", "A for which N_f vanishes", "g*c/h"),
     ("ladder-with-friction", "smallest mu for which it does not slip", "(M/2+m*d/ell)/((M+m)*tan(beta))"),
     ("ladder-with-friction", "largest d for which it does not slip", "(mu*(M+m)*ell*tan(beta)-M*ell/2)/m"),
     ("plank-on-two-rollers", "acceleration of x", "-mu*g*x/a"),
