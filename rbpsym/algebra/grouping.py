@@ -254,7 +254,8 @@ def gathered(poly: Poly, style: Style) -> list[Poly]:
     if len(poly) < 3 or style.gathered or is_inertia(poly, style):
         return [poly]
     best, found = (ENOUGH, 0), poly
-    for index, exponent in sorted({item for m in poly.terms for item in m}):
+    parts = sorted({item for m in poly.terms for item in m}, key=lambda item: term_key((item,), style))
+    for index, exponent in parts:  # not by their numbers, which depend on what was met before
         shared = [m for m in poly.terms if dict(m).get(index, 0) / exponent >= 1]
         part = Poly({m: poly.terms[m] for m in shared})
         letters = sum(1 + (e != 1) for _, e in _common_powers(part))

@@ -1,6 +1,8 @@
 """What is printed has the value that it was made of."""
 
 import random
+import subprocess
+import sys
 from fractions import Fraction
 
 import pytest
@@ -79,3 +81,24 @@ def test_a_known_greater_one_is_not_taken_off():
     assert not leads_positive((2 * ell**2 - 3 * c**2).num, style)
     assert not leads_negative((3 * c**2 - 2 * ell**2).num, style)
     assert leads_positive((3 * ell**2 - 2 * c**2).num, style)
+
+
+SPOKEN_OF_BEFORE = """
+import sys
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.present import present
+from rbpsym.notation.infix import read_infix
+from rbpsym.notation.machine import to_machine
+names = sys.argv[1].split()
+for name in names:
+    scalar(read_infix(name, names))
+print(to_machine(present(scalar(read_infix("15*mu - c**2*mu - 2*c*mu - c*sqrt(15 - c**2 - 2*c)", names)))))
+print(to_machine(present(scalar(read_infix("3*M*R**2*m + 3*M**2*R**2 + m**2*b**2 + 4*m*M*b**2", names)))))
+"""
+
+
+def test_how_a_sum_is_grouped_does_not_depend_on_what_was_met_before():
+    orders = ("c mu M R m b", "b m R M mu c", "mu m c b M R")
+    told = {subprocess.run([sys.executable, "-c", SPOKEN_OF_BEFORE, names], capture_output=True, text=True, check=True).stdout
+            for names in orders}  # fmt: skip
+    assert len(told) == 1 and all(told)
