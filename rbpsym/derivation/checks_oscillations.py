@@ -61,11 +61,14 @@ def force_vanishes(context: Context, step: Step) -> Verdict:
     [(left, _, right)] = list(relations(step.statement))
     stated = context.value(right) - context.value(left)
     there = substitute(force, {item.name: symbol(item.place)})
-    factor = short(neat(there, context.assumptions) / neat(stated, context.assumptions))
-    asked = Scalar(factor.den) if item.stable is None else factor
-    if not sign(substitute(asked, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
-        return same(context, stated, there)
-    return same(context, stated * factor, there)
+    plain = (neat(value, context.assumptions) for value in (there, stated))
+    found = same(context, stated, there)
+    for above, below in (tuple(plain), (there, stated)):
+        factor = short(above / below)
+        asked = Scalar(factor.den) if item.stable is None else factor
+        if sign(substitute(asked, {item.place: symbol(item.name)}), context.assumptions).is_nonzero:
+            return same(context, stated * factor, there)
+    return found if found.is_proved else Verdict(UNDECIDED, reason="whether the factor between them vanishes is not decided")
 
 
 def force_at_ends(context: Context, step: Step) -> Verdict:
