@@ -95,7 +95,8 @@ def _by_double_angle(study: Study, poly: Poly) -> int:
         if other is not None and other > index and set(parts) == {0, 1} and set(parts[1].by_power(other)) == {1}:
             mean, swing = parts[0].scaled(2), parts[1].by_power(other)[1]
             if set(mean.by_power(other)) == {0}:
-                return study.poly(mean + swing) | study.poly(mean - swing)
+                ends = study.poly(mean + swing) | study.poly(mean - swing)
+                return ANY if ends & NONZERO == NONZERO else ends  # between ends of both signs it may vanish
     return ANY
 
 

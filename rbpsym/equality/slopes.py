@@ -31,8 +31,8 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
         return {"positive": 1, "negative": -1}.get(below, 0) * sign_along(Scalar(value.num), name, given, known, most)
     limits = of_symbol(name, given)
     ends = (limits.lower, limits.upper)
-    if None in ends or not most or not _is_smooth(value, name):
-        return 0
+    if None in ends or limits.lower_in or limits.upper_in or not most or not _is_smooth(value, name):
+        return 0  # at an end that belongs to the range it may vanish
     there = [rooted(substitute(value, {name: end}), given) for end in ends]
     slope = derivative(value, name)
     for side in (1, -1):

@@ -146,3 +146,14 @@ def test_an_end_of_a_range_may_hold_a_root(power: int) -> None:
     gap = (4 * m * k - c * c) * c**power
     assert sign(gap, given).kind == "positive" and sign(-gap / m, given).kind == "negative"
     assert sign(gap, positive("m", "k", "c")).kind is None
+
+
+NEARLY = ("499999/1000000", "-499999/1000000", "1/2", "-1/2", "1", "-1")
+
+
+@pytest.mark.parametrize("mean", NEARLY)
+def test_between_ends_of_both_signs_a_wave_may_vanish(mean: str) -> None:
+    """A + sin x cos x, of which points see one sign only where A is close to 1/2: its zeros are there all the same."""
+    kind = sign(scalar(read_infix(f"{mean} + sin(x)*cos(x)", ("x",)))).kind
+    size = {"499999/1000000": None, "-499999/1000000": None, "1/2": "nonnegative", "-1/2": "nonpositive"}
+    assert kind == size.get(mean, "positive" if mean == "1" else "negative")
