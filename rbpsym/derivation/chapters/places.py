@@ -91,11 +91,7 @@ def distance_rows(draft: Draft, element: Element) -> list[t.Node]:
 def _apart(first: Pair, second: Pair, distance: t.Node) -> t.Node:
     """(x₁ - x₂)² + (y₁ - y₂)² = d²."""
     gaps = [t.add(a, t.neg(b)) for a, b in zip(first, second, strict=True)]
-    return t.equation(t.add(*(t.power(_grouped(gap), 2) for gap in gaps if gap != t.ZERO)), t.power(distance, 2))
-
-
-def _grouped(node: t.Node) -> t.Node:
-    return t.Group(node) if isinstance(node, (t.Add, t.Neg, t.Mul)) else node
+    return t.equation(t.add(*(t.power(gap, 2) for gap in gaps if gap != t.ZERO)), t.power(distance, 2))
 
 
 def _from_circle(draft: Draft, element: Element) -> list[t.Node]:
@@ -124,12 +120,8 @@ def _from_line(draft: Draft, element: Element) -> list[t.Node]:
     geometry = geometry_of(draft.study.system)
     met = meeting(element, geometry)
     side = 1 if geometry.sign(met.normal.x * a + met.normal.y * b) >= 0 else -1
-    left = t.add(*(t.mul(draft.show(part), _summed(x)) for part, x in ((a, at[0]), (b, at[1])) if part))
+    left = t.add(*(t.mul(draft.show(part), x) for part, x in ((a, at[0]), (b, at[1])) if part))
     return [t.equation(left, draft.show(c + rim_of(element) * side))]
-
-
-def _summed(node: t.Node) -> t.Node:
-    return t.Group(node) if isinstance(node, t.Add) else node
 
 
 @dataclass(frozen=True)
