@@ -2,31 +2,20 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.grouping import (
-    leads_negative,
-    leads_positive,
-    perfect_power,
-    plain_value,
-    starts_negative,
-    taken_out,
-)
+from rbpsym.algebra.grouping import leads_negative, leads_positive, perfect_power
 from rbpsym.algebra.poly import Coefficient, Poly
 from rbpsym.algebra.style import Style, moves
 from rbpsym.notation import tree as t
 
 
 def is_upside_down(den: Poly, style: Style) -> bool:
-    """Whether the terms that do not vary are all negative (or, of two, the first): then both sides change their sign."""
+    """Whether the terms that do not vary are all negative: then both sides change their sign."""
     still = [c for m, c in den.terms.items() if not any(moves(i, style) for i, _ in m)]
     if leads_negative(den, style) or leads_positive(den, style):
         return leads_negative(den, style)
     power = perfect_power(den)
     if power is not None:
         return power[0] < 0
-    if len(still) == 2 == len(den.terms):
-        coefficient, _, rest = taken_out(den, style)
-        value = plain_value(rest)
-        return starts_negative(den, style) if value is None else value * coefficient < 0
     return bool(still) and all(c < 0 for c in still)
 
 

@@ -1,10 +1,12 @@
 """What follows from equations: nothing is divided by what is zero in disguise."""
 
+import pytest
+
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.derivation.entailment import Row, known_by
+from rbpsym.derivation.entailment import Row, known_by, used_by_numbers
 from rbpsym.notation.infix import read_infix
 
-NAMES = ("p", "x", "x_dot", "N", "g")
+NAMES = ("p", "x", "x_dot", "N", "g", "F", "m", "a")
 
 
 def row(text: str) -> Row:
@@ -26,3 +28,20 @@ def test_roots_that_are_equal_are_no_divisor() -> None:
 def test_other_roots_are() -> None:
     found = known_by([row("(sqrt(1 + x**2) + sqrt(p**2 + x**2))*N - g")], {"N"}, rank, {"x_dot"})
     assert [pivot.name for pivot in found.pivots] == ["N"]
+
+
+@pytest.mark.parametrize(
+    ("goal", "told"),
+    [
+        ("F - m*g/p", {"F - m*a", "p*a - g"}),
+        ("F - 2*m*a", None),
+        ("F - m*a + x_dot**2 - g*x", {"F - m*a", "x_dot**2 - g*x"}),
+        ("F - m*a + x_dot*x", None),
+        ("a*x_dot**2 - a*g*x", {"x_dot**2 - g*x"}),
+        ("g - g", set()),
+    ],
+)
+def test_by_numbers_it_is_seen_which_equations_say_it(goal, told) -> None:
+    rows = [row(text) for text in ("F - m*a", "p*a - g", "x_dot**2 - g*x", "N - g")]
+    found = used_by_numbers(rows, row(goal).value, {"F", "a", "N", "x_dot"}, {"x_dot"}, {})
+    assert found is None if told is None else found >= told

@@ -300,6 +300,13 @@ def test_a_characteristic_equation_is_told_by_both_of_its_sides(name):
             assert not certify(draft.context, replace(step, statement=other)).verdict.is_proved
 
 
+def test_a_characteristic_equation_shows_its_factors():
+    for name, number in (("linear-molecule", 3),):
+        [step] = steps_of(name, {"secular"})[1]
+        moving = [factor for factor in step.statement.items[0].factors if step.slots["letter"].name in t.names(factor)]
+        assert len(moving) == number
+
+
 @pytest.mark.parametrize("name", ["rod-on-damped-cart", "rods-with-rotary-damper"])
 def test_a_characteristic_equation_may_be_multiplied_by_what_does_not_vanish(name):
     draft, steps = steps_of(name, {"polynomial"})

@@ -25,6 +25,7 @@ from rbpsym.mechanics.roots import _principal
 from rbpsym.mechanics.solved import without_logarithms
 from rbpsym.methods import conservation
 from rbpsym.methods.balances import _crossing
+from rbpsym.methods.known_works import _begins_with_start, since_start
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem, load_text
@@ -211,3 +212,11 @@ def test_logarithms_in_exponents_are_powers():
 def test_a_balance_rests_on_the_laws_of_its_body_and_not_on_the_motion_of_all():
     """The nearest premises are tried first: they are what a reader would name."""
     assert {"law.force.ball", "law.torque.ball"} == {*unsimulated("ball-in-a-loop").step("balance.ball").premises}
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_change_is_told_as_what_is_less_what_was(sign):
+    draft = Draft(unsimulated("sliding-ladder").study)
+    change = (sine(symbol("theta_0")) - sine(symbol("theta"))) * symbol("M") * symbol("g") * symbol("ell") * sign
+    shown = since_start(draft, change)
+    assert is_zero(draft.context.value(shown) - change) and not _begins_with_start(draft, shown)

@@ -3,19 +3,36 @@
 from __future__ import annotations
 
 import re
+import unicodedata
+from pathlib import Path
 
 import pytest
 
 from rbpsym.document.accents import accented
 from rbpsym.document.files import data_folder
-from rbpsym.notation.mathml import to_mathml
+from rbpsym.notation.mathml import _SLANTS, to_mathml
 from rbpsym.notation.tree import BodyIntegral, Num, Pow, Sym, Vec
+
+FONT = Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf")
+ITALIC, LEAST = {*range(0x1D434, 0x1D468), *range(0x1D6FC, 0x1D715)}, 0.08  # slanted Latin and small Greek letters
 
 
 @pytest.mark.parametrize("name", ["V_cm", "T", "P_x"])
 def test_a_power_stands_off_the_slanted_arm_of_its_base(name: str) -> None:
     found = to_mathml(Pow(Sym(name), Num(2)))
     assert re.search(r'<mrow><mspace width="0\.\d+em"/><mn>2</mn></mrow></msu', found)
+
+
+def test_the_room_beside_a_letter_is_the_italic_correction_of_its_font() -> None:
+    """In em of letters that are raised, which are 0.7 as large; what would not be seen is left out."""
+    fonts = pytest.importorskip("fontTools.ttLib")
+    if not FONT.exists():
+        pytest.skip(f"{FONT} is not installed")
+    font = fonts.TTFont(FONT)
+    table, names = font["MATH"].table.MathGlyphInfo.MathItalicsCorrectionInfo, font.getBestCmap()
+    room = {name: value.Value / 700 for name, value in zip(table.Coverage.glyphs, table.ItalicsCorrection, strict=True)}
+    slanted = {unicodedata.normalize("NFKC", chr(code)): room.get(name, 0) for code, name in names.items() if code in ITALIC}
+    assert {letter: round(wide, 2) for letter, wide in slanted.items() if wide > LEAST} == _SLANTS
 
 
 @pytest.mark.parametrize("name", ["R", "omega", "ell"])

@@ -82,6 +82,7 @@ def test_half_angles_in_a_witness() -> None:
         ("sqrt(-x**2) + sqrt((x - 1)**2)", "x - 1 + sqrt(-x**2)", ""),
         ("sqrt(x) + sqrt(-x*y) + sqrt(y**2)", "sqrt(x) + sqrt(-x*y) - y", ""),
         ("sqrt(x) + sqrt(x*y) + abs(y)", "sqrt(x) + sqrt(x*y) + y", ""),
+        ("sqrt(x*y) + abs(y)", "sqrt(x*y) + y", "nonnegative x"),
         ("sqrt(-x**2 - y**2) + abs(x - 1)", "sqrt(-x**2 - y**2) + x - 1", ""),
         # nothing to prove: no point of the domain
         ("ln(-x**2)", "ln(-x**2) + 1", ""),

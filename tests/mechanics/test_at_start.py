@@ -299,6 +299,11 @@ def test_a_start_that_can_not_be_gets_a_sentence(said: str) -> None:
         derivation(WRONG[said])
 
 
+def test_what_is_cut_loose_is_told_for_every_position() -> None:
+    begun, loose = stages(load_problem(PLANK + CUT.replace('["T_B"]', '["T_A", "T_B"]')))
+    assert begun.study.at_start and not loose.study.at_start
+
+
 def test_another_event_than_at_once_is_refused() -> None:
     found = answer(PLANK + CUT.replace('"at once"', '"reaches"\nof = "phi"\nat = "1"'))
     assert "known at its start alone" in found["phases"][0]["reason"]
@@ -319,7 +324,8 @@ def test_what_holds_at_the_start_can_be_asked_for() -> None:
     [found] = ask(load_problem(SLANTING + CUT), "T_A when cut begins")
     assert found.verdict.is_proved
     assert same(found.values[0], read(SLANTING, "sqrt(2)*m*g/5"))
-    assert {step.id for step in found.steps} >= {"instant.second.T_A", "instant.force.T_A", "answer"}
+    laws = {"instant.second.T_A", "instant.force.bar", "instant.torque.bar"}
+    assert {step.id for step in found.steps} == {"held.T_A", *laws, "instant.force.T_A", "answer"}  # nothing of what is not asked
     with pytest.raises(StatementError, match="only the start is known"):
         ask(load_problem(SLANTING), "T_A")
 

@@ -17,6 +17,7 @@ from rbpsym.errors import LimitError
 from rbpsym.mechanics import oscillation
 from rbpsym.mechanics.constraints import _weld_angles
 from rbpsym.mechanics.contacts import slip_speed
+from rbpsym.mechanics.dynamics import LARGEST_TRIED, _solved_block
 from rbpsym.mechanics.energy import effective_potential
 from rbpsym.mechanics.motion import from_integral
 from rbpsym.mechanics.numbers import NoNumber, number
@@ -198,3 +199,11 @@ def test_where_no_start_is_said_a_change_is(begun, monkeypatch):
     system = Told(bodies={"rod": Told(omega=symbol("omega"))}, scope=None)
     grown = axis_work._growth(Told(study=Told(system=system), show=lambda value: t.Sym("shown")), "O")
     assert isinstance(grown, t.Delta) is not begun
+
+
+def test_coupled_coordinates_are_solved_for_up_to_a_number():
+    for size in range(1, LARGEST_TRIED + 1):
+        rows = tuple(tuple(m if i == j else UNITY for j in range(size)) for i in range(size))
+        assert all(same(value, g / (m + size - 1)) for value in _solved_block(rows, [g] * size))
+    more = LARGEST_TRIED + 1
+    assert _solved_block(((UNITY,) * more,) * more, [g] * more) is None
