@@ -44,7 +44,7 @@ def _beside_slant(base: b.Box, raised: str) -> str:
 # the italic corrections of Latin Modern Math, in em of the small letters that are raised
 _SLANTS = {
     "C": 0.1, "F": 0.19, "H": 0.11, "I": 0.12, "J": 0.15, "K": 0.1, "M": 0.15, "N": 0.15, "P": 0.2, "S": 0.09,
-    "T": 0.21, "U": 0.15, "V": 0.31, "W": 0.19, "Y": 0.3, "Z": 0.1, "f": 0.13, "ζ": 0.09, "ν": 0.08, "τ": 0.15,
+    "T": 0.21, "U": 0.15, "V": 0.31, "W": 0.19, "Y": 0.3, "Z": 0.1, "f": 0.13, "ζ": 0.09, "ν": 0.08, "ς": 0.11, "τ": 0.15,
 }  # fmt: skip
 
 

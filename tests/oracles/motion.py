@@ -225,7 +225,8 @@ def follow(
             return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
         if solver.status == "failed":
             return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
-        dense, state = solver.dense_output(), solver.y
+        dense, state = solver.dense_output(), _put_back(bench, solver.y)
+        solver.y = state
         if time is not None and solver.t > time * (1 - LATE) and not _ends_now(open_, watched, state):
             return Followed([*states, dense(time)], None, True, least)
         ended = [key for key in open_ if watched[key](state) < 0]
@@ -265,6 +266,21 @@ def follow(
         if turns >= 2:
             break
     return Followed(states, None, turns >= 2, least)
+
+
+def _put_back(bench: Bench, state: np.ndarray) -> np.ndarray:
+    """The state with places and speeds as the conditions ask for: what rounding adds up in a long motion does no work."""
+    size = bench.equations.size
+    where, speed, *rest = np.split(state, [size, 2 * size])
+    bench.placement.mechanism.clock = float(state[-1])
+    rows = [item.at(where.tolist(), speed.tolist()) for item in bench.equations.kept]
+    slopes = np.zeros((len(rows), size))
+    for slope, row in zip(slopes, rows, strict=True):
+        for column, entry in row.entries:
+            slope[column] += entry
+    gaps = [[row.value, slope @ speed + row.drift] for slope, row in zip(slopes, rows, strict=True)]
+    back = np.linalg.lstsq(slopes, np.array(gaps).reshape(-1, 2), rcond=None)[0]
+    return np.concatenate([where - back[:, 0], speed - back[:, 1], *rest])
 
 
 def _moves(bench: Bench, start) -> bool:
