@@ -9,7 +9,7 @@ from typing import Any
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.ask.finding import Finding, checked
+from rbpsym.ask.finding import NO_SUCH, Finding, checked
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
@@ -98,7 +98,7 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         return Finding(verdict, name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
     if not zeros:
         found = checked("vanishes_for", value=value, name=name, places=(), given=given)
-        says = f"there is no such {name}: “{text}” holds for none in its range"
+        says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
         return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **found)
     if superlative is not None and len(zeros) > 1:
         zeros = [zeros[0 if SUPERLATIVES[superlative] < 0 else -1]]
@@ -136,7 +136,8 @@ def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: s
 
 def _case(world: Scene) -> tuple[Demand, ...]:
     """What the motion that was told asks of the parameters."""
-    return settle([*world.demands, *world.standing], world.motion.assumptions) or ()
+    asked = (demand for demand in (*world.demands, *world.standing) if not moving(world, (demand.value,)))
+    return settle(asked, world.motion.assumptions) or ()
 
 
 def on_what(world: Scene, value: Scalar) -> str:
@@ -186,11 +187,11 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     if found.cases:
         return _in_cases(name, found, parts, given, along, sense)
     if not found.is_empty and (sense or None in (found.lower, found.upper)):
-        found = replace(found, asked=alone(found, regions, sense or (-1 if found.upper is None else 1)))
+        found = replace(found, asked=alone(found, [*regions, *beside], sense or (-1 if found.upper is None else 1)))
     said = _said(parts, name, found, given, along, sense)
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
-    is_lost = any(one and bound is not None and bound in (one.lower, one.upper) for one in beside for bound in told_.values)
-    return replace(told_, says=condition.there) if is_lost else told_
+    own, lost = ({end for one in each if one for end in (one.lower, one.upper)} for each in (regions, beside))
+    return replace(told_, says=condition.there) if lost - own & set(told_.values) else told_
 
 
 def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:
@@ -235,7 +236,7 @@ def _in_cases(name: str, found: Region, parts: Parts, given: Assumptions, along:
 
 def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, said: dict[str, Any]) -> Finding:
     if found.is_empty:
-        says = f"there is no such {name}: “{text}” holds for none in its range"
+        says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
         return Finding(symbol=name, **said, valid=found.asked, says=says)
     if found.is_whole:
         return Finding(symbol=name, **said, valid=found.asked, says=f"“{text}” holds for every {name} in its range")

@@ -39,6 +39,13 @@ class Finding:
     rule: str = ""
     data: Mapping[str, Any] = field(default_factory=dict)
 
+    @property
+    def is_none(self) -> bool:
+        """Whether no value of the symbol does."""
+        return not self.values and self.says.startswith(NO_SUCH)
+
+
+NO_SUCH = "there is no such"
 
 def checked(rule: str, **data: Any) -> dict[str, Any]:
     """The verdict of the checks of a rule, with the rule and its data, as parts of a finding."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.ask import critical, made, optima, special, through, yesno
+from rbpsym.ask import branches, critical, made, optima, special, through, yesno
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER
 from rbpsym.ask.concluded import concluded
@@ -78,7 +78,13 @@ def _clause(text: str, until: str | None, place: str | None) -> str:
 def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
     """The answer to a question about parameters; None if it is none. Raises StatementError or ReadError."""
     found = finding(asked, text)
-    return None if found is None else concluded(found[0], text, found[1], letter)
+    if found is None:
+        return None
+    other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
+    if other is not None:
+        with suppress(RbpsymError):
+            return branches.joined(text, found, finding(other, text), letter)
+    return concluded(found[0], text, found[1], letter)
 
 
 def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:

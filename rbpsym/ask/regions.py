@@ -101,11 +101,13 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
     asked = tuple(dict.fromkeys(demand for one in regions for demand in one.asked))
     bound = [one for one in regions if not one.is_whole]
     if settle(asked, given) is None:
-        firm = [demand for one in bound if one.otherwise != 1 for demand in one.asked]
-        kept = [one for one in bound if one.otherwise != 1 or settle([*firm, *one.asked], given) is not None]
-        if len(kept) < len(bound):
-            return common(kept, given)  # what is whole where the others' demands are met
-        return Region(cases=tuple(bound)) if len(bound) == 2 and not firm else None
+        loose, firm = ([one for one in bound if (one.otherwise == 1) == is_loose] for is_loose in (True, False))
+        held = [demand for one in firm for demand in one.asked]
+        kept = [one for one in loose if settle([*held, *one.asked], given) is not None]
+        if len(kept) < len(loose):
+            return common([*kept, *firm], given)  # what is whole where the others' demands are met
+        cases = [common([one, *firm], given) for one in loose]  # one is whole where the other's demands are met
+        return None if len(cases) != 2 or any(one is None or one.is_empty or one.cases for one in cases) else Region(cases=tuple(cases))
     given = where_met(given, asked)
     lower = _outermost([one for one in regions if one.lower is not None], "lower", 1, given)
     upper = _outermost([one for one in regions if one.upper is not None], "upper", -1, given)

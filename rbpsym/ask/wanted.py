@@ -36,6 +36,7 @@ from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Way, pushes
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.impulse import is_holding
@@ -98,8 +99,16 @@ def premises(world: Scene, condition: Wanted) -> list[Demand]:
     """What contacts, friction and the start ask of the parameters for the motion to be the one that is stated, beside what
     the condition itself says."""
     said = {essential(value, condition.given) for value in condition.values}
-    standing = (demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,)))
-    return [demand for demand in standing if essential(demand.value, condition.given) not in said]
+    standing = [demand for demand in dict.fromkeys(world.standing) if not moving(world, (demand.value,))]
+    standing = [_without_divisor(demand, standing, condition.given) for demand in standing]
+    return [demand for demand in dict.fromkeys(standing) if essential(demand.value, condition.given) not in said]
+
+
+def _without_divisor(demand: Demand, standing: list[Demand], given: Assumptions) -> Demand:
+    """Multiplied by what it is divided by, where the others ask for that to be positive."""
+    others = [replace(other, op=">") for other in standing if other != demand]
+    below = sign(Scalar(demand.value.den), where_met(given, others)).kind
+    return replace(demand, value=short(demand.value * Scalar(demand.value.den))) if below == "positive" else demand
 
 
 def _check_phase(world: Scene, way: Way, end: Scalar) -> None:

@@ -1,0 +1,74 @@
+"""What is asked of a parameter on which the sense of a slip depends: the motions with either sense are looked at."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rbpsym.algebra.calculus import depends_on, derivative
+from rbpsym.algebra.present import present
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.concluded import concluded
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.seen import Scene
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import all_of, undecided
+from rbpsym.mechanics.pushing import asked as asked_of_start
+from rbpsym.mechanics.roots import zeros
+from rbpsym.statement.model import Problem
+
+Part = tuple[Scene, Finding]
+ONE_SENSE = "in the motion whose slip has the other sense it may be otherwise"
+
+
+def beyond(world: Scene, name: str) -> Asked | None:
+    """The problem with the parameter where what slips does so the other way at the start; None where that does not depend on
+    it, or is declared."""
+    problem, study = world.asked.problem, world.asked.first
+    senses = [value for element, what, value in asked_of_start(study) if what == "slip" and element["slip"] == "auto"]
+    senses = [value for value in senses if depends_on(value, name) and sign(value, study.assumptions).kind is None]
+    if len(senses) != 1:
+        return None
+    ends, way = zeros(senses[0], name), sign(derivative(senses[0], name), study.assumptions).kind
+    quantity = next((each for each in problem.parameters if each.name == name), None)
+    side = {"positive": "upper", "negative": "lower"}.get(way)
+    if len(ends) != 1 or side is None or quantity is None or getattr(quantity, side) is not None:
+        return None
+    other = replace(quantity, **{side: present(ends[0])})
+    phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
+    return Asked(replace(_with(problem, other), phases=phases))
+
+
+def _with(problem: Problem, quantity) -> Problem:
+    return replace(problem, parameters=tuple(quantity if each.name == quantity.name else each for each in problem.parameters))
+
+
+def joined(text: str, here: Part, there: Part, letter: str) -> Answer:
+    """The answer from what was found with the stated sense of a slip and with the other one."""
+    (world, first), (_, second) = here, there
+    if first.is_none and second.is_none:
+        firm = tuple(demand for demand in first.valid if not depends_on(demand.value, first.symbol))
+        return concluded(world, text, replace(first, valid=firm, met=True), letter)
+    if first.is_none:
+        return concluded(there[0], text, second, letter)
+    made = concluded(world, text, first, letter)
+    if second.is_none:
+        return made
+    if first.rule == second.rule == "vanishes_for":
+        return _both(made, concluded(there[0], text, second, letter))
+    return replace(made, verdict=all_of((made.verdict, undecided(ONE_SENSE))))
+
+
+def _both(first: Answer, second: Answer) -> Answer:
+    """The values of both, each under its conditions."""
+    each = [(*one.valid, *own) for one in (first, second) for own in one.each or ((),) * len(one.values)]
+    steps = tuple(replace(step, id=f"other.{step.id}") for step in second.steps if step not in first.steps)
+    return replace(
+        first,
+        values=(*first.values, *second.values),
+        nodes=(*first.nodes, *second.nodes),
+        verdict=all_of((first.verdict, second.verdict)),
+        valid=(),
+        each=tuple(each) if any(each) else (),
+        steps=(*first.steps, *steps),
+    )
