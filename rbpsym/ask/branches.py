@@ -8,6 +8,7 @@ from rbpsym.algebra.calculus import depends_on, derivative
 from rbpsym.algebra.present import present
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.concluded import concluded
+from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene
@@ -21,9 +22,9 @@ Part = tuple[Scene, Finding]
 ONE_SENSE = "in the motion whose slip has the other sense it may be otherwise"
 
 
-def beyond(world: Scene, name: str) -> Asked | None:
-    """The problem with the parameter where what slips does so the other way at the start; None where that does not depend on
-    it, or is declared."""
+def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
+    """The problem with the parameter where what slips does so the other way at the start, which it does for greater (1) or
+    lesser (-1) values; None where that does not depend on it, or is declared."""
     problem, study = world.asked.problem, world.asked.first
     senses = [value for element, what, value in asked_of_start(study) if what == "slip" and element["slip"] == "auto"]
     senses = [value for value in senses if depends_on(value, name) and sign(value, study.assumptions).kind is None]
@@ -36,23 +37,26 @@ def beyond(world: Scene, name: str) -> Asked | None:
         return None
     other = replace(quantity, **{side: present(ends[0])})
     phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
-    return Asked(replace(_with(problem, other), phases=phases))
+    return Asked(replace(_with(problem, other), phases=phases)), 1 if side == "lower" else -1
 
 
 def _with(problem: Problem, quantity) -> Problem:
     return replace(problem, parameters=tuple(quantity if each.name == quantity.name else each for each in problem.parameters))
 
 
-def joined(text: str, here: Part, there: Part, letter: str) -> Answer:
-    """The answer from what was found with the stated sense of a slip and with the other one."""
+def joined(text: str, here: Part, there: Part, way: int, letter: str) -> Answer:
+    """The answer from what was found with the stated sense of a slip and with the other one, which it has for greater (1) or
+    lesser (-1) values."""
     (world, first), (_, second) = here, there
     if first.is_none and second.is_none:
         firm = tuple(demand for demand in first.valid if not depends_on(demand.value, first.symbol))
         return concluded(world, text, replace(first, valid=firm, met=True), letter)
-    if first.is_none:
+    best = SUPERLATIVES.get(text.removeprefix("the ").partition(" ")[0], 0)
+    is_beyond = best == way and first.relation == second.relation == "=" and second.values
+    if first.is_none or is_beyond:
         return concluded(there[0], text, second, letter)
     made = concluded(world, text, first, letter)
-    if second.is_none:
+    if second.is_none or (best == -way and first.relation == "=" and first.values):
         return made
     if first.rule == second.rule == "vanishes_for":
         return _both(made, concluded(there[0], text, second, letter))

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from rbpsym.algebra.calculus import function, names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
 from rbpsym.ask import in_time
 from rbpsym.ask.lasting import asks
-from rbpsym.ask.moments import Asked, value_in
+from rbpsym.ask.moments import Asked, Moment, value_in
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
 from rbpsym.derivation.checks_values import TURNED
@@ -27,6 +27,7 @@ from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -293,7 +294,7 @@ def _valid(
     first, asked = (_asked(draft, part) for part in (earlier, own))
     if moment is not None and moment.how == "start" and not found.study.at_start:
         with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
-            asked = [Demand(value_in(found.study, one.value, moment.state), one.op) for one in asked]
+            asked = [_there(found.study, one, moment) for one in asked]
     if found.told == "oscillations" or (moment is not None and moment.is_small):  # only close to the place of rest
         there = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})
         image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
@@ -309,6 +310,16 @@ def _valid(
         raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
     left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
     return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(stated))))
+
+
+def _there(study: Study, demand: Demand, moment: Moment) -> Demand:
+    """A demand at the start. What the way of solving divides by may vanish there alone: the value is that of its
+    neighbours, to which it is bound where the mass matrix is regular."""
+    there = Demand(value_in(study, demand.value, moment.state), demand.op)
+    if demand.op != "!=" or not is_zero(there.value):
+        return there
+    inertia = [[value_in(study, entry, moment.state) for entry in row] for row in study.dynamics.mass_matrix]
+    return there if is_zero(determinant(inertia)) else Demand(UNITY)
 
 
 def _duties(steps: Sequence[Step]) -> list[t.Node]:

@@ -243,28 +243,26 @@ def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, sa
     if found.crossing is not None:
         relation = ">" if found.crossing.sense > 0 else "<"
         return Finding(symbol=name, **said, relation=relation, equation=found.crossing.equation)
-    closed, says = _closed(condition, found, name)
-    says = says or OTHERWISE[found.otherwise].format(text=text, name=name)
     ends = (found.lower, found.upper)
+    bound = ends[0] if ends[1] is None or (sense < 0 and ends[0] is not None) else ends[1]
+    closed, says = _closed(condition, found, name, bound)
+    says = says if says and (sense or None in ends) else OTHERWISE[found.otherwise].format(text=text, name=name)
     if sense:
-        bound = found.lower if sense < 0 else found.upper
-        if bound is None:
-            other, word = (found.upper, "smaller") if sense < 0 else (found.lower, "larger")
-            says = f"every {word} {name} does: it holds for {name} {'<' if sense < 0 else '>'} {told(other)}"
-            return Finding(symbol=name, **said, values=(other,), relation="<" if sense < 0 else ">", valid=found.asked, says=says)
+        if (found.lower if sense < 0 else found.upper) is None:
+            word, op = ("smaller", "<") if sense < 0 else ("larger", ">")
+            says = f"every {word} {name} does: it holds for {name} {op} {told(bound)}"
+            return Finding(symbol=name, **said, values=(bound,), relation=op, valid=found.asked, says=says)
         return Finding(symbol=name, **said, values=(bound,), valid=found.asked, says=says)
     if None not in ends:
         return Finding(symbol=name, **said, values=ends, relation="between", valid=found.asked, says=says)
     relation = (">" if found.upper is None else "<") + ("=" if closed else "")
-    bound = found.lower if found.upper is None else found.upper
     return Finding(symbol=name, **said, values=(bound,), relation=relation, valid=found.asked, says=says)
 
 
-def _closed(condition: Wanted, found: Region, name: str) -> tuple[bool, str]:
+def _closed(condition: Wanted, found: Region, name: str, bound: Scalar | None) -> tuple[bool, str]:
     """Whether it still holds at the bound; the sentence where it does not."""
     if not condition.closed:
         return False, f"at this {name} itself it does not hold"
-    bound = found.lower if found.upper is None else found.upper
     edge = (rooted(substitute(one.value, {name: bound}), condition.given) for one in condition.asked if one.op == ">")
     if bound is not None and any(map(is_zero, edge)):
         return False, f"at this {name} itself it does not hold"

@@ -227,8 +227,10 @@ def _ahead(asked: Asked, event: str, subject: str, place: int | None, value=None
             continue
         begun = _is_begun(study, state)
         return Moment(number, at_start(study)) if begun else Moment(number, clear(study, state), "event", phase)
-    if event == "reaches" and is_zero(at_start(asked.study(asked.meant(place))).places[subject] - scalar(value)):
-        return Moment(asked.meant(place), at_start(asked.study(asked.meant(place))))
+    study = asked.study(asked.meant(place))
+    is_sure = not isinstance(refused, NotApplicable) or mover(study) == subject  # else it may come there again
+    if event == "reaches" and is_sure and is_zero(at_start(study).places[subject] - scalar(value)):
+        return Moment(asked.meant(place), at_start(study))
     raise _told(refused, event, subject)
 
 

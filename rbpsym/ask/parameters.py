@@ -83,7 +83,7 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
     if other is not None:
         with suppress(RbpsymError):
-            return branches.joined(text, found, finding(other, text), letter)
+            return branches.joined(text, found, finding(other[0], text), other[1], letter)
     return concluded(found[0], text, found[1], letter)
 
 

@@ -107,7 +107,8 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
         if len(kept) < len(loose):
             return common([*kept, *firm], given)  # what is whole where the others' demands are met
         cases = [common([one, *firm], given) for one in loose]  # one is whole where the other's demands are met
-        return None if len(cases) != 2 or any(one is None or one.is_empty or one.cases for one in cases) else Region(cases=tuple(cases))
+        is_told = len(cases) == 2 and not any(one is None or one.is_empty or one.cases for one in cases)
+        return Region(cases=tuple(cases)) if is_told else None
     given = where_met(given, asked)
     lower = _outermost([one for one in regions if one.lower is not None], "lower", 1, given)
     upper = _outermost([one for one in regions if one.upper is not None], "upper", -1, given)

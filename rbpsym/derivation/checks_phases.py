@@ -20,13 +20,15 @@ from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.decide import compare
+from rbpsym.equality.decide import compare, refuted_only_where
+from rbpsym.equality.domain import Condition
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.system import System
+from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, Phase
 
 Values = Mapping[str, Scalar]
@@ -61,7 +63,8 @@ def first_then(context: Context, step: Step) -> Verdict:
     """The stated time comes after the start, and what vanishes then does not vanish before."""
     context, (time,) = under(context, step, ">"), [context.value(right) for _, _, right in relations(step.statement)]
     before = context.assumptions.with_range("t", NOTHING, time)
-    ahead = compare(NOTHING, time, context.assumptions)
+    with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in demanded(context, step)):
+        ahead = compare(NOTHING, time, context.assumptions)
     left = _left(context, step)
     kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
     kept = kept or _has_no_other_root(left, time, context.assumptions)

@@ -17,7 +17,7 @@ from rbpsym.equality.domain import IMPLIED
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.stability import essential
+from rbpsym.mechanics.stability import essential, open_factors
 
 FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("zero",)}
 WAYS = {"positive": 1, "negative": -1}
@@ -44,10 +44,21 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
             return None
         if not IMPLIED[item.op](found):
             item = Demand(essential(item.value, given), item.op)
-            parts = _squared(item, given)
+            parts = _squared(item, given) or _parted(item, given)
             kept += [] if parts else [item]
             queue += parts
     return _consistent(list(dict.fromkeys(kept)), given)
+
+
+def _parted(item: Demand, given: Assumptions) -> list[Demand]:
+    """a b > 0 as a > 0 and b > 0, or as a < 0 and b < 0, where only one of these may be."""
+    factors = open_factors(item.value, given)
+    whole = sign(short(item.value / (factors[0] * factors[1])), given).kind if len(factors) == 2 else None
+    if whole not in WAYS or item.op == "!=":
+        return []
+    pairs = ((Demand(factors[0] * way, item.op), Demand(factors[1] * way * WAYS[whole], item.op)) for way in (1, -1))
+    met = [pair for pair in pairs if settle(pair, given) is not None]
+    return list(met[0]) if len(met) == 1 else []
 
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:

@@ -138,7 +138,10 @@ def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
     """The form of an acceleration; None for another one."""
     speed = f"{name}_dot"
     slope = derivative(value, speed)
-    parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
+    try:
+        parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
+    except ZeroDivisionError:  # no polynomial in the speed
+        return None
     stiffness, damping, drag = (short(-part) for part in parts)
     left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
     if any(names_in(part) & moving for part in (stiffness, damping, drag)) or names_in(left) & (moving - {"t"}):

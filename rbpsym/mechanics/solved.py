@@ -234,9 +234,10 @@ def _by_wave(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple
     value = short(-(a if a and b else c) / (b or a))
     whole = substitute(value, letters)
     if not b:
-        return function("acos", value) / rate, (Demand(UNITY - whole * whole),)
+        return function("acos", value) / rate, () if is_zero(whole + 1) else (Demand(UNITY - whole * whole),)
     if not a:
-        return (PI / rate, ()) if not c else (function("asin", value) / rate, (Demand(whole), Demand(UNITY - whole)))
+        top = () if is_zero(whole - 1) else (Demand(whole), Demand(UNITY - whole))
+        return (function("asin", value) / rate, top) if c else (PI / rate, ())
     if c:
         return None
     push = substitute(-a * b, letters)

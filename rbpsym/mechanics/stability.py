@@ -39,18 +39,22 @@ def _minors(matrix: Matrix) -> list[Scalar]:
 
 def essential(value: Scalar, assumptions: Assumptions) -> Scalar:
     """The value without factors whose signs are known, as far as it can be factored."""
-    try:
-        factors = [Scalar(factor) for factor in numerator_factors(value)]
-    except RbpsymError:
-        return value
     product = UNITY
-    for factor in factors:
-        if sign(factor, assumptions).kind not in ("positive", "negative"):
-            product = product * factor
+    for factor in open_factors(value, assumptions):
+        product = product * factor
     for found in (product, -product):
         if sign(short(value / found), assumptions).kind == "positive":
             return _primitive(short(found))
     return value
+
+
+def open_factors(value: Scalar, assumptions: Assumptions) -> list[Scalar]:
+    """The factors above the line whose signs are not known; the value itself where it can't be factored."""
+    try:
+        factors = [Scalar(factor) for factor in numerator_factors(value)]
+    except RbpsymError:
+        return [value]
+    return [factor for factor in factors if sign(factor, assumptions).kind not in ("positive", "negative")]
 
 
 def _primitive(value: Scalar) -> Scalar:

@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics import solutions, solved
-from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.elimination import determinant, short
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
@@ -49,7 +49,7 @@ def _about(world: ProblemWorld, name: str, text: str | None) -> Equilibrium:
 
 def _mode(world: ProblemWorld, item: Equilibrium, ordinal: str | None, name: str) -> Scalar:
     """The square of the frequency of a mode."""
-    squares, place = item.frequencies_squared, ORDINALS[ordinal]
+    squares, place = _taking_part(world, item, name), ORDINALS[ordinal]
     if not squares:
         raise _damped(name)
     if place is None and len(squares) > 1:
@@ -58,6 +58,18 @@ def _mode(world: ProblemWorld, item: Equilibrium, ordinal: str | None, name: str
     if place is not None and place >= len(squares):
         raise StatementError(f"there are only {len(squares)} frequencies")
     return _ordered(world, squares)[place or 0]
+
+
+def _taking_part(world: ProblemWorld, item: Equilibrium, name: str) -> tuple[Scalar, ...]:
+    """The squares of the frequencies of the modes in which a coordinate takes part: those of all that are coupled to it."""
+    names, (stiff, inert), squares = world.study.system.independent, (item.stiffness, item.inertia), item.frequencies_squared
+    group = {k for k, each in enumerate(names) if each == name}
+    while more := {k for k in range(len(names)) for j in group if stiff[j][k] or inert[j][k]} - group:
+        group |= more
+    if len(group) in (0, len(names)):
+        return squares
+    blocks = ([[stiff[j][k] - square * inert[j][k] for k in sorted(group)] for j in sorted(group)] for square in squares)
+    return tuple(square for square, block in zip(squares, blocks, strict=True) if is_zero(determinant(block)))
 
 
 def _damped(name: str) -> StatementError:
@@ -80,8 +92,8 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | N
 
 def frequencies(world: ProblemWorld, name: str | None) -> Bound:
     """Those of all modes, the lowest first."""
-    name = name or world.study.system.independent[0]
-    squares = _about(world, name, None).frequencies_squared
+    item = _about(world, name or world.study.system.independent[0], None)
+    squares = item.frequencies_squared if name is None else _taking_part(world, item, name)
     if not squares:
         raise _damped(name)
     return Bound(told="oscillations", values=tuple(function("sqrt", one) for one in _ordered(world, squares)))

@@ -38,6 +38,9 @@ LINES = [
     ("-k*x", {}, "amplitude of x", "sqrt(x_0^2 + m*v_0^2/k)"),
     ("-k*x", {}, "greatest speed of x", "sqrt(v_0^2 + k*x_0^2/m)"),
     ("-k*x", {"speed": "0", "more": AWAY}, "time until x = 0", "pi/2*sqrt(m/k)"),
+    ("-k*x", {"speed": "0", "more": AWAY}, "time until x = -x_0", "pi*sqrt(m/k)"),
+    ("m*g - k*x", REST, "time until x = 2*m*g/k", "pi*sqrt(m/k)"),
+    ("-k*x", GOES, "time until x = v_0*sqrt(m/k)", "pi/2*sqrt(m/k)"),
     ("-k*x", {"speed": "0", "more": AWAY}, "time until x = x_0/2", "pi/3*sqrt(m/k)"),
     ("-k*x", GOES, "time until x = d", "sqrt(m/k)*asin(d*sqrt(k/m)/v_0)"),
     ("-k*x", GOES, "time until x comes to rest", "pi/2*sqrt(m/k)"),
@@ -132,6 +135,10 @@ WRONG = [
     ("-k*x**3", GOES, "x as a function of t", "found for “x” as a function of the time"),
     ("-k*x**3", GOES, "amplitude of x", "has no amplitude"),
     ("-k*x - c*x_dot**2", GOES, "speed of x as a function of x", "is no known function of x"),
+    ("-b*x_dot - m*g", GOES, "time until x = 0", "no closed form was found for the moment"),
+    ("-c*x_dot*sqrt(x_dot**2)", GOES, "x as a function of t", "found for “x” as a function of the time"),
+    ("F*v_1/x_dot", GOES, "x as a function of t", "found for “x” as a function of the time"),
+    ("F*v_1/x_dot", {"start": "0", "speed": "0"}, "x as a function of t", "found for “x” as a function of the time"),
 ]  # fmt: skip
 
 

@@ -20,6 +20,12 @@ from rbpsym.statement.loader import load_text
 
 HERE = Path(__file__).parent / "unseen"
 ANSWERS = (
+    ("struck-in-line", "H when struck begins", "45*J**2/(8*m*ell)"),
+    ("struck-in-line", "acceleration of x when struck begins", "-9*J**2/(2*m**2*ell)"),
+    ("two-springs", "lowest frequency of theta", "sqrt(6*k/m)"),
+    ("two-springs", "frequency of y", "sqrt(2*k/m)"),
+    ("two-springs", "period of theta", "2*pi*sqrt(m/(6*k))"),
+    ("back-spin", "time until x = 0", "(R*w_0 + v_0)**2/(6*mu*g*(R*w_0 - 2*v_0))"),
     ("inverted-spring", "frequency of theta", "sqrt(3*(k*a**2 - m*g*l/2)/(m*l**2))"),
     ("inverted-spring", "period of theta", "2*pi*sqrt(m*l**2/3/(k*a**2-m*g*l/2))"),
     ("inverted-spring", "smallest k for which theta = 0 is stable", "m*g*l/(2*a**2)"),
