@@ -9,6 +9,7 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.poly import ONE, ZERO, generator
+from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.algebra.trig import cosine, sine
@@ -18,6 +19,7 @@ from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.stability import essential, open_factors
+from rbpsym.notation.machine import to_machine
 
 FAILS = {">": ("negative", "zero", "nonpositive"), ">=": ("negative",), "!=": ("zero",)}
 WAYS = {"positive": 1, "negative": -1}
@@ -58,7 +60,7 @@ def _parted(item: Demand, given: Assumptions) -> list[Demand]:
         return []
     pairs = ((Demand(factors[0] * way, item.op), Demand(factors[1] * way * WAYS[whole], item.op)) for way in (1, -1))
     met = [pair for pair in pairs if settle(pair, given) is not None]
-    return list(met[0]) if len(met) == 1 else []
+    return sorted(met[0], key=lambda one: to_machine(present(one.value))) if len(met) == 1 else []
 
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:

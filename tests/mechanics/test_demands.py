@@ -66,7 +66,7 @@ SETS = {
     "square": ["m**2 - M*k > 0"],
     "squares": ["m**2 - M*k > 0", "m - 2*M > 0", "k - L > 0"],
     "chain": ["m - M > 0", "M - k > 0", "m - k > 0"],
-    "product": ["(5*m - M)*(M - 2*m) > 0"],
+    "product of one sign": ["(5*m - M)*(M - 2*m) > 0"],
     "product or equal": ["(m - 5*M)*(2*M - m) >= 0"],
     "product of either sign": ["(m - M)*(k - L) > 0"],
     "root": ["m - M*sqrt(k) > 0"],
@@ -106,7 +106,7 @@ def test_what_contradicts_itself_is_never_met():
     }  # fmt: skip
     assert settle(demands(SETS["implied"]), GIVEN) == tuple(demands(["m - M != 0"]))
     assert settle(demands(SETS["twice"]), GIVEN) == tuple(demands(["m - M > 0"]))
-    assert settle(demands(SETS["product"]), GIVEN) == tuple(demands(["5*m - M > 0", "M - 2*m > 0"]))
+    assert settle(demands(SETS["product of one sign"]), GIVEN) == tuple(demands(["5*m - M > 0", "M - 2*m > 0"]))
 
 
 @pytest.mark.parametrize("name", SETS)
