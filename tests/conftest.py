@@ -1,12 +1,19 @@
-"""For all tests: where RBPSYM_REQUIRE_TOOLS is set, what would be skipped fails instead."""
+"""For all tests: where RBPSYM_REQUIRE_TOOLS is set, what would be skipped fails; what comes after a derivation derives once."""
 
 from __future__ import annotations
 
 import gc
 import os
+import sys
 from collections.abc import Generator
 
 import pytest
+
+import rbpsym
+from tests.library.derived import answers_to, derive_once
+
+PUBLIC = rbpsym.derive  # asked for before it is replaced: the package keeps what it finds first
+AFTER_DERIVING = {"cli", "document", "teaching"}  # rooms whose tests are of what comes after a derivation
 
 
 @pytest.hookimpl(wrapper=True)
@@ -30,6 +37,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         kept = set(first.values())
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in kept])
         items[:] = [item for item in items if item.nodeid in kept]
+
+
+@pytest.fixture(autouse=True)
+def _once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In one worker a problem that ships is derived once for all tests of what comes after, its questions answered once."""
+    monkeypatch.setattr("rbpsym.document.notes.own_answers", answers_to)
+    if request.path.parent.name in AFTER_DERIVING:
+        monkeypatch.setattr(sys.modules["rbpsym.derive"], "derive", derive_once)
 
 
 @pytest.fixture(autouse=True, scope="module")

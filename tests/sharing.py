@@ -42,8 +42,8 @@ NAMES = _names()
 def group(test: str) -> str:
     """The group of a test by its id."""
     module, _, parameters = test.partition("[")
-    if test.startswith(SINGLY):
-        return test
+    if test.startswith(SINGLY):  # tests of one module with one parameter share what they are about
+        return f"{module.partition('::')[0]}[{parameters}" if parameters else test
     if test.startswith(TOGETHER):
         return TOGETHER[0]
     named = NAMES.search(f"[{parameters}") if parameters else None

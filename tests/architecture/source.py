@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -87,3 +87,19 @@ def docstring(node: ast.AST) -> ast.Constant | None:
 
 MODULES = [Module(path) for path in sorted(PACKAGE.rglob("*.py")) if "_data" not in path.parts]
 NAMES = {module.name for module in MODULES}
+
+
+def of_every_module(law: Callable[[Module], None]) -> Callable[[], None]:
+    """One test that puts a law to every module and names all that break it: thousands of single tests are slow to report."""
+
+    def test() -> None:
+        broken = []
+        for module in MODULES:
+            try:
+                law(module)
+            except AssertionError as error:
+                broken.append(f"{module.name}: {error}")
+        assert not broken, "\n".join(broken)
+
+    test.__name__, test.__doc__ = law.__name__, law.__doc__
+    return test

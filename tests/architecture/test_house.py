@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from rbpsym.statement.library import problem_files
-from tests.architecture.source import MODULES, ROOT, Module
+from tests.architecture.source import ROOT, Module, of_every_module
 
 LONGEST = 400  # lines
 GUESSES = {"simplify", "trigsimp", "radsimp", "sympify", "parse_expr", "nsimplify", "equals", "eval", "exec"}
@@ -20,20 +20,17 @@ VAGUE = {"utils", "util", "helper", "helpers", "manager", "managers", "base", "m
 SHIPPED = sorted(problem_files())
 TEMPLATES = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
 
-by_name = pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
-
-
-@by_name
+@of_every_module
 def test_files_are_short(module: Module) -> None:
     assert module.text.count("\n") <= LONGEST
 
 
-@by_name
+@of_every_module
 def test_modules_say_what_they_are_for(module: Module) -> None:
     assert ast.get_docstring(module.tree), f"{module.path} has no docstring"
 
 
-@by_name
+@of_every_module
 def test_names_are_telling(module: Module) -> None:
     assert not VAGUE & set(module.parts), module.name
     for node in ast.walk(module.tree):
@@ -42,7 +39,7 @@ def test_names_are_telling(module: Module) -> None:
             assert not words & VAGUE, f"{module.path}:{node.lineno}: {node.name}"
 
 
-@by_name
+@of_every_module
 def test_nothing_is_guessed(module: Module) -> None:
     """No verdict stands on a heuristic and no input is run: none of these is imported or called."""
     for node in ast.walk(module.tree):
@@ -61,20 +58,20 @@ def public(module: Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
                 yield from (part for part in node.body if isinstance(part, kinds) and not part.name.startswith("_"))
 
 
-@by_name
+@of_every_module
 def test_public_names_have_docstrings(module: Module) -> None:
     missing = [f"{node.lineno}: {node.name}" for node in public(module) if not ast.get_docstring(node)]
     assert not missing, f"{module.path}: {missing}"
 
 
-@by_name
+@of_every_module
 def test_questions_are_answered_by_yes_or_no(module: Module) -> None:
     for node in public(module):
         if isinstance(node, ast.FunctionDef) and node.name.startswith("is_"):
             assert node.returns is not None and "bool" in ast.unparse(node.returns), f"{module.path}:{node.lineno}"
 
 
-@by_name
+@of_every_module
 def test_dataclasses_are_frozen(module: Module) -> None:
     for node in ast.walk(module.tree):
         for mark in getattr(node, "decorator_list", ()) if isinstance(node, ast.ClassDef) else ():
@@ -93,7 +90,7 @@ def mentions(text: str) -> list[str]:
     return [name for name in SHIPPED if name in words or name.replace("-", "_") in words & {text}]
 
 
-@by_name
+@of_every_module
 def test_no_code_for_one_problem(module: Module) -> None:
     """Docstrings may give examples; no other text of the code names a problem that ships."""
     found = [(line, names) for line, text in module.strings() if (names := mentions(text))]

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import pytest
-
-from tests.architecture.source import MODULES, NAMES, Module
+from tests.architecture.source import MODULES, NAMES, Module, of_every_module
 
 # The floor of each room: a module may import what stands on its floor's room or on a lower floor.
 FLOORS = {
@@ -18,19 +16,17 @@ FLOORS = {
 HEAVY = {"sympy", "matplotlib", "scipy", "typst", "jinja2", "rich", "docx", "nbformat", "flint"}
 SYMPY_LIVES_IN = ("rbpsym.algebra.sympy_bridge", "rbpsym.face.late")
 
-by_name = pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
-
 
 def room(dotted: str) -> str:
     return [*dotted.split("."), ""][1]
 
 
-@by_name
+@of_every_module
 def test_every_module_has_a_floor(module: Module) -> None:
     assert room(module.name) in {*FLOORS, ""}, f"{module.name}: say in FLOORS on which floor it stands"
 
 
-@by_name
+@of_every_module
 def test_imports_go_down_only(module: Module) -> None:
     own = room(module.name)
     if not own:
@@ -44,13 +40,13 @@ def test_imports_go_down_only(module: Module) -> None:
         )
 
 
-@by_name
+@of_every_module
 def test_heavy_packages_are_imported_late(module: Module) -> None:
     found = [(line, name) for line, name in module.imports(inner=False) if name.split(".")[0] in HEAVY]
     assert not found, f"{module.path}: import {found} in the function that needs it"
 
 
-@by_name
+@of_every_module
 def test_sympy_is_met_at_one_bridge_and_at_the_door_of_the_face(module: Module) -> None:
     found = [(line, name) for line, name in module.imports() if name.split(".")[0] == "sympy"]
     assert not found or module.name in SYMPY_LIVES_IN, f"{module.path}: {found}"

@@ -5,11 +5,9 @@ from __future__ import annotations
 import ast
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-import rbpsym
 from rbpsym.derivation import assertions as a
 from rbpsym.derivation.assertions import ASSERTIONS, NARRATION, PAGES, STEPS, Said, base, entry, on_page, settled
 from rbpsym.derivation.step import Certificate
@@ -24,6 +22,7 @@ from rbpsym.equality.verdict import UNDECIDED, Verdict
 from rbpsym.notation import tree as t
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
+from tests.architecture.source import Module, of_every_module
 from tests.library.derived import derived
 
 
@@ -73,7 +72,6 @@ def test_what_asserts_is_said_of_something(key: str) -> None:
         on_page(key, None)
 
 
-PACKAGE = Path(rbpsym.__file__).parent
 IMPOSSIBLE = {
     "en": r"(has|have) no (closed form|solution)|cannot be solved|without a solution|(?<!found )no formula",
     "es": r"no tienen? (forma cerrada|solución)|no se pueden? (despejar|resolver)|sin solución|ninguna fórmula",
@@ -87,10 +85,10 @@ def test_that_something_is_impossible_is_said_nowhere(language: str) -> None:
         assert not re.search(IMPOSSIBLE[language], text, re.IGNORECASE), key
 
 
-@pytest.mark.parametrize("path", sorted(PACKAGE.rglob("*.py")), ids=lambda path: path.name)
-def test_no_reason_says_it_either(path: Path) -> None:
+@of_every_module
+def test_no_reason_says_it_either(module: Module) -> None:
     """Reasons, errors and sentences that stand in the code: what is no docstring."""
-    parts = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if not isinstance(node, ast.Expr)]
+    parts = [node for node in ast.walk(module.tree) if not isinstance(node, ast.Expr)]
     for node in (child for part in parts for child in ast.iter_child_nodes(part)):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             assert not re.search(r"(has|have) no closed form", node.value), node.lineno

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import same
-from rbpsym.ask.asking import own_answers
 from rbpsym.derivation.rules import certify
 from rbpsym.document.model import Display
 from rbpsym.document.notes import notation_of, notes
@@ -14,6 +13,7 @@ from rbpsym.document.writers import writer
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_reader import read_latex
 from rbpsym.verify.paper_walk import read_paper
+from tests.library.derived import answers_to
 
 ALWAYS = {"O", "C", "t", "r"}
 
@@ -32,11 +32,12 @@ def test_every_display_of_the_file_is_proved(whole_draft, tmp_path):
     found = {f.labels[0]: f.latex for f in read_paper(file).displayed if f.labels}
     assert found.keys() == shown.keys()
     assert len(found) >= 5  # statics has few
+    answers = {row for told in answers_to(draft.study) for step in told.steps for row in _rows(step.statement)}
     for label, latex in found.items():
-        _read_back(draft, derivation, label, shown[label], latex)
+        _read_back(draft, derivation, answers, label, shown[label], latex)
 
 
-def _read_back(draft, derivation, label, node, latex):
+def _read_back(draft, derivation, answers, label, node, latex):
     """The formula is read with the names that it may hold; each step that it shows is certified again."""
     variables = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
     back = read_latex(latex.strip(), t.names(node) | ALWAYS | variables, notation=notation_of(derivation))
@@ -50,7 +51,6 @@ def _read_back(draft, derivation, label, node, latex):
             statement = read[places[0]] if len(places) == 1 else t.System(tuple(read[k] for k in places))
             assert certify(draft.context, replace(step, statement=statement)).verdict.is_proved, (label, latex)
             left -= set(places)
-    answers = [row for found in own_answers(draft.study) for step in found.steps for row in _rows(step.statement)]
     for place in [place for place in left if printed[place] in answers]:
         ends = [(printed[place].items[k], read[place].items[k]) for k in (0, -1)]
         assert all(mine == again or same(scalar(mine), scalar(again)) for mine, again in ends), (label, latex)

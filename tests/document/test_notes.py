@@ -5,7 +5,6 @@ from functools import cache
 
 import pytest
 
-from rbpsym.ask.asking import own_answers
 from rbpsym.courses import derive_course
 from rbpsym.derive import derive
 from rbpsym.document.chapters import repeated
@@ -20,7 +19,7 @@ from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
 from rbpsym.statement.loader import load_text
 from tests.document.unseen import UNSEEN
-from tests.library.derived import unsimulated
+from tests.library.derived import answers_to, unsimulated
 
 NAMES = (*sorted(problem_files()), *UNSEEN)
 
@@ -82,7 +81,7 @@ def test_every_force_and_work_has_its_row(name):
 @by_detail
 def test_no_formula_comes_by_another_road(name, detail):
     """Law 2: a displayed formula is what a step states, all of it or its two ends."""
-    asked = [step for found in own_answers(derived(name).study) for step in found.steps]
+    asked = [step for found in answers_to(derived(name).study) for step in found.steps]
     stated = {row for step in (*derived(name).all_steps, *asked) for row in rows(step.statement)}
     stated |= {t.equation(row.items[0], row.items[-1]) for row in stated if row.ops[0] == "="}
     for block in parts(document(name, detail)):

@@ -5,6 +5,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from rbpsym.ask.answer import Answer
+from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.derive import derive
@@ -57,6 +59,16 @@ def answered(name: str) -> dict[str, Any]:
     """What `rbpsym solve` says of it, without the simulation."""
     found = unsimulated(name)
     return {**results(found.study), "verdicts": found.summary()}
+
+
+_ANSWERS: dict[int, tuple[Study, tuple[Answer | Refused, ...]]] = {}  # by the study itself, which is kept beside
+
+
+def answers_to(study: Study) -> tuple[Answer | Refused, ...]:
+    """What the problem of a study asks itself, answered once for all documents that are made of it."""
+    if id(study) not in _ANSWERS:
+        _ANSWERS[id(study)] = (study, tuple(own_answers(study)))
+    return _ANSWERS[id(study)][1]
 
 
 @dataclass(frozen=True)

@@ -1,21 +1,39 @@
-"""Mutants of the shipped claims are refuted, rewrites proved (`make mutants` runs many more)."""
+"""Mutants of the shipped claims are refuted on their motion, rewrites proved (`make mutants` runs many more)."""
 
 from collections import Counter
+from functools import lru_cache
 
 import pytest
 
 from rbpsym.statement.library import library_folder
+from tests.claims.witnesses import off_the_motion, refutations_on_motions
 from tests.mutants.run import run, trials
 
 FILES = sorted((library_folder() / "claims").glob("*.toml"))
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+by_file = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+
+
+@lru_cache(maxsize=1)
+def tried(path):
+    """The trials of a file, and the refutations among them whose witness has to lie on the motion."""
+    with refutations_on_motions() as refuted:
+        return list(trials(path, 6)), refuted
+
+
+@by_file
 def test_mutants_are_refuted_and_rewrites_proved(path):
-    found = list(trials(path, 6))
+    found, _ = tried(path)
     wrong = [(trial.claim, str(trial.relation), str(trial.found)) for trial in found if not trial.is_passed]
     assert not wrong
     assert min(Counter((trial.claim, trial.wanted) for trial in found).values()) == 6
+
+
+@by_file
+def test_no_witness_lies_off_the_motion(path):
+    _, refuted = tried(path)
+    assert not [(str(w), why, r) for w, motion, r in refuted if (why := off_the_motion(w, motion))]
 
 
 def test_the_last_line_has_the_figures(capsys, tmp_path):
