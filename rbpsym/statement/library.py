@@ -20,12 +20,9 @@ def library_folder() -> Path:
 
 def problem_files() -> dict[str, Path]:
     """The files of the library by the name of their problem: all but those of the other kinds' folders."""
-    files = (path for path in library_folder().rglob("*.toml") if _is_problem(path))
+    folder = library_folder()
+    files = (path for path in folder.rglob("*.toml") if not _OTHER_KINDS & set(path.relative_to(folder).parts[:-1]))
     return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
-
-
-def _is_problem(path: Path) -> bool:
-    return not _OTHER_KINDS & set(path.relative_to(library_folder()).parts[:-1])
 
 
 def course_files() -> dict[str, Path]:

@@ -22,7 +22,7 @@ from rbpsym.statement.loader import load_problem
 from rbpsym.statement.shapes import SHAPES
 from tests.architecture.source import ROOT
 from tests.document import explored
-from tests.library.derived import AT_START
+from tests.library.derived import AT_START, NAMES
 from tests.npm import MODULES
 
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("[cei]*/*.toml"))
@@ -333,7 +333,7 @@ def test_it_is_worked_by_keyboard_alone(tmp_path: Path) -> None:
         assert "θ = " in found["status"]
 
 
-@pytest.mark.parametrize("name", [name for name in MOVING if name in problem_files()])
+@pytest.mark.parametrize("name", [name for name in MOVING if name in NAMES])
 def test_one_small_file_without_a_network(name: str) -> None:
     page = explorer((load_problem(FILES[name]),))
     font = re.search(r"base64,[A-Za-z0-9+/=]+", page)

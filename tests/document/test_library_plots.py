@@ -14,11 +14,10 @@ from rbpsym.document.notes import notation_of
 from rbpsym.document.plots.motion import PlottedMotion, motion
 from rbpsym.document.plots.panel import Panel, scene
 from rbpsym.document.plots.subjects import energies, forces, positions, speeds, works
-from rbpsym.statement.library import problem_files
 from tests.document.collisions import collisions
-from tests.library.derived import FOLLOWED, derived
+from tests.library.derived import FILES, FOLLOWED, derived
 
-MOVING = [name for name in FOLLOWED if "[coordinates" in problem_files()[name].read_text(encoding="utf-8")]
+MOVING = [name for name in FOLLOWED if "[coordinates" in FILES[name].read_text(encoding="utf-8")]
 MAKERS = (works, energies, speeds, forces, lambda moving: positions(moving, "linear"))
 by_name = pytest.mark.parametrize("name", MOVING)
 

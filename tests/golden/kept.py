@@ -12,8 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from rbpsym.statement.library import problem_files
 from tests.golden.semantic import GONE, KINDS, assumptions_of, changes, same
+from tests.library.derived import FILES
 
 HERE = Path(__file__).parent
 TAKEN, CHANGED, TOLD = HERE / "semantic", HERE / "changed", HERE / "changes.md"
@@ -22,7 +22,7 @@ STEPS = "steps."
 
 def file_of(kind: str, name: str) -> str:
     """The file in which a record is kept: problems by their topic, all else by kind."""
-    return f"problems-{problem_files()[name].parent.name}" if kind == "problems" else kind
+    return f"problems-{FILES[name].parent.name}" if kind == "problems" else kind
 
 
 @cache

@@ -19,7 +19,8 @@ from rbpsym.verify.claims_loader import load_claims
 from rbpsym.verify.claims_model import Result
 from rbpsym.verify.claims_run import Certificates, check_claims
 
-NAMES = tuple(sorted(problem_files()))
+FILES = problem_files()
+NAMES = tuple(sorted(FILES))
 AT_START = ("bar-on-slanting-strings", "four-bar-linkage")  # of these, only the start is told
 FOLLOWED = tuple(name for name in NAMES if name not in AT_START)
 
@@ -27,13 +28,13 @@ FOLLOWED = tuple(name for name in NAMES if name not in AT_START)
 @cache
 def problem(name: str) -> Problem:
     """The statement of a problem that ships."""
-    return stated(problem_files()[name])
+    return stated(FILES[name])
 
 
 @cache
 def derived(name: str) -> Derivation:
     """Its whole derivation, with both oracles."""
-    return derived_from(problem_files()[name])
+    return derived_from(FILES[name])
 
 
 @cache
@@ -103,7 +104,7 @@ def checked_claims(file: Path) -> tuple[Result, ...]:
 
 def derive_once(problem: Problem, *, simulation: bool = True) -> Derivation:
     """As `rbpsym.derive.derive`, for tests of what comes after it: what ships is derived once."""
-    file = problem_files().get(problem.name)
+    file = FILES.get(problem.name)
     if file is None or problem != stated(file):
         return derive(problem, simulation=simulation)
     return derived(problem.name) if simulation else unsimulated(problem.name)
