@@ -1,7 +1,7 @@
 """Mutants of the shipped claims are refuted on their motion, rewrites proved (`make mutants` runs many more)."""
 
 from collections import Counter
-from functools import lru_cache
+from functools import cache
 
 import pytest
 
@@ -15,7 +15,7 @@ FILES = sorted((library_folder() / "claims").glob("*.toml"))
 by_file = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 
 
-@lru_cache(maxsize=1)
+@cache
 def tried(path):
     """The trials of a file, and the refutations among them whose witness has to lie on the motion."""
     with refutations_on_motions() as refuted:
