@@ -92,6 +92,9 @@ OUTER = {
     "asin": lambda arg, index: 1 / root(1 - arg * arg),
     "acos": lambda arg, index: -1 / root(1 - arg * arg),
     "sign": lambda arg, index: NOTHING,
+    # of the parameter m = k² (Abramowitz and Stegun, 17.3; DLMF, 19.4)
+    "elliptic_k": lambda arg, index: (function("elliptic_e", arg) / (1 - arg) - _self(index)) / (2 * arg),
+    "elliptic_e": lambda arg, index: (_self(index) - function("elliptic_k", arg)) / (2 * arg),
 }
 
 
@@ -146,6 +149,8 @@ FUNCTIONS = {
     "asin": _known("asin", SINES),
     "acos": _known("acos", {at: PI / 2 - angle for at, angle in SINES.items()}),
     "atan": _known("atan", TANGENTS),
+    "elliptic_k": _known("elliptic_k", {NOTHING: PI / 2}),
+    "elliptic_e": _known("elliptic_e", {NOTHING: PI / 2, UNITY: UNITY}),
     "sqrt": root,
 }
 

@@ -26,6 +26,7 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import SMALL, given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.swing import is_swung_through, swing_of
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
@@ -275,12 +276,27 @@ def _time(asked: Asked, question: Question) -> Found:
         raise StatementError("the time until when?", instead="write “time until x = 0”, or “time until PHASE”.")
     moment = moment_of(asked, question.when, question)
     clock = asked.stage(moment.place).clock if moment.place else NOTHING
+    swung = _swung(asked, moment) if moment.state.time is None and not moment.place else None
+    if swung is not None:
+        return swung
     if None in (moment.state.time, clock):
         what = f"no closed form was found for the time {question.when.text}"
         raise NoClosedForm(what, instead=BY_NUMBERS)
     moment = replace(moment, how="time") if moment.how == "start" else moment
     value = short(clock + moment.state.time)
     return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
+
+
+def _swung(asked: Asked, moment: Moment) -> Found | None:
+    """The time of a quarter or a half of a swing of any size; None where it is none."""
+    study = asked.study(moment.place)
+    [name, *others] = study.system.independent
+    with suppress(StatementError):
+        quarters = None if others else is_swung_through(study, name, moment.state.places[name])
+        if quarters is not None:
+            value = swing_of(study, name).time(study, quarters)
+            return Found(study, (value,), (value,), told=f"swing {name} {quarters}")
+    return None
 
 
 # --- as a function

@@ -217,7 +217,10 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         k = int(place)
         return hand_over(k, asked.problem.phases[k - 1], asked.stage(k - 1), asked.stage(k))
     draft = Draft(found.study)
-    if kind == "course":
+    if kind == "swing":
+        name, _, quarters = place.partition(" ")
+        course.swing(draft, name, int(quarters))
+    elif kind == "course":
         name, _, key = place.partition(" ")
         key, small = key.removesuffix(f" {solutions.SMALL}"), key.endswith(f" {solutions.SMALL}")
         law = oscillations.laws(draft)[name] if small else ""
@@ -240,7 +243,7 @@ def _said(draft: Draft, found: Found) -> dict[str, tuple[str, ...]]:
     """The steps that say what is asked for, and how that is made of them."""
     if not found.told:
         return {}
-    if found.told.startswith("course"):
+    if found.told.startswith(("course", "swing")):
         return {"told": (draft.steps[-1].id,), "turned": ("itself",)}
     said = [_said_of(draft, value) for value in found.values]
     return {"told": tuple(id for id, _ in said), "turned": tuple(turned for _, turned in said)}

@@ -88,7 +88,7 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
     study, (kind, _, place) = found.study, found.told.partition(" ")
     if kind == "phase":
         return asked.stage(int(place)).began.before.valid, ()
-    if kind == "course":
+    if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
     if kind or found.about:
         return (), ()

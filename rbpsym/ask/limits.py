@@ -12,7 +12,7 @@ from rbpsym.algebra.effort import apart, at_most
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ONE, Poly, generator
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.mechanics.elimination import short
 
@@ -132,11 +132,28 @@ def _of_atom(index: int) -> Series | None:
         return Series(1, (UNITY, *[NOTHING] * (LENGTH - 1)))
     if found.kind == "root":
         return _of_root(found.arg)
+    if found.kind in POWERS and is_zero(substitute(found.arg, {SMALL: NOTHING})):
+        return _composed(POWERS[found.kind], found.arg)
     terms, value, factorial = [], Scalar(generator(index)), 1
     for k in range(LENGTH):
         terms.append(substitute(value, {SMALL: NOTHING}) / factorial)
         value, factorial = derivative(value, SMALL), factorial * (k + 1)
     return Series(0, tuple(terms))
+
+
+# of the parameter m, in units of π/2 (Abramowitz and Stegun, 17.3.11 and 17.3.12)
+POWERS = {
+    "elliptic_k": (Fraction(1), Fraction(1, 4), Fraction(9, 64), Fraction(25, 256), Fraction(1225, 16384)),
+    "elliptic_e": (Fraction(1), Fraction(-1, 4), Fraction(-3, 64), Fraction(-5, 256), Fraction(-175, 16384)),
+}
+
+
+def _composed(powers: Sequence[Fraction], arg: Scalar) -> Series | None:
+    """(π/2) Σ c_k mᵏ of what goes to zero."""
+    inner, total = _series(arg), _constant(NOTHING)
+    for power in reversed(powers):
+        total = None if inner is None or total is None else total * inner + _constant(PI / 2 * power)
+    return total
 
 
 def _of_root(radicand: Scalar) -> Series | None:

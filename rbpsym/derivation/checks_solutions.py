@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, substitute
+from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import generator
 from rbpsym.algebra.roots import without_roots_below
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
@@ -160,6 +161,30 @@ def speed_along(context: Context, step: Step) -> Verdict:
     if first and plain.is_proved:
         return weakest([*found, plain])
     return weakest([*found, same(context, begin * begin, first * first), positive(context, step, push * step.data["way"])])
+
+
+def swing(context: Context, step: Step) -> Verdict:
+    """The place goes to and fro as q = q* + (2/n) asin(k s) with s = sin u, where (ds/dt)² = ϑ²(1 - s²)(1 - k² s²): that is
+    q̇² with the stated k, ϑ and q*, and the time from s = 0 to 1 is K(k)/ϑ, which is to be a quarter of the period (`data`:
+    "name", "quarters"). It begins at rest there or on its way."""
+    [(_, _, right)] = relations(step.statement)
+    name, value, rest, part = step.data["name"], context.value(right), context.value(step.slots["rest"]), step.data["part"]
+    [index] = [index for index in value.atoms() if atoms.atom(index).kind == "elliptic_k"]
+    modulus, rate = atoms.atom(index).arg, Scalar(generator(index)) * step.data["quarters"] / value
+    letter = context.study.letters.free("s")
+    s = symbol(letter)
+    place = rest + function("asin", root(modulus) * s) * part
+    square = substitute(context.along(symbol(f"{name}_dot") ** 2), {name: place})
+    moved = derivative(place, letter)
+    found = [same(context, square, moved * moved * rate * rate * (1 - s * s) * (1 - modulus * s * s))]
+    if step.data["quarters"] < WHOLE:
+        away, end = context.start(symbol(name)) - rest, PI * part / 2
+        found.append(same(context, context.start(symbol(f"{name}_dot")), NOTHING))
+        found += [compare(way * away, end, _given(context, step)) for way in (1, -1)]
+    return weakest(found)
+
+
+WHOLE = 4  # quarters of a period
 
 
 def feature(context: Context, step: Step) -> Verdict:

@@ -89,6 +89,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "course": (solved.course,),
     "reached_in_time": (c.identity, solved.reached),
     "speed_along": (solved.speed_along,),
+    "swing": (c.identity, solved.swing),
     "kept_speed": (values.kept_speed,),
     "feature": (c.identity, solved.feature),
     "inequality": (c.identity,),

@@ -205,6 +205,8 @@ def _of_function(node: t.Fn, scope: Scope) -> Iterator[Condition]:
     kind, op = FUNCTIONS.get(node.name, (None, ""))
     if kind == "arg":
         yield _condition(node.arg, op, scope)
+    elif kind == "rest":
+        yield _condition(t.Add((t.ONE, t.Neg(node.arg))), op, scope)
     elif kind == "square":
         yield _condition(t.Add((t.ONE, t.Neg(t.Pow(node.arg, t.TWO)))), op, scope)
     elif kind is not None:
@@ -219,6 +221,8 @@ FUNCTIONS = {
     "ln": ("arg", ">"),
     "asin": ("square", ">="),
     "acos": ("square", ">="),
+    "elliptic_k": ("rest", ">"),
+    "elliptic_e": ("rest", ">="),
 }
 
 RULES: dict[type, Callable[[Any, Scope], Iterator[Condition]]] = {

@@ -15,6 +15,7 @@ from math import isqrt
 BITS = 256
 _ONE = 1 << BITS
 MOST_EXPONENT = 4000
+MEANS = 12  # of two numbers, whose distance is squared each time
 
 
 class Outside(ArithmeticError):
@@ -207,6 +208,21 @@ def asin(number: Number) -> Number:
 def acos(number: Number) -> Number:
     """The inverse cosine."""
     return Fraction(0) if number == 1 else pi() * Fraction(1, 2) - asin(number)
+
+
+def elliptic_k(number: Number) -> Number:
+    """K(m) = π/(2 agm(1, √(1 - m))), where the mean lies between both sequences. Raises Outside for m ≥ 1."""
+    return monotone(_elliptic_k, number)
+
+
+@lru_cache(maxsize=4096)
+def _elliptic_k(m: Fraction) -> Number:
+    a: Number = Fraction(1)
+    b = root(1 - m)
+    for _ in range(MEANS):
+        a, b = (a + b) * Fraction(1, 2), root(a * b)
+    least, most = reciprocal(a), reciprocal(b)
+    return pi() * Fraction(1, 2) * outward(min(ends(least)[0], ends(most)[0]), max(ends(least)[1], ends(most)[1]))
 
 
 def turn_of(number: Number) -> tuple[Number, Number]:

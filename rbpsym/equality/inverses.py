@@ -22,7 +22,7 @@ PARTS = 12  # exponentials are powers of exp(term/12)
 
 
 def turn_of_inverse(reading: Reading, m: Monomial, parts: int) -> Turn | None:
-    """(cos, sin) of asin x, acos x, atan x, or of half of acos x; None for other angles."""
+    """(cos, sin) of asin x, acos x, atan x, or of half of it; None for other angles."""
     if len(m) != 1 or m[0][1] != 1:
         return None
     found = atoms.atom(m[0][0])
@@ -35,11 +35,19 @@ def _of_atan(x: Scalar) -> tuple[Scalar, Scalar]:
     return cosine, x * cosine
 
 
+def _half(turn: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:
+    """Of half of an angle between -π/2 and π/2."""
+    cosine = root((1 + turn[0]) / 2)
+    return cosine, turn[1] / (2 * cosine)
+
+
 TURNS = {
     ("asin", 1): lambda x: (root(1 - x * x), x),
     ("acos", 1): lambda x: (x, root(1 - x * x)),
     ("acos", 2): lambda x: (root((1 + x) / 2), root((1 - x) / 2)),
+    ("asin", 2): lambda x: _half((root(1 - x * x), x)),
     ("atan", 1): _of_atan,
+    ("atan", 2): lambda x: _half(_of_atan(x)),
 }
 
 
@@ -159,4 +167,8 @@ def _exp_term(reading: Reading, m: Monomial, c: Fraction) -> Poly:
     return generator(atoms.intern("exp", Scalar(Poly({m: c}))))
 
 
-INVERSES = {"exp": _exp, "asin": _asin, "acos": _acos, "atan": _atan}
+def _plain(kind: str):
+    return lambda reading, arg: generator(atoms.intern(kind, _canonical(reading.scalar(arg), arg)))
+
+
+INVERSES = {"exp": _exp, "asin": _asin, "acos": _acos, "atan": _atan, **{k: _plain(k) for k in ("elliptic_k", "elliptic_e")}}

@@ -115,6 +115,8 @@ VALUES = {
     "atan": _of(e.atan),
     "asin": _of(e.asin),
     "acos": _of(e.acos),
+    "elliptic_k": _of(e.elliptic_k),
+    "elliptic_e": _unknown,
     "sign": _sign,
 }
 

@@ -253,4 +253,6 @@ IMAGES = {
     "asin": _of_inverse("asin"),
     "acos": _of_inverse("acos"),
     "atan": _of_inverse("atan"),
+    "elliptic_k": _of_inverse("elliptic_k"),
+    "elliptic_e": _of_inverse("elliptic_e"),
 }

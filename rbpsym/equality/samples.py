@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from zlib import crc32
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import atoms, elliptic
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
@@ -149,4 +149,6 @@ VALUES = {
     "asin": _of(math.asin),
     "acos": _of(math.acos),
     "atan": _of(math.atan),
+    "elliptic_k": _of(elliptic.first),
+    "elliptic_e": _of(elliptic.second),
 }

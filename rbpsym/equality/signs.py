@@ -184,6 +184,8 @@ ATOMS = {
     "atan": lambda study, arg: study.scalar(arg),
     "asin": lambda study, arg: study.scalar(arg),
     "acos": lambda study, arg: PLUS_ZERO,
+    "elliptic_k": lambda study, arg: PLUS,
+    "elliptic_e": lambda study, arg: PLUS,
 }
 
 

@@ -19,7 +19,7 @@ from rbpsym.notation.limits import check_degree, check_exponent, check_size
 from rbpsym.statement.source import kind_of, written
 
 CLOCK = "t"
-HEADS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "exp", "log")
+HEADS = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "exp", "log", "elliptic_k", "elliptic_e")
 RELATIONS = {"Eq": "=", "Ne": "!=", "Lt": "<", "Gt": ">", "Le": "<=", "Ge": ">="}
 SIGNS = {  # of parameters, as sympy assumes them
     "positive": {"positive": True},

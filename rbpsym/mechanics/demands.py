@@ -153,9 +153,16 @@ def existence(value: Scalar) -> list[Demand]:
         atom = atoms.atom(index)
         if atom.kind != "symbol":
             arg = atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg)
-            bound = {"root": arg, "ln": arg, "asin": UNITY - arg * arg, "acos": UNITY - arg * arg}.get(atom.kind)
-            found += existence(arg) + ([] if bound is None else [Demand(bound)])
+            bound = WITHIN.get(atom.kind)
+            found += existence(arg) + ([] if bound is None else [Demand(bound(arg))])
     return found
+
+
+WITHIN = {  # what is positive of an argument within the bounds of its function
+    **dict.fromkeys(("root", "ln"), lambda arg: arg),
+    **dict.fromkeys(("asin", "acos"), lambda arg: UNITY - arg * arg),
+    **dict.fromkeys(("elliptic_k", "elliptic_e"), lambda arg: UNITY - arg),
+}
 
 
 # --- inverse functions

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import atoms, elliptic
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
@@ -32,6 +32,8 @@ FUNCTIONS: Mapping[str, Callable[[float], float]] = {
     "atan": math.atan,
     "asin": math.asin,
     "acos": math.acos,
+    "elliptic_k": elliptic.first,
+    "elliptic_e": elliptic.second,
 }
 
 

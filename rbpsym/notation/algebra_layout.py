@@ -117,7 +117,8 @@ def _word(node: t.Word, style: Style) -> b.Box:
     return b.Phrase(node.text)
 
 
-WRITTEN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+WRITTEN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "elliptic_k": "K", "elliptic_e": "E"}
+OF_SQUARE = frozenset({"elliptic_k", "elliptic_e"})  # told of the modulus k, and known as functions of k²
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 
@@ -162,9 +163,16 @@ def applied(node: t.Node, style: Style, *, closed: bool = False) -> b.Box:
     head: b.Box = b.Function(style.notation.functions.get(call.name) or WRITTEN.get(call.name, call.name))
     if isinstance(node, t.Pow):
         head = b.Script(head, None, draw(node.exponent, style))
-    arg = draw(call.arg, style)
-    bare = isinstance(call.arg, t.Group) or (not closed and call.name != "exp" and _is_simple_argument(call.arg, style))
+    inner = _modulus(call.arg) if call.name in OF_SQUARE else call.arg
+    arg = draw(inner, style)
+    closed = closed or call.name == "exp" or call.name in OF_SQUARE
+    bare = isinstance(inner, t.Group) or (not closed and _is_simple_argument(inner, style))
     return b.Applied(head, arg if bare else fenced(arg))
+
+
+def _modulus(square: t.Node) -> t.Node:
+    """The root of what is printed, without it where that is a square."""
+    return square.base if isinstance(square, t.Pow) and square.exponent == t.TWO else t.Sqrt(square)
 
 
 def _is_simple_argument(node: t.Node, style: Style) -> bool:

@@ -180,7 +180,7 @@ def _fn(name: str) -> Callable[[t.Node], t.Node]:
 
 FUNCTIONS: Mapping[str, Callable[[t.Node], t.Node]] = MappingProxyType({
     **{name: _fn(name) for name in ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos",
-                                    "atan", "exp", "ln")},
+                                    "atan", "exp", "ln", "elliptic_k", "elliptic_e")},
     "log": _fn("ln"), "arcsin": _fn("asin"), "arccos": _fn("acos"), "arctan": _fn("atan"),
     "sen": _fn("sin"), "tg": _fn("tan"), "ctg": _fn("cot"), "cotg": _fn("cot"), "cosec": _fn("csc"),
     "arcsen": _fn("asin"), "arctg": _fn("atan"),

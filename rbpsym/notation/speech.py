@@ -38,6 +38,8 @@ WORDS: Mapping[str, str] = MappingProxyType({
     ">=": "is at least", "!=": "is not equal to", "~": "is approximately", "->": "tends to",
     "sin": "sine", "cos": "cosine", "tan": "tangent", "cot": "cotangent", "sec": "secant",
     "csc": "cosecant", "asin": "arc sine", "acos": "arc cosine", "atan": "arc tangent",
+    "elliptic_k": "the complete elliptic integral of the first kind of the square of the modulus,",
+    "elliptic_e": "the complete elliptic integral of the second kind of the square of the modulus,",
     "exp": "the exponential", "ln": "the natural logarithm",
     "1/2": "one half", "1/3": "one third", "2/3": "two thirds", "1/4": "one quarter",
     "3/4": "three quarters",

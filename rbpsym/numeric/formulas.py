@@ -12,7 +12,7 @@ from itertools import groupby
 
 import numpy as np
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import atoms, elliptic
 from rbpsym.algebra.poly import ONE, Poly
 from rbpsym.algebra.scalar import Scalar
 
@@ -26,6 +26,8 @@ FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
     "atan": np.arctan,
     "asin": np.arcsin,
     "acos": np.arccos,
+    "elliptic_k": np.vectorize(elliptic.first),
+    "elliptic_e": np.vectorize(elliptic.second),
 }
 CONSTANTS = {"pi": math.pi}
 

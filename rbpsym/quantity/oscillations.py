@@ -14,6 +14,7 @@ from rbpsym.errors import StatementError
 from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.elimination import determinant, short
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
+from rbpsym.mechanics.swing import swing_of
 from rbpsym.notation.infix import read_infix
 from rbpsym.quantity.bound import Bound, Phrase, number
 
@@ -154,6 +155,15 @@ def period(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None
     return number(PI * 2 / found.scalar, found.told)
 
 
+def whole_period(world: ProblemWorld, name: str | None, other: str | None = None) -> Bound:
+    """The period of a swing of any size, from the start."""
+    name = name or other
+    form = solutions.form_along(world.study, name) if name in world.study.system.independent else None
+    if form and not (form.damping or form.drag or form.drive):
+        return period(world, None, name)  # which does not depend on the amplitude
+    return number(swing_of(world.study, name).time(world.study, 4), f"swing {name} 4")
+
+
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
     """The place of the one stable (unstable) equilibrium."""
     found = _equilibria(world, name, not unstable)
@@ -191,5 +201,6 @@ PHRASES: tuple[Phrase, ...] = (
     (r"ratio of (\w+) to (\w+) in the (lowest|highest) mode", mode_shape, "ratio of theta_2 to theta_1 in the lowest mode"),
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
+    (r"(?:exact|whole|true) period of (\w+)|period of large swings of (\w+)", whole_period, "exact period of COORDINATE"),
     (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip

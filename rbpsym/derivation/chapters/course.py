@@ -13,6 +13,7 @@ from rbpsym.mechanics import solutions, solved
 from rbpsym.mechanics.demands import settle
 from rbpsym.mechanics.solutions import STEADY, Course, Given
 from rbpsym.mechanics.state import State
+from rbpsym.mechanics.swing import swing_of
 from rbpsym.notation import tree as t
 
 TOLD = ("amplitude", "terminal speed", "total way")
@@ -102,6 +103,25 @@ def _quotient(draft: Draft, known: Given) -> t.Node:
     swing, gap, drag = solved.resonance(known)
     squares = t.add(t.Pow(t.Group(draft.show(gap)), t.TWO), *([t.Pow(t.Group(draft.show(drag)), t.TWO)] if drag else []))
     return t.div(draft.show(swing, factor=True), t.Sqrt(squares))
+
+
+def swing(draft: Draft, name: str, quarters: int) -> str:
+    """The id of the step that says what so many quarters of the period of a swing of any size take, after its speed."""
+    known, square = swing_of(draft.study, name), draft.study.squares[name]
+    draft.chapter = "course"
+    stated = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), draft.show(square, factor=True))
+    draft.add(f"square.{name}", "first_integral", stated, "ask.speed", premises=draft.those(f"motion.{name}"),
+              data={"name": name, "value": square})  # fmt: skip
+    value = known.time(draft.study, quarters)
+    made = draft.define(draft.free("T"), value)
+    told, place = t.equation(made, draft.show(value, factor=True)), t.equation(t.Sym(name), draft.show(known.rest))
+    data = {"name": name, "quarters": quarters, "part": known.part}
+    return draft.add(f"swing.{name}", "swing", told, f"course.swing.{SWINGS[quarters]}", premises=draft.those(f"square.{name}"),
+                     name=t.Sym(name), letter=made, is_result=True, rest=draft.show(known.rest), place=place, data=data,
+                     obligations=draft.asked(known.valid)).id  # fmt: skip
+
+
+SWINGS = {1: "quarter", 2: "half", 4: "whole"}
 
 
 def speed(draft: Draft, name: str, value: Scalar) -> str:
