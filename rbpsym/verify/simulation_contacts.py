@@ -41,7 +41,7 @@ NEWTON = 8
 Complex = list[complex]
 Point = tuple[complex, complex]
 GROUND_SPOT = Spot(-1, 0.0, 0.0)
-COMPLEX_FUNCTIONS = {kind: getattr(cmath, function.__name__) for kind, function in FUNCTIONS.items()}
+COMPLEX_FUNCTIONS = {kind: getattr(cmath, function.__name__, function) for kind, function in FUNCTIONS.items()}
 
 
 @dataclass(frozen=True, slots=True)
