@@ -8,8 +8,11 @@ from fractions import Fraction
 
 import pytest
 
+from rbpsym.algebra.calculus import root
+from rbpsym.algebra.scalar import symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import equal
+from rbpsym.equality.radicals import vanishes
 from rbpsym.equality.verdict import PROVED, REFUTED
 from rbpsym.notation.infix import read_infix
 from tests.equality.numeric import NoValue, at_witness, mpmath, number
@@ -64,3 +67,11 @@ def test_verdicts_on_roots(seed: int) -> None:
             except NoValue:
                 continue
             assert abs(a - b) < mpmath.mpf(10) ** -30, (seed, point, str(verdict))
+
+
+@pytest.mark.parametrize(("sign", "proof"), [("positive", True), ("nonnegative", False), ("real", False)])
+def test_a_root_tells_no_sign_beside_what_may_vanish(sign, proof) -> None:
+    """√(x y) asks for y ≥ 0 where x > 0; where x = 0 it asks for nothing."""
+    x, y = symbol("x"), symbol("y")
+    claim = (root(x * y) + 1) * (root(y * y) - y)
+    assert bool(vanishes(claim, Assumptions({"x": sign}), deep=False)) is proof
