@@ -35,6 +35,7 @@ def test_other_roots_are() -> None:
     [
         ("F - m*g/p", {"F - m*a", "p*a - g"}),
         ("F - 2*m*a", None),
+        ("F - m*N", None),
         ("F - m*a + x_dot**2 - g*x", {"F - m*a", "x_dot**2 - g*x"}),
         ("F - m*a + x_dot*x", None),
         ("a*x_dot**2 - a*g*x", {"x_dot**2 - g*x"}),
