@@ -97,8 +97,9 @@ def _lasting(study: Study) -> list[Scalar]:
     elements = study.problem.constraints
     found = [symbol(name) for element in elements for name in pushes(element) if name in study.dynamics.reactions]
     for need in study.friction_needs:
-        most = sum(map(symbol, need.normals), NOTHING) * (need.limit or NOTHING)
-        found += [most + symbol(need.friction) * side for side in (-1, 1) if need.limit is not None]
+        if need.limit is not None:
+            most = sum(map(symbol, need.normals), NOTHING) * need.limit
+            found += [most + symbol(need.friction) * side for side in (-1, 1)]
     for name in study.system.coordinates:
         ends = zip(study.assumptions.range_of(name), (1, -1), strict=True)
         found += [(symbol(name) - end) * side for end, side in ends if end is not None]

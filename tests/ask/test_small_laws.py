@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import pytest
 
+from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import answered
+from rbpsym.ask.integrated import _lasting
 from rbpsym.ask.limits import leading
 from rbpsym.ask.seen import scene, way_to
 from rbpsym.ask.special import _term
 from rbpsym.ask.telling import latex_of
 from rbpsym.ask.wanted import Wanted
 from rbpsym.ask.yesno import _always
+from rbpsym.ask.zeros import _by_phase
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from tests.ask.test_answers import asked
 
@@ -63,3 +67,21 @@ def test_what_may_vanish_is_not_always_positive(sign, closed):
 def test_a_vector_stands_in_brackets(quantity, parts):
     found = answered(asked("falling-stick"), quantity)
     assert len(found.nodes) == parts and latex_of(found).startswith(r"\left(") is (parts > 1)
+
+
+@pytest.mark.parametrize(("friction", "grips"), [(1.0, True), (-1.0, True), (3.0, False), (-3.0, False)])
+def test_a_grip_lasts_as_long_as_friction_is_within_its_limit(friction, grips):
+    study = Study(asked("disk-on-incline").problem)
+    [need] = study.friction_needs
+    left = [value for value in _lasting(study) if depends_on(value, need.friction)]
+    assert (min(number(value, {"N": 2.0, "mu": 1.0, need.friction: friction}) for value in left) >= 0) is grips
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+@pytest.mark.parametrize("text", ["a*cos(x) + b*sin(x) - c", "a*cos(2*x + k) - b*sin(2*x + k) + c"])
+def test_two_waves_of_one_angle_are_one_wave_with_a_phase(sign, text):
+    numbers = {"a": 2.0, "b": 3.0, "c": 1.5, "k": 0.3}
+    factor = scalar(read_infix(f"{sign}({text})", {*numbers, "x"}))
+    found = _by_phase(factor, "x", Assumptions(dict.fromkeys(numbers, "positive")))
+    assert len(found) == 2
+    assert all(number(factor, {**numbers, "x": number(place, numbers)}) == pytest.approx(0, abs=1e-12) for place in found)

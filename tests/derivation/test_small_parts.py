@@ -12,13 +12,16 @@ from rbpsym.algebra.normal import is_zero, same
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.algebra.vector import ORIGIN, cartesian
-from rbpsym.derivation.chapters.conditions import _where
+from rbpsym.derivation.chapters import conditions
+from rbpsym.derivation.chapters.conditions import _where, as_taken
 from rbpsym.derivation.chapters.contact import _with_tangent
 from rbpsym.derivation.chapters.impulses import _positive
 from rbpsym.derivation.chapters.momentum import _phrase
 from rbpsym.derivation.chapters.places import coordinates_of
+from rbpsym.derivation.checks_places import _holds
 from rbpsym.derivation.draft import Draft
 from rbpsym.derive import derive
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.endings import at_start, is_before
 from rbpsym.mechanics.roots import _principal
@@ -220,3 +223,22 @@ def test_a_change_is_told_as_what_is_less_what_was(sign):
     change = (sine(symbol("theta_0")) - sine(symbol("theta"))) * symbol("M") * symbol("g") * symbol("ell") * sign
     shown = since_start(draft, change)
     assert is_zero(draft.context.value(shown) - change) and not _begins_with_start(draft, shown)
+
+
+@pytest.mark.parametrize(("place", "rests"), [(NOTHING, True), (PI, False)])
+def test_nothing_rests_where_its_contact_would_have_to_pull(place, rests):
+    """At the highest place of a loop the forces on the ball balance, too."""
+    found = unsimulated("ball-in-a-loop")
+    step = found.step("equilibrium.1")
+    [said] = _holds(found.letters, replace(step, data={**step.data, "at": {"theta": place}}), [])
+    assert said.is_proved is rests
+
+
+@pytest.mark.parametrize(("kept", "begun", "told"), [("", "u", "u"), ("x", "ux", "x"), ("xy", "", "xy"), ("", "", ""), ("m", "u", "")])
+def test_a_side_is_asked_for_in_each_position_or_else_at_the_start(kept, begun, told, monkeypatch):
+    for name, values in (("ways_kept", kept), ("ways_taken", begun)):
+        pairs = [("other", symbol("v")), *(("own", symbol(value)) for value in values)]
+        monkeypatch.setattr(conditions, name, lambda study, pairs=pairs: pairs)
+    study = Told(assumptions=Assumptions({"m": "positive"}))
+    asked = as_taken(Told(study=study, show=lambda value: value), "own")
+    assert [relation.items[0] for relation in asked] == [symbol(name) for name in told]

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace as Told
+
 import pytest
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import same
+from rbpsym.algebra.scalar import symbol
+from rbpsym.algebra.vector import cartesian
 from rbpsym.ask.asking import ask
 from rbpsym.derive import derive
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.study import Study
 from rbpsym.notation.infix import read_infix
 from rbpsym.statement.loader import load_text
@@ -107,3 +113,12 @@ WRONG = [
 def test_wrong_curves_get_a_sentence(curve: str, told: str) -> None:
     with pytest.raises(RbpsymError, match=told):
         Study(led('"q", "q**2/(2*p)"', curve)).dynamics
+
+
+@pytest.mark.parametrize(("along", "across"), ["xy", "yx"])
+def test_beside_a_curve_the_gap_is_along_the_other_axis(along, across):
+    height = f"{along}**2/(2*p)"
+    places = {along: "q", across: "q**2/(2*p)"}
+    [element] = led(f'"{places["x"]}", "{places["y"]}"', f'curve = "{across} = {height}"').constraints
+    beside = Told(where=lambda ref: cartesian(symbol("x"), symbol("y")))
+    assert same(meeting(element, beside).gap, scalar(read_infix(f"{across} - {height}", {"x", "y", "p"})))

@@ -50,6 +50,7 @@ SETS = {
     "one of the other": ["m - M > 0", "m*k - M*k > 0"],
     "implied": ["m + M > 0", "m - M != 0"],
     "against each other": ["m - M > 0", "M - m > 0"],
+    "a difference of products from both sides": ["m*k - M*L > 0", "M*L - m*k >= 0"],
     "never": ["-m > 0"],
     "never or equal": ["-m - M >= 0"],
     "zero": ["m - m != 0"],
@@ -102,7 +103,7 @@ def test_what_is_left_says_the_same(name):
 
 def test_what_contradicts_itself_is_never_met():
     assert {name for name in SETS if settle(demands(SETS[name]), GIVEN) is None} == {
-        "against each other", "never", "never or equal", "zero", "asin never", "minus a root",
+        "against each other", "a difference of products from both sides", "never", "never or equal", "zero", "asin never", "minus a root",
     }  # fmt: skip
     assert settle(demands(SETS["implied"]), GIVEN) == tuple(demands(["m - M != 0"]))
     assert settle(demands(SETS["twice"]), GIVEN) == tuple(demands(["m - M > 0"]))
