@@ -234,7 +234,25 @@ def test_nothing_rests_where_its_contact_would_have_to_pull(place, rests):
     assert said.is_proved is rests
 
 
-@pytest.mark.parametrize(("kept", "begun", "told"), [("", "u", "u"), ("x", "ux", "x"), ("xy", "", "xy"), ("", "", ""), ("m", "u", "")])
+def test_where_it_rests_it_touches_on_its_side_and_is_pushed():
+    found = unsimulated("half-disk-rocking")
+    said = [*_holds(found.letters, found.step("equilibrium.1"), [])]
+    assert len(said) == 2 and all(verdict.is_proved for verdict in said)
+
+
+def test_a_centre_that_keeps_its_distance_is_told_to_go_on_a_circle():
+    ids = {step.id for step in unsimulated("sliding-ladder").steps}
+    assert "circle.ladder" in ids
+    assert not any(id.startswith("circle.") for id in (step.id for step in unsimulated("ladder-in-equilibrium").steps))
+
+
+@pytest.mark.parametrize(("name", "letters"), [("disk-on-incline", {"mu_min"}), ("cylinder-in-corner", set())])
+def test_the_friction_that_is_needed_has_a_name(name, letters):
+    found = unsimulated(name)
+    assert {s.slots["letter"].name for s in found.steps if s.id.startswith("friction.") and "letter" in s.slots} == letters
+
+
+@pytest.mark.parametrize(("kept", "begun", "told"), [("", "u", "u"), ("x", "ux", "x"), ("xy", "", "xy"), ("m", "u", "")])
 def test_a_side_is_asked_for_in_each_position_or_else_at_the_start(kept, begun, told, monkeypatch):
     for name, values in (("ways_kept", kept), ("ways_taken", begun)):
         pairs = [("other", symbol("v")), *(("own", symbol(value)) for value in values)]

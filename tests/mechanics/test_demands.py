@@ -103,7 +103,8 @@ def test_what_is_left_says_the_same(name):
 
 def test_what_contradicts_itself_is_never_met():
     assert {name for name in SETS if settle(demands(SETS[name]), GIVEN) is None} == {
-        "against each other", "a difference of products from both sides", "never", "never or equal", "zero", "asin never", "minus a root",
+        "against each other", "a difference of products from both sides", "never", "never or equal", "zero", "asin never",
+        "minus a root",
     }  # fmt: skip
     assert settle(demands(SETS["implied"]), GIVEN) == tuple(demands(["m - M != 0"]))
     assert settle(demands(SETS["twice"]), GIVEN) == tuple(demands(["m - M > 0"]))
