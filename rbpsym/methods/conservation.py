@@ -221,7 +221,7 @@ def _speeds(draft: Draft) -> None:
 def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
     """The part that the start speed brings, and what is gained since."""
     start = draft.context.scope.start.get(f"{name}_dot", NOTHING)
-    if not start or start.number() is not None:
+    if not start:
         return draft.show(value, factor=True)
     gained = tidy(short(value - start * start))
     begun = tidy(start * start)
