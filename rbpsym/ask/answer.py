@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, shortest
-from rbpsym.ask.in_time import at_time
+from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
 from rbpsym.ask.question import Question, When, is_jump
 from rbpsym.derivation.step import Step
@@ -26,7 +26,6 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.solutions import SMALL, given
 from rbpsym.mechanics.solved import speed_along
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.swing import is_swung_through, swing_of
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
 from rbpsym.quantity.bound import Bound
@@ -276,27 +275,15 @@ def _time(asked: Asked, question: Question) -> Found:
         raise StatementError("the time until when?", instead="write “time until x = 0”, or “time until PHASE”.")
     moment = moment_of(asked, question.when, question)
     clock = asked.stage(moment.place).clock if moment.place else NOTHING
-    swung = _swung(asked, moment) if moment.state.time is None and not moment.place else None
+    swung = time_of_swing(asked, moment)
     if swung is not None:
-        return swung
+        return Found(asked.first, (swung[0],), (swung[0],), told=swung[1])
     if None in (moment.state.time, clock):
         what = f"no closed form was found for the time {question.when.text}"
         raise NoClosedForm(what, instead=BY_NUMBERS)
     moment = replace(moment, how="time") if moment.how == "start" else moment
     value = short(clock + moment.state.time)
     return Found(asked.study(moment.place), (symbol("t") + clock,), (value,), moment=moment, works={})
-
-
-def _swung(asked: Asked, moment: Moment) -> Found | None:
-    """The time of a quarter or a half of a swing of any size; None where it is none."""
-    study = asked.study(moment.place)
-    [name, *others] = study.system.independent
-    with suppress(StatementError):
-        quarters = None if others else is_swung_through(study, name, moment.state.places[name])
-        if quarters is not None:
-            value = swing_of(study, name).time(study, quarters)
-            return Found(study, (value,), (value,), told=f"swing {name} {quarters}")
-    return None
 
 
 # --- as a function

@@ -21,6 +21,7 @@ from rbpsym.mechanics.solutions import Course
 from rbpsym.mechanics.solved import time_to, without_logarithms
 from rbpsym.mechanics.state import of_coordinate
 from rbpsym.mechanics.study import Study
+from rbpsym.mechanics.swing import quarters_to, swing_of
 
 
 def at_time(asked: Asked, place: int, time: Scalar, manner: str = "", *, is_solved: bool = False) -> Moment:
@@ -78,6 +79,17 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
         raise StatementError(f"“{subject}” does not come to this value in this motion")
     made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
     return replace(made, state=replace(made.state, valid=asked_for), watched=(subject, value, time))
+
+
+def time_of_swing(asked: Asked, moment: Moment) -> tuple[Scalar, str] | None:
+    """The time of a quarter or a half of a swing of any size in the first phase, and what tells it; None where it is none."""
+    study, [name, *others] = asked.first, asked.first.system.independent
+    if others or moment.place or moment.state.time is not None:
+        return None
+    with suppress(StatementError):
+        quarters = quarters_to(study, name, moment.state.places[name])
+        return None if quarters is None else (swing_of(study, name).time(study, quarters), f"swing {name} {quarters}")
+    return None
 
 
 def write(draft: Draft, moment: Moment) -> tuple[str, ...]:

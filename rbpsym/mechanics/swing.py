@@ -63,7 +63,7 @@ def swing_of(study: Study, name: str) -> Swing:
     return Swing(rest, rate, modulus, 2 / times, tuple(asked))
 
 
-def is_swung_through(study: Study, name: str, place: Scalar) -> int | None:
+def quarters_to(study: Study, name: str, place: Scalar) -> int | None:
     """After how many quarters of the period from rest it is there first: at the place of rest, or at the other turning point."""
     start = study.system.scope.start
     if not is_zero(start.get(f"{name}_dot", NOTHING)):
