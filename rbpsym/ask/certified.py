@@ -292,12 +292,14 @@ def _valid(
 ) -> tuple[t.Node, ...]:
     """The conditions under which it holds: what the steps, and those `before` its phase, ask for, and the motion that is
     stated, which `lasts` so far."""
-    moment, (earlier, own) = found.moment, (_duties(part) for part in (before, steps))
-    duties = [*earlier, *own]
-    first, asked = (_asked(draft, part) for part in (earlier, own))
-    if moment is not None and moment.how == "start" and not found.study.at_start:
+    moment, parts = found.moment, (before, [s for s in steps if s.rule != "solution"], [s for s in steps if s.rule == "solution"])
+    duties = [duty for part in parts for duty in _duties(part)]
+    first, asked, solved = (_asked(draft, _duties(part)) for part in parts)
+    if moment is not None and moment.how in ("start", "event") and not found.study.at_start:
         with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
-            asked = [_there(found.study, one, moment) for one in asked]
+            solved = [_there(found.study, one, moment) for one in solved]
+            asked = [_there(found.study, one, moment) for one in asked] if moment.how == "start" else asked
+    asked = [*asked, *solved]
     if found.told == "oscillations" or (moment is not None and moment.is_small):  # only close to the place of rest
         there = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})
         image = dict.fromkeys(found.study.system.speeds, NOTHING) | there
@@ -316,7 +318,7 @@ def _valid(
 
 
 def _there(study: Study, demand: Demand, moment: Moment) -> Demand:
-    """A demand at the start. What the way of solving divides by may vanish there alone: the value is that of its
+    """A demand at that moment. What the way of solving divides by may vanish there alone: the value is that of its
     neighbours, to which it is bound where the mass matrix is regular."""
     there = Demand(value_in(study, demand.value, moment.state), demand.op)
     if demand.op != "!=" or not is_zero(there.value):

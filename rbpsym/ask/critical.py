@@ -190,6 +190,10 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
         found = replace(found, asked=alone(found, [*regions, *beside], sense or (-1 if found.upper is None else 1)))
     said = _said(parts, name, found, given, along, sense)
     told_ = _told(name, found, replace(condition, given=given, asked=tuple(own)), text, sense, said)
+    if told_.relation == "between" and not told_.says and found.asked:
+        ends = (("<", found.upper, 1), (">", found.lower, -1))
+        bare = next(((op, end) for op, end, way in ends if not alone(found, [*regions, *beside], way)), None)
+        told_ = replace(told_, says=f"else “{text}” holds for {name} {bare[0]} {told(bare[1])}") if bare else told_
     own, lost = ({end for one in each if one for end in (one.lower, one.upper)} for each in (regions, beside))
     return replace(told_, says=condition.there) if lost - own & set(told_.values) else told_
 

@@ -20,7 +20,7 @@ from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import StatementError
-from rbpsym.mechanics.demands import settle
+from rbpsym.mechanics.demands import Demand, settle
 
 
 def extremum(
@@ -88,15 +88,23 @@ def extremum(
 
 
 def _lasting(world: Scene, name: str, found: Finding) -> Finding:
-    """With what contacts, friction and slips ask for on the way to the place where it lies."""
-    if name not in world.coordinates or found.place is None or found.place[1] is None:
+    """With what contacts, friction and slips ask for on the way to the place where it lies, or for that value."""
+    if found.place is None or found.place[1] is None:
         return found
+    if name not in world.coordinates:
+        at = {name: found.place[1]}
+        there = (Demand(neat(substitute(d.value, at), world.motion.assumptions), d.op) for d in (*world.demands, *world.standing))
+        left = settle((*found.valid, *there), world.motion.assumptions)
+        return Finding(undecided(BEYOND), found.symbol) if left is None else replace(found, valid=left, met=True)
     lasts, doubts = lasts_to_place(world.study, name, found.place[1])
     left = settle((*found.valid, *lasts), world.motion.assumptions)
     if left is None:
         raise StatementError(f"the motion that is stated ends before it comes to where this is, {name} = {told(found.place[1])}")
     world.doubts.extend(doubts)
     return replace(found, valid=left)
+
+
+BEYOND = "where it would be, the motion is not the one that is stated"
 
 
 def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:

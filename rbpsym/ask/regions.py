@@ -58,12 +58,13 @@ def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
 
 
 def _otherwise(value: Scalar, name: str, asked: Sequence[Demand], given: Assumptions) -> int:
-    """The sign in the whole range where the only demand is not met; 0 if it is not known."""
-    if len(asked) != 1 or asked[0].op == "!=":
-        return 0
-    opposite = Demand(-asked[0].value, ">=" if asked[0].op == ">" else ">")
-    table = sign_table(value, name, where_met(given, [opposite]))
-    return table.signs[0] or 0 if table.is_whole and len(table.signs) == 1 else 0
+    """The sign in the whole range where one of the demands is not met; 0 if it is not known."""
+    signs = set()
+    for demand in asked:
+        opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
+        table = sign_table(value, name, where_met(given, [opposite]))
+        signs.add(table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else None)
+    return (signs.pop() or 0) if len(signs) == 1 else 0
 
 
 def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> Region | None:

@@ -41,12 +41,20 @@ def slip(context: Context, step: Step) -> Verdict:
 
 
 def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
-    """A value with constant acceleration, and its rate, as functions of the time t."""
+    """A value whose acceleration is a function of the time t, and its rate, as such functions."""
     scope = context.study.system.scope
+    if not names_in(value) & scope.rates.keys() - {"t"}:  # it is driven
+        return value, time_derivative(value, scope)
     rate = time_derivative(value, scope)
     gain = context.on_motion(time_derivative(rate, scope))
-    speed = primitive(gain, "t") + context.start(rate)
-    return primitive(speed, "t") + context.start(value), speed
+    speed = _gained(gain) + context.start(rate)
+    return _gained(speed) + context.start(value), speed
+
+
+def _gained(rate: Scalar) -> Scalar:
+    """What a rate adds up to since t = 0."""
+    found = primitive(rate, "t")
+    return found - _at(NOTHING, found)
 
 
 def _at(time: Scalar, value: Scalar) -> Scalar:

@@ -1,0 +1,29 @@
+"""The conditions of an answer are those that it needs: none is missing, none is of another case, none was met before."""
+
+import pytest
+
+from rbpsym.ask.asking import answered
+from rbpsym.notation.text import to_text
+from tests.ask.test_unseen import asked
+
+CONDITIONS = (
+    ("banked-car", "largest v for which it does not slip", ["cos β − μ sin β > 0", "b − μh ≥ 0"], ""),
+    ("banked-car", "largest v for which it does not tip", ["h cos β − b sin β > 0", "μh − b ≥ 0"], ""),
+    ("banked-car", "smallest v for which it does not slip", ["sin β − μ cos β > 0", "b − μh ≥ 0"], ""),
+    ("leaning-rod", "theta for which f is greatest", ["2d − a ≥ 0"], ""),
+    ("leaning-rod", "largest f over theta", ["2d − a ≥ 0"], ""),
+    ("cycloid-bead", "N where q = 0", [], ""),
+    ("struck-in-line", "H when struck begins", [], ""),
+    ("two-blocks-pulled", "F for which it does not slip", ["μ₂ − μ₁ > 0"], "else “it does not slip” holds for F < "),
+    ("two-blocks-pulled", "largest F for which it does not slip", [], ""),
+    ("back-spin", "time until x = 0", ["5v₀ − Rw₀ > 0", "Rw₀ − 2v₀ > 0"], ""),
+    ("slider-crank-driven", "speed of x where phi = pi/2", [], ""),
+    ("quick-return", "speed of psi where phi = pi", [], ""),
+)
+
+
+@pytest.mark.parametrize(("name", "question", "told", "says"), CONDITIONS, ids=lambda value: str(value)[:40])
+def test_an_answer_has_the_conditions_that_it_needs(name: str, question: str, told: list[str], says: str) -> None:
+    found = answered(asked(name), question)
+    assert found.verdict.is_proved and sorted(map(to_text, found.valid)) == sorted(told)
+    assert found.says.startswith(says) and bool(found.says) is bool(says)
