@@ -10,6 +10,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import Poly, generator
 from rbpsym.algebra.roots import with_image
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
+from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
@@ -232,7 +233,7 @@ def _by_wave(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple
     if depends_on(c, "t") or depends_on(a, "t") or depends_on(b, "t"):
         return None
     value = short(-(a if a and b else c) / (b or a))
-    whole = substitute(value, letters)
+    whole = neat(substitute(value, letters), known.study.assumptions)
     if not b:
         return function("acos", value) / rate, () if is_zero(whole + 1) else (Demand(UNITY - whole * whole),)
     if not a:
