@@ -42,7 +42,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 @pytest.fixture(autouse=True)
 def _once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """In one worker a problem that ships is derived once for all tests of what comes after, its questions answered once."""
-    monkeypatch.setattr("rbpsym.document.notes.own_answers", answers_to)
+    for module in ("rbpsym.document.notes", "rbpsym.ask.asking"):
+        monkeypatch.setattr(f"{module}.own_answers", answers_to)
     if request.path.parent.name in AFTER_DERIVING:
         monkeypatch.setattr(sys.modules["rbpsym.derive"], "derive", derive_once)
 

@@ -4,11 +4,9 @@ import pytest
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.ask.answer import Answer
-from rbpsym.ask.asking import own_answers
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.mechanics.at_start import study_of
 from rbpsym.notation.infix import read_infix
-from tests.library.derived import NAMES, problem
+from tests.library.derived import NAMES, answers_to, problem, unsimulated
 from tests.library.published import ANSWERS
 
 MOST = 3
@@ -26,7 +24,7 @@ def test_a_problem_asks_and_is_answered_with_proof(name):
     assert 1 <= len(questions) <= MOST
     assert all(said.get("es") for said in questions.values())
     published = {text: answer for problem_, text, answer in ANSWERS if problem_ == name}
-    for found in own_answers(study_of(problem(name))):
+    for found in answers_to(unsimulated(name).study):
         assert isinstance(found, Answer), found.reason
         assert found.verdict.is_proved, (found.question.text, found.verdict.reason)
         _is_published(found, published[found.question.text])
