@@ -10,6 +10,8 @@ from collections.abc import Generator
 import pytest
 
 import rbpsym
+from rbpsym.ask import asking
+from rbpsym.document import notes
 from tests.library.derived import answers_to, derive_once
 
 PUBLIC = rbpsym.derive  # asked for before it is replaced: the package keeps what it finds first
@@ -42,8 +44,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 @pytest.fixture(autouse=True)
 def _once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """In one worker a problem that ships is derived once for all tests of what comes after, its questions answered once."""
-    for module in ("rbpsym.document.notes", "rbpsym.ask.asking"):
-        monkeypatch.setattr(f"{module}.own_answers", answers_to)
+    for module in (asking, notes):
+        monkeypatch.setattr(module, "own_answers", answers_to)
     if request.path.parent.name in AFTER_DERIVING:
         monkeypatch.setattr(sys.modules["rbpsym.derive"], "derive", derive_once)
 

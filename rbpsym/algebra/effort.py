@@ -17,7 +17,8 @@ from typing import ParamSpec, TypeVar
 
 from rbpsym.errors import LimitError
 
-P, T = ParamSpec("P"), TypeVar("T")
+P = ParamSpec("P")
+T = TypeVar("T")
 COUNTABLE = 10**15
 MOST_KEPT = 4096  # results of a function
 _left: ContextVar[list[float] | None] = ContextVar("products that are left", default=None)
@@ -77,7 +78,7 @@ def ask_for_more() -> None:
 
 def remembered(function: Callable[P, T]) -> Callable[P, T]:
     """A pure function that keeps its results; what it spent is spent again, so that no bound depends on what was asked before."""
-    kept: dict[tuple, tuple[T, float]] = {}
+    kept: dict[tuple[object, ...], tuple[T, float]] = {}
 
     @wraps(function)
     def call(*args: P.args) -> T:

@@ -52,7 +52,8 @@ class Assumptions:
         # signs are found by putting ends in for names, one after the other: none may lead back to where it began
         for other in (behind(self, lower) | behind(self, upper)) - {name}:
             if other in ranges:
-                ranges[other] = tuple(None if end is not None and name in names_in(end) else end for end in ranges[other])
+                low, high = (None if end is not None and name in names_in(end) else end for end in ranges[other])
+                ranges[other] = low, high
         return Assumptions(self.signs, ranges, frozenset(sides))
 
     def sides_of(self, name: str) -> frozenset[int]:

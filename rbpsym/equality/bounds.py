@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rbpsym.algebra import atoms
@@ -53,17 +53,19 @@ def _is_negative_number(bound: Scalar) -> bool:
 def of_angle(angle: Poly, assumptions: Assumptions) -> Bounds:
     """Between what an angle lies: each name replaced by the end of its range, reached if each of these is."""
     order = sorted(angle.terms, key=lambda m: -_depth(m, assumptions))
-    ends, reached = [Scalar(angle), Scalar(angle)], [True, True]
+    ends: list[Bound] = [Scalar(angle), Scalar(angle)]
+    reached = [True, True]
     for side in (0, 1):
         for m in order:
             c = angle.terms[m]
-            if _is_constant(m) or ends[side] is None or ends[side].num.terms.get(m) != c:
+            here = ends[side]
+            if _is_constant(m) or here is None or here.num.terms.get(m) != c:
                 continue
             found = _range_of(m, assumptions)
             end, end_in = ((found.lower, found.lower_in), (found.upper, found.upper_in))[side if c > 0 else 1 - side]
-            ends[side] = None if end is None else ends[side] + (end - Scalar(Poly({m: 1}))) * c
+            ends[side] = None if end is None else here + (end - Scalar(Poly({m: 1}))) * c
             reached[side] &= end_in
-    return Bounds(*ends, *reached)
+    return Bounds(ends[0], ends[1], reached[0], reached[1])
 
 
 def _is_constant(m: Monomial) -> bool:
@@ -107,8 +109,8 @@ def of_wave(kind: str, angle: Poly, assumptions: Assumptions, is_nonnegative: Is
     """Bounds of a sine or cosine; sin A = cos(A - π/2)."""
     found = of_angle(angle, assumptions)
     if kind == "sin":
-        ends = (None if end is None else end - PI * Fraction(1, 2) for end in (found.lower, found.upper))
-        found = Bounds(*ends, found.lower_in, found.upper_in)
+        lower, upper = (None if end is None else end - PI * Fraction(1, 2) for end in (found.lower, found.upper))
+        found = replace(found, lower=lower, upper=upper)
     return of_cosine(found, is_nonnegative)
 
 

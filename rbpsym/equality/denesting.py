@@ -9,7 +9,7 @@ from math import isqrt
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, Monomial, Poly
+from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.factoring import reduced, split
 
@@ -46,7 +46,7 @@ def _is_root(index: int) -> bool:
 
 def _parts(poly: Poly) -> dict[Monomial, Poly]:
     """The terms by their product of roots."""
-    parts: dict[Monomial, dict] = {}
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
     for m, c in poly.terms.items():
         roots = tuple(item for item in m if _is_root(item[0]))
         parts.setdefault(roots, {})[tuple(item for item in m if not _is_root(item[0]))] = c

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from typing import Any
 
 from rbpsym.errors import DimensionError, Place
 from rbpsym.notation import tree
@@ -98,13 +99,13 @@ def _chain(node: tree.Chain, dimensions: Dimensions) -> _Found:
 
 
 def _times(*found: _Found) -> _Found:
-    product = NUMBER
+    product: _Found = NUMBER
     for factor in found:
-        product = None if None in (factor, product) else product * factor
+        product = None if factor is None or product is None else product * factor
     return product
 
 
-def _product(parts: Callable[[Node], Iterable[Node]]) -> Callable[[Node, Dimensions], _Found]:
+def _product(parts: Callable[[Any], Iterable[Node]]) -> Callable[[Node, Dimensions], _Found]:
     return lambda node, dimensions: _times(*[_find(part, dimensions) for part in parts(node)])
 
 
@@ -154,7 +155,7 @@ def _integral(node: tree.Integral, dimensions: Dimensions) -> _Found:
     return _times(_find(node.integrand, inner), variable)
 
 
-def _inner(node: Node, dimensions: Dimensions) -> _Found:
+def _inner(node: Any, dimensions: Dimensions) -> _Found:
     return _find(node.arg, dimensions)
 
 
@@ -168,7 +169,7 @@ def _system(node: tree.System, dimensions: Dimensions) -> _Found:
     return NUMBER
 
 
-_RULES: dict[type[Node], Callable[[Node, Dimensions], _Found]] = {
+_RULES: dict[type[Node], Callable[[Any, Dimensions], _Found]] = {
     tree.Num: lambda node, _: None if node.value == 0 else NUMBER,
     tree.Sym: _symbol,
     tree.Vec: _symbol,

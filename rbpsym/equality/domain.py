@@ -169,7 +169,8 @@ def _bare(node: Node) -> Node:
 
 def nonzero(node: Node, scope: Scope) -> Iterator[Condition]:
     """A product or power is not zero where none of its factors is; a number is none."""
-    factors = FACTORS.get(type(node), lambda node: (node,))(node)
+    factored = FACTORS.get(type(node))
+    factors = factored(node) if factored else (node,)
     if factors == (node,):
         yield _condition(node, "!=", scope)
         return

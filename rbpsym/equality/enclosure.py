@@ -29,7 +29,7 @@ class Enclosure:
     lower: Fraction
     upper: Fraction
 
-    def __add__(self, other: Number) -> Enclosure:
+    def __add__(self, other: Number | int) -> Enclosure:
         low, high = ends(other)
         return outward(self.lower + low, self.upper + high)
 
@@ -38,13 +38,13 @@ class Enclosure:
     def __neg__(self) -> Enclosure:
         return Enclosure(-self.upper, -self.lower)
 
-    def __sub__(self, other: Number) -> Enclosure:
+    def __sub__(self, other: Number | int) -> Enclosure:
         return self + (-other)
 
-    def __rsub__(self, other: Number) -> Enclosure:
+    def __rsub__(self, other: Number | int) -> Enclosure:
         return -self + other
 
-    def __mul__(self, other: Number) -> Number:
+    def __mul__(self, other: Number | int) -> Number:
         low, high = ends(other)
         if low == high == 0:
             return Fraction(0)
@@ -70,11 +70,12 @@ class Enclosure:
 Number = Fraction | Enclosure
 
 
-def ends(number: Number) -> tuple[Fraction, Fraction]:
+def ends(number: Number | int) -> tuple[Fraction, Fraction]:
     """Lower and upper bound of a number."""
     if isinstance(number, Enclosure):
         return number.lower, number.upper
-    return number, number
+    exact = number if isinstance(number, Fraction) else Fraction(number)
+    return exact, exact
 
 
 def outward(lower: Fraction, upper: Fraction) -> Enclosure:
@@ -160,7 +161,7 @@ def _series(first: int, following: Callable[[int, int], int], tail: int) -> Encl
 
 
 @lru_cache(maxsize=1)
-def pi() -> Enclosure:
+def pi() -> Number:
     """π by Machin's formula."""
     return 16 * _small_atan(Fraction(1, 5)) - 4 * _small_atan(Fraction(1, 239))
 
@@ -286,5 +287,5 @@ def _ln(x: Fraction) -> Number:
 
 
 @lru_cache(maxsize=1)
-def _ln_of_two() -> Enclosure:
+def _ln_of_two() -> Number:
     return 2 * _odd_powers(Fraction(1, 3), 1)

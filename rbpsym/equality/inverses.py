@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from math import prod
 from typing import TYPE_CHECKING
@@ -27,7 +28,10 @@ def turn_of_inverse(reading: Reading, m: Monomial, parts: int) -> Turn | None:
         return None
     found = atoms.atom(m[0][0])
     rule = TURNS.get((found.kind, parts))
-    return tuple(map(reading.scalar, rule(found.arg))) if rule else None
+    if rule is None:
+        return None
+    cosine, sine = rule(found.arg)
+    return reading.scalar(cosine), reading.scalar(sine)
 
 
 def _of_atan(x: Scalar) -> tuple[Scalar, Scalar]:
@@ -41,7 +45,7 @@ def _half(turn: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:
     return cosine, turn[1] / (2 * cosine)
 
 
-TURNS = {
+TURNS: dict[tuple[str, int], Callable[[Scalar], tuple[Scalar, Scalar]]] = {
     ("asin", 1): lambda x: (root(1 - x * x), x),
     ("acos", 1): lambda x: (x, root(1 - x * x)),
     ("acos", 2): lambda x: (root((1 + x) / 2), root((1 - x) / 2)),
@@ -68,7 +72,7 @@ def _atan(reading: Reading, arg: Scalar) -> Poly:
     return _odd(reading, "atan", arg, _angle_of_tangent)
 
 
-def _odd(reading: Reading, kind: str, arg: Scalar, angle_of) -> Poly:
+def _odd(reading: Reading, kind: str, arg: Scalar, angle_of: Callable[[Scalar], Scalar | None]) -> Poly:
     """An odd function: known values, the function of which it is the inverse, else a generator."""
     if not arg:
         return Poly({})
@@ -92,11 +96,9 @@ def _angle_of_sine(arg: Scalar) -> Scalar | None:
     if c != 1 or len(m) != 1 or m[0][1] != 1:
         return None
     found = atoms.atom(m[0][0])
-    return {"sin": lambda a: a, "cos": lambda a: QUARTER - a}.get(found.kind, lambda a: None)(_scalar(found.arg))
-
-
-def _scalar(arg: object) -> Scalar | None:
-    return Scalar(arg) if isinstance(arg, Poly) else None
+    if found.kind not in ("sin", "cos"):
+        return None
+    return Scalar(found.arg) if found.kind == "sin" else QUARTER - Scalar(found.arg)
 
 
 def _angle_of_tangent(arg: Scalar) -> Scalar | None:
@@ -156,11 +158,11 @@ def _exp(reading: Reading, arg: Scalar) -> Poly:
 
 
 def _exp_term(reading: Reading, m: Monomial, c: Fraction) -> Poly:
-    kind, inside = (atoms.atom(m[0][0]).kind, atoms.atom(m[0][0]).arg) if len(m) == 1 and m[0][1] == 1 else ("", None)
-    if kind == "ln" and (2 * c).denominator == 1:
-        number = inside.number()
+    found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 else None
+    if found is not None and found.kind == "ln" and (2 * c).denominator == 1:
+        number = found.arg.number()
         if number is None:
-            return reading.half_power(inside.num, int(2 * c))
+            return reading.half_power(found.arg.num, int(2 * c))
         return (root(lift(number)) ** int(2 * c)).num
     if (c * PARTS).denominator == 1:
         return generator(atoms.intern("exp", Scalar(Poly({m: Fraction(1, PARTS)})))) ** int(c * PARTS)

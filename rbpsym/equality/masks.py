@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 MINUS, ZERO, PLUS = 1, 2, 4
 ANY, NONZERO = MINUS | ZERO | PLUS, MINUS | PLUS
 PLUS_ZERO, MINUS_ZERO = PLUS | ZERO, MINUS | ZERO
@@ -32,7 +34,7 @@ def _sum_of(a: int, b: int) -> int:
     return BITS[a] if b == 0 else ANY
 
 
-def _table(rule) -> tuple[tuple[int, ...], ...]:
+def _table(rule: Callable[[int, int], int]) -> tuple[tuple[int, ...], ...]:
     rows = []
     for a in range(8):
         row = []

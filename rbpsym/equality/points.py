@@ -6,10 +6,11 @@ occurs in a sine or cosine, so that no rounding stands between a reader and a re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm, tan
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import turn, turned
@@ -17,7 +18,7 @@ from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.trig import PI_TERM
 from rbpsym.equality import enclosure as e
-from rbpsym.equality.assumptions import Assumptions
+from rbpsym.equality.assumptions import Assumptions, Range
 from rbpsym.equality.enclosure import Number, Outside
 
 Turn = tuple[Number, Number]
@@ -75,7 +76,7 @@ class Point:
 
     def _part(self, m: Monomial, c: Fraction) -> Turn:
         name = angle_name(m)
-        if name in self.angles:
+        if name is not None and name in self.angles:
             return turned(self.angles[name], int(c * self.parts[name]), QUARTERS[0])
         if m == PI_TERM and (2 * c).denominator == 1:
             return QUARTERS[int(2 * c) % 4]
@@ -101,11 +102,11 @@ def _sign(point: Point, arg: Scalar) -> Number:
     return Fraction(found)
 
 
-def _of(function):
+def _of(function: Callable[[Number], Number]) -> Callable[[Point, Scalar], Number]:
     return lambda point, arg: function(point.value(arg))
 
 
-VALUES = {
+VALUES: dict[str, Callable[[Point, Any], Number]] = {
     "symbol": lambda point, name: e.pi() if name == "pi" else point.symbol(name),
     "cos": lambda point, angle: point.turn(angle)[0],
     "sin": lambda point, angle: point.turn(angle)[1],
@@ -171,7 +172,7 @@ def with_bounds(names: Iterable[str], assumptions: Assumptions) -> list[str]:
     return sorted(found)
 
 
-SIGN_TESTS = {
+SIGN_TESTS: dict[str, Callable[[int | None], bool]] = {
     "positive": lambda sign: sign == 1,
     "nonnegative": lambda sign: sign in (0, 1),
     "nonzero": lambda sign: sign in (1, -1),
@@ -228,7 +229,7 @@ def points(scalars: Iterable[Scalar], assumptions: Assumptions, most: int = 60) 
             return
 
 
-def _pick(options: dict[str, list], parts: dict[str, int], k: int) -> Point:
+def _pick(options: dict[str, list[Any]], parts: dict[str, int], k: int) -> Point:
     """The k-th choice: all first options, then shifted and finally scattered ones."""
     chosen = {}
     for place, (name, values) in enumerate(options.items()):
@@ -238,7 +239,7 @@ def _pick(options: dict[str, list], parts: dict[str, int], k: int) -> Point:
     return Point({n: v for n, v in chosen.items() if n not in angles}, angles, parts)
 
 
-def _options(name: str, parts: int | None, assumptions: Assumptions) -> list:
+def _options(name: str, parts: int | None, assumptions: Assumptions) -> list[Any]:
     """Values of one name that its sign and its numeric bounds admit."""
     own = Assumptions({name: assumptions.sign_of(name)}, {name: _numeric(assumptions.range_of(name))})
     inside = _inside(own.range_of(name))
@@ -249,7 +250,7 @@ def _options(name: str, parts: int | None, assumptions: Assumptions) -> list:
     return [v for v in (*values, *inside) if satisfies(Point({name: v}), name, own)]
 
 
-def _inside(bounds: tuple) -> list[Fraction]:
+def _inside(bounds: Range) -> list[Fraction]:
     """A fraction between numeric bounds, however close, or beyond the only one."""
     found = [float(e.ends(Point({}).value(bound))[0]) for bound in bounds if bound is not None]
     if len(found) == 2:
@@ -261,5 +262,6 @@ def _near(value: float) -> Fraction:
     return Fraction(value).limit_denominator(30)
 
 
-def _numeric(bounds: tuple) -> tuple:
-    return tuple(bound if bound is not None and not names_of([bound]) else None for bound in bounds)
+def _numeric(bounds: Range) -> Range:
+    lower, upper = (bound if bound is not None and not names_of([bound]) else None for bound in bounds)
+    return lower, upper

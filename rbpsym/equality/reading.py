@@ -8,9 +8,11 @@ factors. A divisor that is no monomial is a generator `factor` until `cleared`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import prod
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import root
@@ -120,7 +122,8 @@ class Reading:
 
     def factored(self, value: Scalar) -> tuple[Fraction, Factors]:
         """A value as coefficient × product of integer powers of factors."""
-        coefficient, found = Fraction(1), {}
+        coefficient = Fraction(1)
+        found: dict[Poly, int] = {}
         for poly, direction in ((value.num, 1), (value.den, -1)):
             c, parts = self._factors(self.poly(poly) if poly is not ONE else ONE)
             coefficient *= c**direction if c else 0
@@ -190,11 +193,13 @@ def _of_logarithm(reading: Reading, arg: Scalar) -> Poly:
 def _logarithm(factor: Poly) -> Poly:
     """ln |factor|; of a root half that of the radicand, of an exponential its argument."""
     found = atoms.atom(next(iter(factor.atoms()))) if _is_generator(factor) else None
-    if found is not None and found.kind == "exp" and found.arg.den is ONE:
-        return found.arg.num
-    if found is not None and found.kind == "root":
-        number = found.arg.number()
-        return _logarithm(found.arg.num if number is None else constant(number)).scaled(Fraction(1, 2))
+    if found is not None and found.kind in ("exp", "root"):
+        inside: Scalar = found.arg
+        if found.kind == "exp" and inside.den is ONE:
+            return inside.num
+        if found.kind == "root":
+            number = inside.number()
+            return _logarithm(inside.num if number is None else constant(number)).scaled(Fraction(1, 2))
     return generator(atoms.intern("ln", Scalar(factor)))
 
 
@@ -202,7 +207,7 @@ def _is_generator(factor: Poly) -> bool:
     return factor.is_monomial() and len(next(iter(factor.terms))) == 1
 
 
-def _wave(place: int):
+def _wave(place: int) -> Callable[[Reading, Poly], Poly]:
     def image(reading: Reading, angle: Poly) -> Poly:
         return _turn_of(reading, angle)[place]
 
@@ -229,13 +234,13 @@ def _base(reading: Reading, m: Monomial, parts: int) -> Turn:
         return known
     angle = Poly({m: Fraction(1, parts) if parts > 1 else 1})
     if not reading.deep:
-        return tuple(generator(atoms.intern(kind, angle)) for kind in ("cos", "sin"))
+        return generator(atoms.intern("cos", angle)), generator(atoms.intern("sin", angle))
     t = generator(atoms.intern("half", angle))
     below = divisor(ONE + t * t, -1)
     return (ONE - t * t) * below, t.scaled(2) * below
 
 
-def _of_inverse(kind: str):
+def _of_inverse(kind: str) -> Callable[[Reading, Scalar], Poly]:
     def image(reading: Reading, arg: Scalar) -> Poly:
         from rbpsym.equality.inverses import inverse_image
 
@@ -244,7 +249,7 @@ def _of_inverse(kind: str):
     return image
 
 
-IMAGES = {
+IMAGES: dict[str, Callable[[Reading, Any], Poly | None]] = {
     "cos": _wave(0),
     "sin": _wave(1),
     "root": _of_root,

@@ -9,10 +9,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import Any, TypeVar
 from zlib import crc32
 
 from rbpsym.algebra import atoms, elliptic
-from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.masks import MINUS, NONZERO, PLUS, times
@@ -21,6 +22,7 @@ FEW, MANY = 6, 24  # points at which something within a question is looked at, a
 CANDIDATES = 96
 CLEAR = 1e-9  # a value that is less than this part of its terms has no clear sign
 Values = tuple[float, ...]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,7 @@ class Samples:
             return 0
         return PLUS if total > 0 else MINUS
 
-    def _term(self, m: tuple, c: object, k: int) -> float:
+    def _term(self, m: Monomial, c: Coefficient, k: int) -> float:
         value = float(c)
         for index, exponent in m:
             value *= self.atom(index)[k] ** exponent
@@ -113,7 +115,7 @@ def samples_of(assumptions: Assumptions) -> Samples:
     return Samples(assumptions, tuple(fitting[:MANY] or wide.points[:FEW]))
 
 
-def _tried(rule: Callable[[Samples, object, int], float], samples: Samples, arg: object, k: int) -> float:
+def _tried(rule: Callable[[Samples, T, int], float], samples: Samples, arg: T, k: int) -> float:
     try:
         return rule(samples, arg, k)
     except (ArithmeticError, ValueError):
@@ -129,16 +131,16 @@ def _chosen(samples: Samples, name: str, k: int) -> float:
     if lower is not None and upper is not None:
         return lower + (upper - lower) * part
     far = math.tan(part * math.pi / 2)
-    if lower is None and upper is None:
-        return math.tan((part - 0.5) * math.pi)
-    return lower + far if upper is None else upper - far
+    if lower is not None:
+        return lower + far
+    return math.tan((part - 0.5) * math.pi) if upper is None else upper - far
 
 
 def _of(function: Callable[[float], float]) -> Callable[[Samples, Scalar, int], float]:
     return lambda samples, arg, k: function(samples.scalar(arg, k))
 
 
-VALUES = {
+VALUES: dict[str, Callable[[Samples, Any, int], float]] = {
     "symbol": lambda samples, name, k: math.pi if name == "pi" else samples.name(name)[k],
     "cos": lambda samples, angle, k: math.cos(samples.poly(angle, k)),
     "sin": lambda samples, angle, k: math.sin(samples.poly(angle, k)),

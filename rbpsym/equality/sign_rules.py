@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from rbpsym.equality.signs import Study
 
 Linear = tuple[Poly, Poly]
+Rule = tuple[Callable[["Study", Poly], int], str]  # with what it is called in a certificate
 
 
 def _by_terms(study: Study, poly: Poly) -> int:
@@ -217,11 +219,11 @@ def _is_linear(poly: Poly) -> bool:
     return all(sum(abs(exponent) for _, exponent in m) < 2 for m in poly.terms)
 
 
-QUICK = (
+QUICK: tuple[Rule, ...] = (
     (_by_terms, "all terms have this sign"),
     (_by_number, "it is a number"),
 )
-RULES = (
+RULES: tuple[Rule, ...] = (
     (_by_content, "a common factor is taken out"),
     (_by_root, "squares are compared"),
     (_by_quadratic, "a quadratic with this discriminant has no change of sign"),

@@ -7,18 +7,20 @@ Bernstein coefficients in one generator, which are polynomials in the others.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import apart, at_most, remembered
-from rbpsym.algebra.poly import ONE, Poly
+from rbpsym.algebra.poly import ONE, Monomial, Poly
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality import bounds as b
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.masks import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times
 from rbpsym.equality.samples import MANY, Samples, samples_of
-from rbpsym.equality.sign_rules import QUICK, RULES
+from rbpsym.equality.sign_rules import QUICK, RULES, Rule
 from rbpsym.errors import LimitError, Undecided
 
 MOST_STUDIES, FEW_STUDIES = 600, 150
@@ -109,7 +111,7 @@ class Study:
         self.found[poly] = mask
         return mask
 
-    def _narrowed(self, poly: Poly, mask: int, rules: tuple) -> int:
+    def _narrowed(self, poly: Poly, mask: int, rules: tuple[Rule, ...]) -> int:
         for rule, reason in rules:
             found = rule(self, poly)
             if found & mask != mask:
@@ -119,7 +121,7 @@ class Study:
                 break
         return mask
 
-    def monomial(self, m: tuple) -> int:
+    def monomial(self, m: Monomial) -> int:
         """What sign a product of generators may have."""
         mask = PLUS
         for index, exponent in m:
@@ -131,7 +133,7 @@ class Study:
         if not self.own:
             return _known(index, self.assumptions)[0]
         found = atoms.atom(index)
-        mask = ATOMS.get(found.kind, lambda study, arg: ANY)(self, found.arg)
+        mask = ATOMS[found.kind](self, found.arg) if found.kind in ATOMS else ANY
         limits = self.bounds(index)
         if limits.lower is not None:
             mask &= _above(self.scalar(limits.lower), limits.lower_in)
@@ -147,7 +149,8 @@ class Study:
             self.limits[index] = b.NO_BOUNDS
             found = atoms.atom(index)
             factoring, self.factoring = self.factoring, False
-            self.limits[index] = BOUNDS.get(found.kind, lambda study, arg: b.NO_BOUNDS)(self, found.arg)
+            if found.kind in BOUNDS:
+                self.limits[index] = BOUNDS[found.kind](self, found.arg)
             self.factoring = factoring
         return self.limits[index]
 
@@ -176,7 +179,7 @@ def _root_sign(study: Study, arg: Scalar) -> int:
 
 SYMBOL_SIGNS = {"positive": PLUS, "nonnegative": PLUS_ZERO, "nonzero": NONZERO, "real": ANY}
 
-ATOMS = {
+ATOMS: dict[str, Callable[[Study, Any], int]] = {
     "symbol": lambda study, name: PLUS if name == "pi" else SYMBOL_SIGNS[study.assumptions.sign_of(name)],
     "root": _root_sign,
     "exp": lambda study, arg: PLUS,
@@ -189,7 +192,7 @@ ATOMS = {
 }
 
 
-BOUNDS = {
+BOUNDS: dict[str, Callable[[Study, Any], b.Bounds]] = {
     "symbol": lambda study, name: b.of_symbol(name, study.assumptions),
     "cos": lambda study, angle: b.of_wave("cos", angle, study.assumptions, study.is_nonnegative),
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),

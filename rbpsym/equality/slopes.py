@@ -17,6 +17,7 @@ from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign
 
 MOST_SLOPES = 3
+SENSES: dict[str | None, int] = {"positive": 1, "negative": -1}
 Known = Callable[[Scalar], bool]
 
 
@@ -24,14 +25,14 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
     """1 or -1 where the value is surely positive or negative within the range of a quantity, 0 where that is not seen;
     `known`: whether a value that is free of the quantity is not negative, beside what is declared."""
     kind = sign(value, given).kind
-    if kind in ("positive", "negative"):
-        return 1 if kind == "positive" else -1
+    if kind in SENSES:
+        return SENSES[kind]
     if depends_on(Scalar(value.den), name):
-        below = sign(Scalar(value.den), given).kind
-        return {"positive": 1, "negative": -1}.get(below, 0) * sign_along(Scalar(value.num), name, given, known, most)
+        below = SENSES.get(sign(Scalar(value.den), given).kind, 0)
+        return below * sign_along(Scalar(value.num), name, given, known, most)
     limits = of_symbol(name, given)
-    ends = (limits.lower, limits.upper)
-    if None in ends or limits.lower_in or limits.upper_in or not most or not _is_smooth(value, name):
+    ends = [end for end in (limits.lower, limits.upper) if end is not None]
+    if len(ends) < 2 or limits.lower_in or limits.upper_in or not most or not _is_smooth(value, name):
         return 0  # at an end that belongs to the range it may vanish
     there = [rooted(substitute(value, {name: end}), given) for end in ends]
     slope = derivative(value, name)
