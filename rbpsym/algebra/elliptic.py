@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import TypeVar
+
+N = TypeVar("N", float, complex)
 
 CLOSE, MOST = 1e-16, 40  # of two means to each other, and of their steps
 
 
-def first(m: complex) -> complex:
+def first(m: N) -> N:
     """K = ∫ du/√(1 - m sin² u) from 0 to π/2, by the arithmetic-geometric mean; next to the real axis too, for derivatives.
     Raises ValueError for m ≥ 1.
 
@@ -18,13 +21,13 @@ def first(m: complex) -> complex:
     return _means(m)[0]
 
 
-def second(m: complex) -> complex:
+def second(m: N) -> N:
     """E = ∫ √(1 - m sin² u) du from 0 to π/2, in the same way."""
     whole, gone = _means(m)
     return whole * (1 - gone)
 
 
-def _means(m: complex) -> tuple[complex, complex]:
+def _means(m: N) -> tuple[N, N]:
     """(K, 1 - E/K)."""
     if not m.real < 1:
         raise ValueError("an elliptic integral of a modulus that is not less than 1")

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rbpsym.equality.reading import Reading, Turn
 
 QUARTER = PI * Fraction(1, 2)
+Inverse = Callable[["Reading", Scalar], Poly]
 PARTS = 12  # exponentials are powers of exp(term/12)
 
 
@@ -169,8 +170,11 @@ def _exp_term(reading: Reading, m: Monomial, c: Fraction) -> Poly:
     return generator(atoms.intern("exp", Scalar(Poly({m: c}))))
 
 
-def _plain(kind: str):
+def _plain(kind: str) -> Inverse:
     return lambda reading, arg: generator(atoms.intern(kind, _canonical(reading.scalar(arg), arg)))
 
 
-INVERSES = {"exp": _exp, "asin": _asin, "acos": _acos, "atan": _atan, **{k: _plain(k) for k in ("elliptic_k", "elliptic_e")}}
+INVERSES: dict[str, Inverse] = {
+    "exp": _exp, "asin": _asin, "acos": _acos, "atan": _atan,
+    "elliptic_k": _plain("elliptic_k"), "elliptic_e": _plain("elliptic_e"),
+}  # fmt: skip
