@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
+from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
@@ -26,7 +27,7 @@ from rbpsym.errors import DimensionError, StatementError
 from rbpsym.mechanics.arrivals import floating
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.events import Way, pushes, ways
-from rbpsym.mechanics.friction import spare
+from rbpsym.mechanics.friction import slips, spare
 from rbpsym.mechanics.numbers import sample
 from rbpsym.mechanics.roots import period
 from rbpsym.notation.infix import read_infix
@@ -157,7 +158,8 @@ def whole_ways(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, A
             instead=f"say where from and where to: “… over {name} between VALUE and VALUE”.",
         )
     cut = [(way, way.until(loss.at[name], given)) for way, given in found for loss in ended.found[:1]]
-    return [(way, _until_next(world, way, range_)) for way, range_ in cut or found]
+    whole = cut or [(way, _both(way, within, _back(world, way, within, given))) for way, within in found]
+    return [(way, _until_next(world, way, range_)) for way, range_ in whole]
 
 
 def _until_next(world: Scene, way: Way, given: Assumptions) -> Assumptions:
@@ -201,10 +203,35 @@ def to_and_fro(world: Scene, name: str, given: Assumptions) -> list[tuple[Way, A
     """The whole motion of a coordinate as `way_to` says it; with the other side of the start, to which it comes back from
     a place where it turns round."""
     way, within = way_to(world, name, None, given)
-    if not world.study.system.scope.start.get(f"{name}_dot", NOTHING) or is_sure((way.square,), name, within):
-        return [(way, within)]
+    return [(way, within), *_back(world, way, within, given)]
+
+
+def _back(world: Scene, way: Way, within: Assumptions, given: Assumptions) -> list[tuple[Way, Assumptions]]:
+    """The other side of the start, if it comes back there from a place where it turns round."""
+    name = way.name
+    end = within.range_of(name)[way.sense > 0]
+    turns = end is not None and is_zero(without_even_roots(substitute(way.square, {name: end})))
+    is_over = not turns or bool(slips(world.study.system))  # what slips comes to rest
+    if is_over or not world.study.system.scope.start.get(f"{name}_dot", NOTHING):
+        return []
     back = replace(way, sense=-way.sense)
-    return [(way, within), (back, _on_way(back, None, where_met(given, way.asked)))]
+    return [(back, _on_way(back, None, where_met(given, way.asked)))]
+
+
+def whole_motion(world: Scene, name: str, given: Assumptions) -> tuple[Way, Assumptions]:
+    """How a coordinate sets out, and all the places to which it comes on either side of its start."""
+    (way, within), *back = to_and_fro(world, name, given)
+    return way, _both(way, within, back)
+
+
+def _both(way: Way, within: Assumptions, back: list[tuple[Way, Assumptions]]) -> Assumptions:
+    """One range of both sides of the start."""
+    name = way.name
+    for _, other in back:
+        below, above = (other, within) if way.sense > 0 else (within, other)
+        sides = (below.sides_of(name) - {1}) | (above.sides_of(name) - {0})
+        within = within.with_range(name, below.range_of(name)[0], above.range_of(name)[1], sides)
+    return within
 
 
 def _on_way(way: Way, end: Scalar | None, given: Assumptions) -> Assumptions:

@@ -29,6 +29,7 @@ from rbpsym.ask.seen import (
     seen,
     way_to,
     ways_to,
+    whole_motion,
 )  # fmt: skip
 from rbpsym.ask.zeros import where_met
 from rbpsym.equality.assumptions import Assumptions
@@ -165,7 +166,7 @@ def on_way(
     name, end = (free[0], None) if until is None else free_place(world, until, text)
     if len(free) > 1 or name != free[0]:
         raise StatementError(f"“{phrase}” depends on {', '.join(free)} along the motion, and not on one coordinate alone")
-    way, given = way_to(world, free[0], end, given)
+    way, given = whole_motion(world, name, given) if until is None else way_to(world, name, end, given)
     others = () if until is None else going_on(world, way, given)
     comes = is_sure(others, free[0], given)
     return Wanted(values if comes else (*values, *others), given, free[0], end=end, asked=way.asked, comes=comes)

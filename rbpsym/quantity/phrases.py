@@ -202,7 +202,7 @@ def _own_energy(world: ProblemWorld) -> Bound:
 
 
 def _size(world: ProblemWorld, noun: str | None, name: str) -> Bound:
-    """A force by its name alone: an unknown one as it is stated, with its sign; of a known one the magnitude."""
+    """A force by its name alone: an unknown one as it is stated, with its sign; else (a known one, a pivot) the magnitude."""
     if name in world.study.system.unknowns or (noun is None and name not in world.forces_known):
         return world.expression(name)
     found = world.forces(name, "system")

@@ -242,3 +242,30 @@ def test_what_is_integrated_goes_through_the_phases() -> None:
     [speed], _ = integrated(asked, read_question("speed of x where x = 20"), numbers)
     start, gone = 2 * 7 / (7 * 0.2 * 9.8), 12 * 7**2 / (49 * 0.2 * 9.8)
     assert abs(speed - 5) < 1e-6 and abs(late - (start + (20 - gone) / 5)) < 1e-6
+
+SPRUNG = """
+[parameters]
+m = "mass"
+k = "stiffness"
+b = "length"
+v_0 = "speed"
+[coordinates.x]
+dimension = "length"
+start = "b"
+speed = "v_0"
+[bodies.p]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+[interactions.S]
+type = "force"
+on = "p.center"
+force = ["-k*(x - b)", "0"]
+"""
+
+
+def test_what_turns_round_comes_to_the_other_side_of_its_start_too() -> None:
+    [found] = ask(load_text(SPRUNG), "largest v_0 for which x stays positive")
+    assert "every" not in found.says
+    assert found.text == "b*sqrt(k/m)"
+
