@@ -207,3 +207,34 @@ def test_coupled_coordinates_are_solved_for_up_to_a_number():
         assert all(same(value, g / (m + size - 1)) for value in _solved_block(rows, [g] * size))
     more = LARGEST_TRIED + 1
     assert _solved_block(((UNITY,) * more,) * more, [g] * more) is None
+
+
+ROLLED_BY = """
+[parameters]
+M = "mass"
+R = "length"
+k = "stiffness"
+[coordinates]
+x = { dimension = "length" }
+phi = {}
+[bodies.disk]
+shape = "disk"
+mass = "M"
+radius = "R"
+center = ["x", "R"]
+angle = "-phi"
+[interactions.P]
+type = "force"
+on = "disk.center"
+force = ["FORCE", "0"]
+[constraints.N]
+type = "rolling"
+body = "disk"
+line = "y = 0"
+"""
+
+
+@pytest.mark.parametrize("force", ["-k*x", "-k*R*phi", "-k*(x + R*phi)/2"])
+def test_a_force_is_one_of_what_is_free_however_it_is_stated(force):
+    study = Study(load_text(ROLLED_BY.replace("FORCE", force)))
+    assert same(study.dynamics.accelerations["phi_ddot"], symbol("k") * symbol("phi") * -2 / (symbol("M") * 3))
