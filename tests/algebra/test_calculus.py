@@ -9,9 +9,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rbpsym.algebra.calculus import depends_on, derivative, function, root, split_factor, substitute
+from rbpsym.algebra.calculus import SINES, TANGENTS, depends_on, derivative, function, root, split_factor, substitute
 from rbpsym.algebra.integration import antiderivative, definite
 from rbpsym.algebra.normal import is_zero, same
+from rbpsym.algebra.roots import with_numbers_inside
 from rbpsym.algebra.scalar import PI, Scalar, generator_of, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.mechanics import numbers
@@ -220,3 +221,16 @@ def test_squares_over_squares_are_integrated(cosines, sines):
 def test_the_derivative_of_a_root():
     x = symbol("x")
     assert same(derivative(root(x), "x") * root(x), lift(Fraction(1, 2)))
+
+
+def test_angles_of_known_sines_and_tangents() -> None:
+    assert all(same(sine(angle), value) for value, angle in SINES.items())
+    assert all(same(sine(angle), value * cosine(angle)) for value, angle in TANGENTS.items())
+
+
+@pytest.mark.parametrize("number", [Fraction(2, 3), Fraction(-2, 3), Fraction(3), Fraction(-1, 2)])
+@pytest.mark.parametrize("radicand", [X * 6, X / Y / 3, X + Y * 2, 2 / X])
+def test_a_number_goes_into_a_root_with_its_sign_before_it(number, radicand) -> None:
+    value = root(radicand) * A * number
+    for whole in (value, value + B, value * root(lift(2))):
+        assert math.isclose(numbers.number(with_numbers_inside(whole), POINT), numbers.number(whole, POINT))

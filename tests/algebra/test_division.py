@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -125,3 +126,21 @@ def test_flint_and_sympy_find_the_same(p: Scalar, q: Scalar, common: Scalar) -> 
 
 def _without_inverses(poly: Poly) -> Poly:
     return poly.scaled(1, inverse(poly.content()[1]))
+
+
+def _summed(nested, values) -> Fraction:
+    """The polynomial of nested coefficients at a place, by Horner's rule."""
+    if not values:
+        return Fraction(nested)
+    total = Fraction(0)
+    for part in nested:
+        total = total * values[0] + _summed(part, values[1:])
+    return total
+
+
+@pytest.mark.parametrize("powers", [{(2,): 1, (0,): 5}, {(3, 0): 2, (1, 2): -1, (0, 1): 4}, {(0, 0, 2): 1, (2, 1, 0): 7}])
+def test_nested_coefficients_are_those_of_the_polynomial(powers) -> None:
+    [count] = {len(key) for key in powers}
+    place = [Fraction(3), Fraction(-2, 5), Fraction(7)][:count]
+    value = sum(c * math.prod(x**k for x, k in zip(place, key, strict=True)) for key, c in powers.items())
+    assert _summed(ring._nested([*powers.items()], 0, count), place) == value

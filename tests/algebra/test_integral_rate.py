@@ -25,3 +25,21 @@ def test_between_other_limits_the_integral_itself_is_differentiated():
 def test_a_sum_over_particles_has_no_value_of_its_own():
     with pytest.raises(RbpsymError, match="has no value"):
         rate(t.Sum(t.Sym("m")), SCOPE)
+
+
+M = t.Sym("m")
+
+
+@pytest.mark.parametrize(
+    ("formula", "factor"),
+    [
+        (lambda x: t.Div(x, M), symbol("m").inverse()),
+        (lambda x: t.Mul((M, x)), symbol("m")),
+        (lambda x: t.Add((x, M, x)), symbol("m") / symbol("m") * 2),
+        (t.Neg, symbol("m") / -symbol("m")),
+        (t.Group, symbol("m") / symbol("m")),
+    ],
+)
+def test_what_stands_beside_an_integral_is_constant(formula, factor):
+    integral = t.Integral(t.Sym("N"), "theta", START, NOW)
+    assert rate(formula(integral), SCOPE) == rate(integral, SCOPE) * factor

@@ -260,3 +260,9 @@ def test_a_side_is_asked_for_in_each_position_or_else_at_the_start(kept, begun, 
     study = Told(assumptions=Assumptions({"m": "positive"}))
     asked = as_taken(Told(study=study, show=lambda value: value), "own")
     assert [relation.items[0] for relation in asked] == [symbol(name) for name in told]
+
+
+@pytest.mark.parametrize(("name", "variant"), [("cylinder-on-wedge", "whole"), ("ball-on-rod-against-cube", "one")])
+def test_the_forces_on_several_bodies_are_told_as_those_on_the_whole(name, variant):
+    pushes = [step for step in unsimulated(name).steps if step.id.startswith("push.")]
+    assert pushes and all(step.slots["variant"] == variant for step in pushes)

@@ -5,13 +5,16 @@ from unicodedata import numeric
 
 import pytest
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.writers.word_math import fitted
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.algebra_layout import VULGAR
 from rbpsym.notation.infix import read_infix
+from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_names import drawn_name
 from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.machine import to_machine
 from rbpsym.notation.mathml import _SLANTS, to_mathml
 from rbpsym.notation.omml import run
 from rbpsym.notation.speech import to_speech
@@ -123,3 +126,16 @@ def test_other_words_of_functions(word, name):
 def test_a_subscript_may_stand_behind_what_is_raised(text):
     found = read_latex(text, {"x_1", "a", "b"})
     assert isinstance(found, t.Pow) and found.base == t.Sym("x_1")
+
+
+SUM_BELOW_ZERO = t.Neg(t.Add((t.Sym("a"), t.Sym("b"))))
+
+
+@pytest.mark.parametrize(
+    "node",
+    [SUM_BELOW_ZERO, t.Neg(SUM_BELOW_ZERO), t.Mul((t.Sym("a"), SUM_BELOW_ZERO)), t.Div(SUM_BELOW_ZERO, t.Sym("a"))],
+    ids=to_text,
+)
+def test_a_minus_before_a_sum_is_that_of_all_of_it(node):
+    names = {"a", "b"}
+    assert scalar(read_latex(to_latex(node), names)) == scalar(read_infix(to_machine(node), names)) == scalar(node)

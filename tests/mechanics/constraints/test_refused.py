@@ -80,6 +80,12 @@ ROWS = [
         rb.string(["O", "bob.center"], "2*R"),
         {"bob": rb.particle(mass="M", center=("R*cos(x/R)", "R*sin(x/R)"))},
     ),
+    row(
+        "the constraints contradict the motion of the bodies: their equations have no solution with “N”",
+        "agrees with the poses",
+        rb.prescribed("bob.center", "g*t**2"),
+        {"bob": rb.particle(mass="M", center=("R*cos(x/R)", "R*sin(x/R)"))},
+    ),
     row("drives “O”, a fixed place", "point of a body", rb.prescribed("O", "R"), {"disk": TURNED}),
     row("turns “bob”, a particle", "can turn", rb.prescribed_angle("bob", "sqrt(g/R)*t"), {"bob": BOB}),
     row("must not depend on “x”", "parameters and the time t", rb.prescribed("disk.center", "x + R"), {"disk": TURNED}),
