@@ -1,4 +1,4 @@
-"""What is asked of a parameter on which the sense of a slip depends: the motions with either sense are looked at."""
+"""What is asked of a parameter on which the sense of a slip, or of a motion, depends: both motions are looked at."""
 
 from __future__ import annotations
 
@@ -19,25 +19,26 @@ from rbpsym.mechanics.roots import zeros
 from rbpsym.statement.model import Problem
 
 Part = tuple[Scene, Finding]
-ONE_SENSE = "in the motion whose slip has the other sense it may be otherwise"
+ONE_SENSE = "in the motion of the other sense it may be otherwise"
 
 
 def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
-    """The problem with the parameter where what slips does so the other way at the start, which it does for greater (1) or
-    lesser (-1) values; None where that does not depend on it, or is declared."""
-    problem, study = world.asked.problem, world.asked.first
-    senses = [value for element, what, value in asked_of_start(study) if what == "slip" and element["slip"] == "auto"]
-    senses = [value for value in senses if depends_on(value, name) and sign(value, study.assumptions).kind is None]
-    if len(senses) != 1:
-        return None
-    ends, way = zeros(senses[0], name), sign(derivative(senses[0], name), study.assumptions).kind
+    """The problem with the parameter where what slips at the start does so the other way, or where the motion sets out
+    otherwise, which it does for greater (1) or lesser (-1) values; None where that does not depend on it, or is declared."""
+    problem, given = world.asked.problem, world.asked.first.assumptions
     quantity = next((each for each in problem.parameters if each.name == name), None)
-    side = {"positive": "upper", "negative": "lower"}.get(way)
-    if len(ends) != 1 or side is None or quantity is None or getattr(quantity, side) is not None:
-        return None
-    other = replace(quantity, **{side: present(ends[0])})
-    phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
-    return Asked(replace(_with(problem, other), phases=phases)), 1 if side == "lower" else -1
+    starts = asked_of_start(world.asked.first) if quantity is not None else ()
+    slips = [value for element, what, value in starts if what == "slip" and element["slip"] == "auto"]
+    moments = [demand.value for demand in world.demands if demand.op == ">"]
+    for senses in (slips, moments):
+        senses = [value for value in senses if depends_on(value, name) and sign(value, given).kind is None]
+        side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(senses[0], name), given).kind) if senses else None
+        ends = [end for end in zeros(senses[0], name) if sign(end, given).kind == "positive"] if len(senses) == 1 and side else []
+        if quantity is not None and len(ends) == 1 and getattr(quantity, side) is None:
+            other = replace(quantity, **{side: present(ends[0])})
+            phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
+            return Asked(replace(_with(problem, other), phases=phases)), 1 if side == "lower" else -1
+    return None
 
 
 def _with(problem: Problem, quantity) -> Problem:
@@ -45,7 +46,7 @@ def _with(problem: Problem, quantity) -> Problem:
 
 
 def joined(text: str, here: Part, there: Part, way: int, letter: str) -> Answer:
-    """The answer from what was found with the stated sense of a slip and with the other one, which it has for greater (1) or
+    """The answer from what was found with the one sense and with the other one, which it has for greater (1) or
     lesser (-1) values."""
     (world, first), (_, second) = here, there
     if first.is_none and second.is_none:

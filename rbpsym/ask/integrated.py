@@ -131,6 +131,9 @@ def _followed(study: Study, evaluate: Evaluate, start: list[float], numbers, fir
     def rate(time: float, state: np.ndarray) -> np.ndarray:
         return np.concatenate((rates(time, state[:size]), evaluate(time, state)[first + 1 : first + 1 + works]))
 
+    if not rate(0.0, np.array(start)).any():
+        what = "it starts at rest where nothing drives it, and by numbers it stays there"
+        raise StatementError(what, instead="give it a small speed at the start.")
     event = Event(lambda time, state: float(evaluate(time, state)[first]))
     path = followed(rate, start, LAST, events=[event], most=MOST_STEPS)
     if not path.seen[0]:

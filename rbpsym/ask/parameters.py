@@ -13,7 +13,7 @@ from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
-from rbpsym.ask.seen import Scene, scene
+from rbpsym.ask.seen import NeverThere, Scene, scene
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.arrivals import mover
 
@@ -80,9 +80,9 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
     found = finding(asked, text)
     if found is None:
         return None
-    other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
-    if other is not None:
-        with suppress(RbpsymError):
+    with suppress(RbpsymError):
+        other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
+        if other is not None:
             return branches.joined(text, found, finding(other[0], text), other[1], letter)
     return concluded(found[0], text, found[1], letter)
 
@@ -107,9 +107,20 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding]
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
     for pattern, find in rows:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
-            world = scene(asked, place)
-            return world, find(world, *words.groups())
+            return _found(asked, place, lambda world, find=find, words=words: find(world, *words.groups()))
     if any(re.fullmatch(pattern, rest.removeprefix("the ")) for pattern, _ in made.MADE):
         world = scene(asked, place)
         return world, made.made(world, rest.removeprefix("the "))
     return None
+
+
+def _found(asked: Asked, place: int | None, find: Callable[[Scene], Finding]) -> tuple[Scene, Finding]:
+    """What is found in the phase that is named, else in the first in which the motion comes to the place that is asked for."""
+    world, refused = scene(asked, place), None
+    for number in range(world.place, world.place + 1 if world.is_named else len(asked.names)):
+        try:
+            world = world if number == world.place else Scene(asked.study(number), asked=asked, place=number)
+            return world, find(world)
+        except NeverThere as error:
+            refused = refused or error
+    raise refused

@@ -36,6 +36,10 @@ from rbpsym.quantity.problem import ProblemWorld
 from rbpsym.statement.source import did_you_mean
 
 
+class NeverThere(StatementError):
+    """A coordinate does not come to a place in this phase."""
+
+
 @dataclass(frozen=True)
 class Scene(ProblemWorld):
     """One phase of the motion of a problem that is asked, and what was found for the quantities that a question names.
@@ -195,7 +199,7 @@ def ways_to(world: Scene, name: str, end: Scalar | None, given: Assumptions) -> 
     coming = [replace(way, asked=(*way.asked, *ahead)) for way, ahead in coming if ahead is not None]
     if not coming:
         sense = "grows" if found[0].sense > 0 else "falls"
-        raise StatementError(f"“{name}” never comes there before it turns round: it {sense} from {told(begin)}")
+        raise NeverThere(f"“{name}” never comes there before it turns round: it {sense} from {told(begin)}")
     return [(way, _on_way(way, end, where_met(given, way.asked))) for way in coming]
 
 

@@ -130,7 +130,8 @@ def way_to(context: Context, name: str, end: Scalar, printed: Sequence[Demand] =
     given = context.assumptions
     begin, speed = (context.start(symbol(key)) for key in (name, f"{name}_dot"))
     drive = speed if not is_zero(speed) else context.start(context.on_motion(symbol(f"{name}_ddot")))
-    side = 1 if _beyond(context, begin, end).is_proved else -1
+    way = sign(drive, given).sense
+    side = way or (1 if _beyond(context, begin, end).is_proved else -1)
     lower, upper = (begin, end) if side > 0 else (end, begin)
     between = given.with_range(name, lower, upper)
     sets_out = compare(NOTHING, drive * side, given, strict=False)
