@@ -9,7 +9,7 @@ from typing import Any
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.ask.finding import NO_SUCH, Finding, checked
+from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
@@ -170,8 +170,8 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
     if not any(depends_on(value, name) for value in (*cores, *_ends_of(given, along))):
         known = common([region_on_way(value, name, along or "", given) for value in values], given)
         if known is not None and not known.asked:
-            says = "for no values" if known.is_empty else "for all values"
-            says = f"“{text}” holds {says} of the parameters in their declared ranges"
+            says = FOR_NONE if known.is_empty else "holds for all values"
+            says = f"“{text}” {says} of the parameters in their declared ranges"
             return Finding(proved("the sign is the same for all parameters"), name, says=says)
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     under = (*(given for _ in own), *(premise for _ in condition.values))

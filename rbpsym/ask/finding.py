@@ -42,10 +42,10 @@ class Finding:
     @property
     def is_none(self) -> bool:
         """Whether no value of the symbol does."""
-        return not self.values and self.says.startswith(NO_SUCH)
+        return not self.values and any(said in self.says for said in (NO_SUCH, FOR_NONE))
 
 
-NO_SUCH = "there is no such"
+NO_SUCH, FOR_NONE = "there is no such", "holds for no values"
 
 def checked(rule: str, **data: Any) -> dict[str, Any]:
     """The verdict of the checks of a rule, with the rule and its data, as parts of a finding."""

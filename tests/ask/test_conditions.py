@@ -17,6 +17,8 @@ CONDITIONS = (
     ("two-blocks-pulled", "F for which it does not slip", ["μ₂ − μ₁ > 0"], "else “it does not slip” holds for F < "),
     ("two-blocks-pulled", "largest F for which it does not slip", [], ""),
     ("back-spin", "time until x = 0", ["5v₀ − Rw₀ > 0", "Rw₀ − 2v₀ > 0"], ""),
+    ("two-balls", "smallest M for which z reaches 4*h", ["2e − 1 > 0"], "else there is no such M"),
+    ("two-balls", "does z reach 4*h with M = 10*m, e = 1", [], "yes"),
     ("slider-crank-driven", "speed of x where phi = pi/2", [], ""),
     ("quick-return", "speed of psi where phi = pi", [], ""),
 )
