@@ -57,6 +57,15 @@ MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
 
 
 SIGNS = (("+", operator.add), ("-", operator.sub)), (("*", operator.mul), ("/", operator.truediv))
+VALUED = re.compile(r"=|\b(?:is|equals|reaches|comes to)\b(?! rest)")
+
+
+def _may_cut(first: str, second: str, sign_: str) -> bool:
+    """Whether a sign stands between two quantities: after the value of a place it belongs to that value, unless another
+    moment follows; and a product is a part of a sum."""
+    told = list(WHEN.finditer(first))
+    in_value = bool(told and VALUED.search(first, told[-1].end())) and not WHEN.search(second)
+    return not in_value and (sign_ in "+-" or not any(" - " in part or " + " in part for part in (first, second)))
 
 
 def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
@@ -74,6 +83,8 @@ def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
     for signs in SIGNS:
         for cut in sorted((k for sign_, _ in signs for k in range(1, len(text)) if text[k] == sign_), reverse=True):
             del world.used[used:]
+            if not _may_cut(text[:cut], text[cut + 1 :], text[cut]):
+                continue
             with suppress(RbpsymError):
                 first, second = (value_of(world, part.strip()) for part in (text[:cut], text[cut + 1 :]))
                 return dict(signs)[text[cut]](first, second)
