@@ -22,6 +22,7 @@ from rbpsym.mechanics.placing import locator, open_names, poses, still_open
 from rbpsym.mechanics.system import BodyState, Condition, Force, Pose, System, at_point
 from rbpsym.mechanics.tying import Tied, tie
 from rbpsym.notation.tree import Node
+from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.model import Problem
 
 CLOSE = 1e-7  # at sample numbers, which are near 1
@@ -188,6 +189,8 @@ def setting_of(system: System, where) -> Setting:
         lambda ref: vector_rate(where(ref), system.scope),
         system.bodies,
         is_positive,
+        Geometry(where, {}, start_numbers(system.problem)).sign,
+        frozenset(name for element in system.problem.constraints for name in unknowns_of(element)),
         lambda value: not any(depends_on(value, name) for name in names),
     )
 

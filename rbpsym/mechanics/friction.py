@@ -10,10 +10,13 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
+from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
+from rbpsym.mechanics.interactions import resisted_by
 from rbpsym.mechanics.placing import locator
+from rbpsym.mechanics.resistance import LETTERS, Resisted
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 
@@ -33,10 +36,25 @@ def slip_senses(system: System) -> dict[str, int]:
     return {element.name: slip_sense(element, geometry, meeting(element, geometry)) for element in rough}
 
 
+def resistances(system: System) -> dict[str, Resisted]:
+    """By interaction that is against a motion: what it resists."""
+    setting = setting_of(system, geometry_of(system).where)
+    return {e.name: resisted_by(e, setting) for e in system.problem.of_kind(*LETTERS)}
+
+
+def senses(system: System) -> dict[str, int | Scalar]:
+    """The senses of slips, and by interaction that is against a motion of one sense: that sense for a couple, for a point
+    the speed in that sense."""
+    against = {name: found for name, found in resistances(system).items() if found.sense}
+    return slip_senses(system) | {n: found.slip if found.way else found.sense for n, found in against.items()}
+
+
 def slips(system: System) -> dict[str, Scalar]:
-    """By constraint with kinetic friction: the speed of the slip, positive in the sense that it has at the start."""
+    """By constraint with kinetic friction, and interaction that is against a motion of one sense: the speed of the slip,
+    positive in the sense that it has at the start."""
     geometry = geometry_of(system)
     speeds = {n: slip_speed(geometry, meeting(system.element(n), geometry)) * way for n, way in slip_senses(system).items()}
+    speeds |= {name: found.slip for name, found in resistances(system).items() if found.sense}
     return {name: substitute(speed, system.dependent) for name, speed in speeds.items()}
 
 

@@ -7,15 +7,17 @@ states of the bodies; they return the forces on each body.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import root
+from rbpsym.algebra.calculus import derivative, names_in, root
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.resistance import Resisted, resisted
 from rbpsym.mechanics.system import BodyState, Force, rotated
 from rbpsym.statement.model import Element, PointRef
 
@@ -24,12 +26,15 @@ HALF = Fraction(1, 2)
 
 @dataclass(frozen=True)
 class Setting:
-    """What a law may look at: positions and velocities of points, states of bodies, signs."""
+    """What a law may look at: positions and velocities of points, states of bodies, signs (`sign`: at the start), the names
+    of unknown forces."""
 
     where: Callable[[PointRef], Vector]
     velocity: Callable[[PointRef], Vector]
     states: Mapping[str, BodyState]
     is_positive: Callable[[Scalar], bool | None]
+    sign: Callable[[Scalar], int]
+    unknowns: frozenset[str]
     is_constant: Callable[[Scalar], bool]
 
 
@@ -158,8 +163,12 @@ def _damper(element: Element, setting: Setting) -> tuple[Force, ...]:
 
 def _rotary_damper(element: Element, setting: Setting) -> tuple[Force, ...]:
     first, second = element["between"]
-    spin = [setting.states[n].omega if n in setting.states else NOTHING for n in (first, second)]
-    return _couples(element, first, second, -(scalar(element["coefficient"]) * (spin[1] - spin[0])), setting)
+    spin = _spin(second, setting) - _spin(first, setting)
+    return _couples(element, first, second, -(scalar(element["coefficient"]) * spin), setting)
+
+
+def _spin(name: str, setting: Setting) -> Scalar:
+    return setting.states[name].omega if name in setting.states else NOTHING
 
 
 def _applied(element: Element, setting: Setting) -> Vector:
@@ -205,6 +214,36 @@ def _couple_energy(element: Element, setting: Setting) -> Scalar | None:
     return -(couple * (_angle(element["on"], setting) - (_angle(other, setting) if other else NOTHING)))
 
 
+def resisted_by(element: Element, setting: Setting) -> Resisted:
+    """What a resistance is against. Raises StatementError as `resisted`."""
+    return resisted(element, setting.velocity, lambda name: _spin(name, setting), setting.sign)
+
+
+def _resistance(element: Element, setting: Setting) -> tuple[Force, ...]:
+    found, ref = resisted_by(element, setting), element["on"]
+    where, vector = setting.where(ref), found.way * found.push
+    unknowns = _unknown(element, found.push, setting)
+    return (Force(element.name, ref.body, "medium", where, vector, unknowns=unknowns, law=element.kind, where=ref.label),)
+
+
+def _resisting_couple(element: Element, setting: Setting) -> tuple[Force, ...]:
+    push = resisted_by(element, setting).push
+    pairs = _couples(element, *element["between"], push, setting)
+    return tuple(replace(force, unknowns=_unknown(element, push, setting)) for force in pairs)
+
+
+def _unknown(element: Element, push: Scalar, setting: Setting) -> tuple[str, ...]:
+    """The unknown forces in a size. Raises StatementError where it is not linear in them."""
+    found = tuple(sorted(names_in(push) & setting.unknowns))
+    if any(names_in(derivative(push, name)) & setting.unknowns for name in found):
+        raise StatementError(
+            f"the size of “{element.name}” is not linear in the unknown forces {', '.join(found)}",
+            instead="where the direction of the force is known, write its one component, or a multiple of a tension.",
+            place=element.place,
+        )
+    return found
+
+
 def _no_potential(element: Element, setting: Setting) -> None:
     return None
 
@@ -217,4 +256,6 @@ LAWS: Mapping[str, Law] = {
     "rotary-damper": Law(_rotary_damper, _no_potential),
     "force": Law(_applied_force, _applied_energy),
     "couple": Law(_applied_couple, _couple_energy),
+    "resistance": Law(_resistance, _no_potential),
+    "resisting-couple": Law(_resisting_couple, _no_potential),
 }

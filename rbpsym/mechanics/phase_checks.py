@@ -12,7 +12,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
 from rbpsym.mechanics.endings import State, gap
-from rbpsym.mechanics.friction import geometry_of, slip_senses
+from rbpsym.mechanics.friction import geometry_of, slips
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.impulse import approach
 from rbpsym.mechanics.numbers import number, samples
@@ -26,12 +26,12 @@ CLOSE = 1e-7
 
 def check_still_slipping(study: Study, phase: Phase, state: State) -> None:
     """What slips at the start slips until the phase ends, in the same sense."""
-    known, geometry = _numbers(study, state), geometry_of(study.system)
-    for name, sense in slip_senses(study.system).items():
+    known = _numbers(study, state)
+    for name, slip in slips(study.system).items():
         if name == phase.subject:
             continue
         element = study.system.element(name)
-        if _at(study, slip_speed(geometry, meeting(element, geometry)), known) * sense < -CLOSE:
+        if number(slip, known) < -CLOSE:
             raise StatementError(
                 f"the phase “{phase.name}” would begin after “{name}” has stopped slipping",
                 instead=f'let a phase with event = "no slip" and of = "{name}" come before it.',

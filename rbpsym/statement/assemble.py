@@ -9,13 +9,10 @@ from rbpsym.errors import StatementError
 from rbpsym.quantities import Quantity
 from rbpsym.statement.bodies import read_bodies
 from rbpsym.statement.checks import check_names_differ, check_problem, check_unknowns
-from rbpsym.statement.constraints import CONSTRAINTS
-from rbpsym.statement.elements import Surroundings, read_elements
-from rbpsym.statement.finish import finish
-from rbpsym.statement.interactions import INTERACTIONS
+from rbpsym.statement.elements import Surroundings
 from rbpsym.statement.letters import letters_of
 from rbpsym.statement.model import Coordinate, Pair, PointRef, Problem
-from rbpsym.statement.phases import read_phases
+from rbpsym.statement.phases import read_both, read_phases
 from rbpsym.statement.premises import declared
 from rbpsym.statement.quantities import CoordinateReader, read_parameters
 from rbpsym.statement.references import check_name, read_point
@@ -62,10 +59,7 @@ def assemble(table: Table, name: str) -> Problem:
     scope = replace(scope, points=_points(table, scope))
     bodies = read_bodies(table, scope)
     around = Surroundings(scope, bodies)
-    interactions, constraints = (
-        tuple(finish(element, scope, bodies) for element in read_elements(section, table, kinds, around))
-        for section, kinds in (("interactions", INTERACTIONS), ("constraints", CONSTRAINTS))
-    )
+    interactions, constraints = read_both(table, around)
     problem = Problem(
         name=table.string("name") or name,
         parameters=parameters,

@@ -62,6 +62,14 @@ def _turns(key: str) -> Callable:
     return rule
 
 
+def _own_letter(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+    """The letter for the speed in a size means nothing else."""
+    letter = {"resistance": "v", "resisting-couple": "omega"}[element.kind]
+    if letter in names(element["size"]) and letter in (*scope.parameters, *scope.coordinates, *scope.forces):
+        what = f"has a size with “{letter}”, which is the speed there, and the name of a quantity of the problem"
+        raise element.error(what, "give the quantity another name.")
+
+
 def _other_body(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     if element["on"] == element["reaction_on"]:
         raise element.error(f"acts on “{element['on']}” and reacts on it as well", "name another body.")
@@ -144,6 +152,8 @@ _RULES: Mapping[str, tuple[Callable, ...]] = {
     "rotary-damper": (_between_bodies,),
     "force": (_on_a_body("on"), _body_frame),
     "couple": (_turns("on"), _turns("reaction_on"), _other_body),
+    "resistance": (_on_a_body("on"), _own_letter),
+    "resisting-couple": (_between_bodies, _own_letter),
     "pivot": (_on_a_body("point"), _pivot_place),
     "pin": (_no_fixed_place, _joins_two),
     "weld": (_joins_two, _no_particle, _weld_angle),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rbpsym.quantities import ACCELERATION, DIMENSIONS, FORCE, LENGTH, NUMBER
 from rbpsym.statement.kinds import ElementKind, Field, registry
 
+_SPEED, _SPIN = DIMENSIONS["speed"], DIMENSIONS["angular speed"]
 _TORQUE, _STIFFNESS = DIMENSIONS["torque"], DIMENSIONS["stiffness"]
 _BETWEEN_POINTS = Field("between", "points", "the two points that it joins")
 _BETWEEN_BODIES = Field("between", "two bodies", "the two bodies that it joins; one may be “ground”")
@@ -74,6 +75,49 @@ INTERACTIONS: dict[str, ElementKind] = registry(
             Field("couple", "expression", "its torque", _TORQUE, may_use="speeds"),
             Field(
                 "reaction_on", "body", "the body that feels the opposite couple; absent: an outside agent", default=""
+            ),
+        ),
+    ),
+    ElementKind(
+        "resistance",
+        "a force against the motion of a point: drag of the air, dry friction; where the point starts from rest and the "
+        "size is no multiple of its speed, “toward” says which way it goes",
+        (
+            Field("on", "point", "the point of a body at which it acts"),
+            Field(
+                "size",
+                "expression",
+                "its magnitude, in which v is the speed of the point: “c*v”, “k*v**2”, “mu*N” with unknown forces",
+                FORCE,
+                may_use="forces",
+                sign="nonnegative",
+                variables=(("v", _SPEED),),
+            ),
+            Field("medium", "pair", "velocity of what it moves through", _SPEED, default=["0", "0"]),
+            Field("toward", "pair", "a vector to the side to which it moves; absent: as at the start", NUMBER, default=""),
+        ),
+    ),
+    ElementKind(
+        "resisting-couple",
+        "a couple against the turning of two bodies relative to each other: dry friction in a hinge, rolling resistance, "
+        "drag; “sense” is needed where they start from rest and the size is no multiple of the rate",
+        (
+            _BETWEEN_BODIES,
+            Field(
+                "size",
+                "expression",
+                "its magnitude, in which omega is the rate at which they turn: “M_f”, “k*omega**2”, “b*N” with unknown forces",
+                _TORQUE,
+                may_use="forces",
+                sign="nonnegative",
+                variables=(("omega", _SPIN),),
+            ),
+            Field(
+                "sense",
+                "choice",
+                "how the second turns, seen from the first; auto: as at the start",
+                default="auto",
+                choices=("auto", "ccw", "cw"),
             ),
         ),
     ),

@@ -21,7 +21,8 @@ class Field:
     "path" or (of a composite) "parts". `dimension` is that of the expression(s), None if free;
     `default` is what an absent key means, written as in the file (None: the key is required; "":
     absent, or left to the mechanics). `may_use` says of what the expression may be made:
-    "parameters", "time" (and parameters), "coordinates" (and those) or "speeds" (and all). `sign`
+    "parameters", "time" (and parameters), "coordinates" (and those), "speeds" (and all) or "forces" (and the unknown
+    ones); `variables` are names that only it knows, with their dimensions. `sign`
     is "positive" or "nonnegative" where a value that is not known to be so is refused.
     """
 
@@ -33,6 +34,7 @@ class Field:
     choices: tuple[str, ...] = ()
     may_use: str = "parameters"
     sign: str = ""
+    variables: tuple[tuple[str, Dimension], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

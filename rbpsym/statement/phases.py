@@ -16,9 +16,11 @@ from dataclasses import replace
 
 from rbpsym.notation.tree import ONE, Node
 from rbpsym.quantities import DIMENSIONS, NUMBER, TIME
+from rbpsym.statement.checks import unknowns_of
 from rbpsym.statement.constraints import CONSTRAINTS, MEETING, SLIPS
 from rbpsym.statement.elements import Surroundings, kind_of_element, read_elements
 from rbpsym.statement.finish import finish
+from rbpsym.statement.interactions import INTERACTIONS
 from rbpsym.statement.kinds import ElementKind, Field, registry
 from rbpsym.statement.model import Element, Phase, Problem
 from rbpsym.statement.premises import Declared, sign_of, surely_above
@@ -91,20 +93,22 @@ IMPULSES: dict[str, ElementKind] = registry(
     ),
 )
 
+KINDS = {"interactions": INTERACTIONS, "constraints": CONSTRAINTS}
 PHASE_KEYS = {
     "name": "what the phase is called",
     "event": "what ends the phase before: " + ", ".join(EVENTS),
     "of": "the constraint or bounce that the event is about, or the coordinate that reaches a value or rests",
     "at": "the value that the coordinate reaches, or the time that goes",
     "constraints": "constraints that are new or change",
-    "without": "names of constraints that hold no more",
+    "interactions": "interactions that are new or change",
+    "without": "names of constraints that hold no more, and of interactions that act no more",
     "impulses": "blows, collisions and bounces at the moment of the event",
 }
 
 
 def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[Phase, ...]:
     """The phases after the first, each with the problem that then holds (its start is left to the mechanics)."""
-    current = dict(table.table("constraints", "constraints").data)
+    current = {section: dict(table.table(section, section).data) for section in KINDS}
     found: list[Phase] = []
     names = {q.name: "a parameter" for q in problem.parameters} | {c.name: "a coordinate" for c in problem.coordinates}
     for number, row in enumerate(table.rows("phases", "“phases”"), 2):
@@ -112,18 +116,16 @@ def read_phases(table: Table, problem: Problem, around: Surroundings) -> tuple[P
         row.check_keys(PHASE_KEYS, f"the phase “{name}”")
         if name in {phase.name for phase in found}:
             raise row.value_error("name", f"two phases are called “{name}”", "give one another name.")
-        event, subject = _event(row, name, current, around)
+        event, subject = _event(row, name, current["constraints"], around)
         value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)
-        section = Table(row.source, row.path, {"constraints": current})
-        constraints = tuple(
-            finish(e, around.scope, around.bodies) for e in read_elements("constraints", section, CONSTRAINTS, around)
-        )
+        interactions, constraints = read_both(Table(row.source, row.path, current), around)
         impulses = tuple(
             _checked(finish(e, around.scope, around.bodies), row, names, around.scope.given)
             for e in read_elements("impulses", row, IMPULSES, around)
         )
-        found.append(Phase(name, event, subject, impulses, replace(problem, constraints=constraints), value))
+        then = replace(problem, interactions=interactions, constraints=constraints)
+        found.append(Phase(name, event, subject, impulses, then, value))
         if event == "begins":
             _check_begins(row, found[-1])
     return tuple(found)
@@ -182,9 +184,19 @@ def _needless(row: Table, name: str, event: str, keys: tuple[str, ...]) -> None:
             )
 
 
-def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, object]:
-    """The constraints of the phase as tables."""
-    found = dict(current)
+def read_both(table: Table, around: Surroundings) -> tuple[tuple[Element, ...], ...]:
+    """The interactions and the constraints of a table; the former may name the unknown forces of the latter."""
+    found: dict[str, tuple[Element, ...]] = {}
+    for section, kinds in reversed(KINDS.items()):
+        forces = {name: unit for each in found.get("constraints", ()) for name, unit in unknowns_of(each).items()}
+        seen = replace(around, scope=replace(around.scope, forces=forces))
+        found[section] = tuple(finish(e, seen.scope, around.bodies) for e in read_elements(section, table, kinds, seen))
+    return found["interactions"], found["constraints"]
+
+
+def _changed(row: Table, name: str, current: Mapping[str, Mapping[str, object]]) -> dict[str, dict[str, object]]:
+    """The interactions and constraints of the phase as tables."""
+    found = {section: dict(parts) for section, parts in current.items()}
     without = row.item("without", [])
     if not isinstance(without.value, (list, tuple)):
         raise without.error(
@@ -192,18 +204,22 @@ def _changed(row: Table, name: str, current: Mapping[str, object]) -> dict[str, 
             'write without = ["N"]',
         )
     for item in without.items():
-        if item.value not in found:
-            raise item.error(
-                f"the phase “{name}”: there is no constraint “{item.value}”", did_you_mean(str(item.value), found)
-            )
-        del found[item.value]
-    for key, part in row.tables("constraints", f"constraints of the phase “{name}”"):
-        found[key] = _merged(found[key], part) if key in found else part.data
+        held = next((parts for parts in found.values() if item.value in parts), None)
+        if held is None:
+            known = [key for parts in found.values() for key in parts]
+            what = f"the phase “{name}”: there is no constraint or interaction “{item.value}”"
+            raise item.error(what, did_you_mean(str(item.value), known))
+        del held[item.value]
+    for section, parts in found.items():
+        for key, part in row.tables(section, f"{section} of the phase “{name}”"):
+            if any(key in other for other in found.values() if other is not parts):
+                raise part.error(f"“{key}” is an interaction and a constraint", "give one of them another name.")
+            parts[key] = _merged(parts[key], part, KINDS[section]) if key in parts else part.data
     return found
 
 
-def _merged(old: Mapping[str, object], new: Table) -> dict[str, object]:
-    kind = kind_of_element(Table(new.source, new.path, {**old, **new.data}), CONSTRAINTS, "type")
+def _merged(old: Mapping[str, object], new: Table, kinds: Mapping[str, ElementKind]) -> dict[str, object]:
+    kind = kind_of_element(Table(new.source, new.path, {**old, **new.data}), kinds, "type")
     keys = {"type", *(field.name for field in kind.fields)}
     return {**{key: value for key, value in old.items() if key in keys}, **new.data}
 

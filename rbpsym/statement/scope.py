@@ -26,7 +26,7 @@ class Scope:
     """The quantities of a problem: dimensions of its parameters and coordinates, and what is `given` of their signs.
 
     `variables` are names that only one expression knows (s in a rod's density, x and y in a
-    line); they hide quantities of the same name. `points` are the fixed points.
+    line); they hide quantities of the same name. `points` are the fixed points, `forces` the unknown ones.
     """
 
     parameters: Mapping[str, Dimension] = field(default_factory=dict)
@@ -34,6 +34,7 @@ class Scope:
     given: Declared = NOTHING_DECLARED
     points: Mapping[str, Pair] = field(default_factory=lambda: {"O": ORIGIN})
     variables: Mapping[str, Dimension] = field(default_factory=dict)
+    forces: Mapping[str, Dimension] = field(default_factory=dict)
 
     @property
     def speeds(self) -> dict[str, Dimension]:
@@ -43,11 +44,12 @@ class Scope:
     @property
     def all(self) -> dict[str, Dimension]:
         """Every name with its dimension."""
-        return {CLOCK: TIME, **self.parameters, **self.coordinates, **self.speeds, **self.variables}
+        return {CLOCK: TIME, **self.parameters, **self.coordinates, **self.speeds, **self.forces, **self.variables}
 
     def role(self, name: str) -> str:
-        """What a name is: "parameter", "coordinate", "speed" or "time"."""
+        """What a name is: "parameter", "coordinate", "force", "speed" or "time"."""
         roles = {"parameter": {**self.parameters, **self.variables}, "coordinate": self.coordinates, "time": (CLOCK,)}
+        roles["force"] = self.forces
         return next((role for role, names in roles.items() if name in names), "speed")
 
     def with_variables(self, variables: Mapping[str, Dimension]) -> Scope:
@@ -56,10 +58,11 @@ class Scope:
 
 
 _FORBIDDEN = {
-    "parameters": ("time", "coordinate", "speed"),
-    "time": ("coordinate", "speed"),
-    "coordinates": ("speed",),
-    "speeds": (),
+    "parameters": ("time", "coordinate", "speed", "force"),
+    "time": ("coordinate", "speed", "force"),
+    "coordinates": ("speed", "force"),
+    "speeds": ("force",),
+    "forces": (),
 }
 _MAY_USE = {"time": "parameters and the time t"}
 

@@ -13,11 +13,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
+from rbpsym.algebra.calculus import derivative, names_in, root, substitute
 from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.modular import PRIME, NoImage
+from rbpsym.algebra.normal import tidy
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol, total
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.assumptions import Assumptions
@@ -28,7 +29,7 @@ from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import residue, solve_linear
 from rbpsym.mechanics.energy import potentials
-from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.friction import geometry_of, resistances
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
@@ -197,11 +198,32 @@ def _couple_work(element: Element, motion: Motion, name: str) -> Scalar:
     return motion.own(scalar(element["couple"])) * derivative(turn, name)
 
 
+def _resistance_work(element: Element, motion: Motion, name: str) -> Scalar:
+    """-size(v) ∂ds/∂q: the force is against the path of the point through the medium."""
+    place = motion.where(element["on"])
+    relative = (motion.velocity(place) - pair(element["medium"])).settled()
+    if len(relative.parts) == 1:  # along one direction, in its sense
+        speed = next(iter(relative.parts.values())) * (resistances(motion.system)[element.name].sense or 1)
+    else:
+        speed = root(tidy(relative.dot(relative)))
+    return -(motion.own(substitute(scalar(element["size"]), {"v": speed})) * relative.dot(place.derivative(name)) / speed)
+
+
+def _resisting_work(element: Element, motion: Motion, name: str) -> Scalar:
+    """-size(ω) σ ∂φ/∂q with the angle φ of the second body seen from the first, and the sense σ of its rate."""
+    first, second = element["between"]
+    twist, sense = motion.angle(second) - motion.angle(first), resistances(motion.system)[element.name].sense or 1
+    size = substitute(scalar(element["size"]), {"omega": motion.rate(twist) * sense})
+    return -(motion.own(size) * derivative(twist, name) * sense)
+
+
 VIRTUAL_WORKS: Mapping[str, Callable[[Element, Motion, str], Scalar]] = {
     "damper": _damper_work,
     "rotary-damper": _rotary_damper_work,
     "force": _force_work,
     "couple": _couple_work,
+    "resistance": _resistance_work,
+    "resisting-couple": _resisting_work,
 }
 
 
@@ -306,9 +328,10 @@ def start_verdict(study: Study) -> Verdict:
 
 
 def _with_friction(system: System, dynamics: Dynamics, expressions: Mapping[str, Scalar]) -> dict[str, Scalar]:
-    """The expressions less the virtual work of kinetic friction."""
+    """The expressions less the virtual work of kinetic friction, with the unknown forces on which resistances rest."""
     drags = friction_forces(motion_of(system), dynamics)
-    return {name: value - drags[name] for name, value in expressions.items()}
+    known = {name: dynamics.reactions[name] for value in expressions.values() for name in names_in(value) & {*dynamics.reactions}}
+    return {name: substitute(value, known) - drags[name] for name, value in expressions.items()}
 
 
 def _vanishes(value: Scalar, assumptions: Assumptions) -> Verdict:

@@ -18,16 +18,18 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.friction import slip_senses
+from rbpsym.mechanics.friction import senses
 from rbpsym.mechanics.instant import Instant
 from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.numbers import Values, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
-from rbpsym.verify.simulation_bodies import Mechanism, laws
+from rbpsym.verify.simulation_bodies import Mechanism
 from rbpsym.verify.simulation_contacts import conditions
+from rbpsym.verify.simulation_laws import laws
 from rbpsym.verify.simulation_motion import Equations, duration, trajectory
 from rbpsym.verify.simulation_placement import Conditions, Placement, Start, idle_angles, start_state
+from rbpsym.verify.simulation_resistance import with_shares
 
 GENERIC_STATES = 8
 GENERIC_TIME = 0.3
@@ -102,7 +104,7 @@ class Bench:
         self.momentum_drifts, self.gap = [], 0.0
         problem = derived.system.problem
         self.sample = {**sample(problem), **(numbers or {})}
-        mechanism = Mechanism(problem, self.sample, slip_senses(derived.system))
+        mechanism = Mechanism(problem, self.sample, senses(derived.system))
         self.placement, idle = Placement(mechanism), idle_angles(mechanism)
         guess = self._coordinates({})
         kept = conditions(mechanism, self._poses(guess).tolist())
@@ -110,7 +112,7 @@ class Bench:
         mechanism.clock = GENERIC_TIME
         self.generic = self.start({}, _speeds(derived.system, 0.7))
         reader = self.placement.reader(self.generic.q)
-        self.equations = Equations(mechanism, laws(mechanism, reader), kept, idle)
+        self.equations = Equations(mechanism, laws(mechanism, reader), with_shares(kept, mechanism, reader), idle)
         self.account = {key: k for k, key in enumerate(derived.works)}
         places = (origin for origin, _ in derived.momenta.values())
         self.levers = [tuple(Values(self.sample).row((o.x, o.y))) for o in places]

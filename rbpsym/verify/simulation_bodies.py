@@ -1,8 +1,7 @@
-"""A mechanism in maximal coordinates: every body has its own x, y (centre of mass) and angle; and the known forces.
+"""A mechanism in maximal coordinates: every body has its own x, y (centre of mass) and angle.
 
 Built from the statement alone; `clock` is the time of the state that is looked at. The state
-is X = (x, y, φ) and V = dX/dt of all bodies in a row; angles and torques are counter-clockwise positive. Each law of
-a force is written from its definition, apart from `mechanics.interactions`; a new kind is a new entry of `LAWS`.
+is X = (x, y, φ) and V = dX/dt of all bodies in a row; angles and torques are counter-clockwise positive.
 """
 
 from __future__ import annotations
@@ -10,14 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.inertia import Inertia, inertia
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node, Sym, walk
-from rbpsym.statement.model import Body, Element, PointRef, Problem
+from rbpsym.statement.model import Body, PointRef, Problem
 
 State = list[float]
 
@@ -71,7 +70,7 @@ def placed(spot: Spot, where: State, speed: State) -> Placed:
 class Mechanism:
     """The bodies of a statement as numbers, and the meaning of its references."""
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float], slips: Mapping[str, int] | None = None) -> None:
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], slips: Mapping[str, Any] | None = None) -> None:
         self.problem, self.slips, self.clock = problem, slips or {}, 0.0
         self.constants = {q.name for q in problem.parameters} | set(problem.implicit)
         self.numbers = {name: value for name, value in numbers.items() if name in self.constants}
@@ -146,103 +145,6 @@ def load_at(name: str, at: Placed, x: float, y: float) -> Load:
     return Load(name, at.body, x, y, at.lever[0] * y - at.lever[1] * x)
 
 
-def _gravity(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    g, (dx, dy) = mechanism.number(element["g"]), mechanism.pair(element["direction"])
-    bodies = [mechanism.body_number(name) for name in element["bodies"]]
-    weights = [(k, mechanism.masses[3 * k] * g) for k in bodies]
-    return lambda where, speed: [Load(element.name, k, weight * dx, weight * dy, 0.0) for k, weight in weights]
-
-
-def _between(element: Element, mechanism: Mechanism, pull: Callable[[float, float], float]) -> Law:
-    """A force along the line of two points: pull(distance, its rate), times the vector between them."""
-    spots = [mechanism.spot(ref) for ref in element["between"]]
-
-    def law(where: State, speed: State) -> list[Load]:
-        a, b = (placed(spot, where, speed) for spot in spots)
-        dx, dy = b.place[0] - a.place[0], b.place[1] - a.place[1]
-        vx, vy = b.velocity[0] - a.velocity[0], b.velocity[1] - a.velocity[1]
-        share = pull(math.hypot(dx, dy), dx * vx + dy * vy)
-        ends = ((a, share), (b, -share))
-        return [load_at(element.name, end, f * dx, f * dy) for end, f in ends if end.body >= 0]
-
-    return law
-
-
-def _spring(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    k, slack = mechanism.number(element["stiffness"]), mechanism.number(element["natural_length"])
-    return _between(element, mechanism, lambda d, rate: k if slack == 0 else k * (1 - slack / d))
-
-
-def _damper(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    c = mechanism.number(element["coefficient"])
-    return _between(element, mechanism, lambda d, rate: c * rate / (d * d))
-
-
-def _couples(name: str, first: int, second: int, on_second: float) -> list[Load]:
-    pairs = ((second, on_second), (first, -on_second))
-    return [Load(name, k, 0.0, 0.0, couple) for k, couple in pairs if k >= 0]
-
-
-def _difference(values: State, first: int, second: int) -> float:
+def difference(values: State, first: int, second: int) -> float:
+    """The angle (or its rate) of the second body less that of the first; -1 is the ground."""
     return (values[3 * second + 2] if second >= 0 else 0.0) - (values[3 * first + 2] if first >= 0 else 0.0)
-
-
-def _torsion(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    k, rest = mechanism.number(element["stiffness"]), mechanism.number(element["rest_angle"])
-    a, b = map(mechanism.body_number, element["between"])
-    return lambda where, speed: _couples(element.name, a, b, -k * (_difference(where, a, b) - rest))
-
-
-def _rotary_damper(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    c = mechanism.number(element["coefficient"])
-    a, b = map(mechanism.body_number, element["between"])
-    return lambda where, speed: _couples(element.name, a, b, -c * _difference(speed, a, b))
-
-
-def _values(nodes: tuple[Node, ...], mechanism: Mechanism, coordinates: Coordinates) -> Callable[..., list[float]]:
-    """Values of expressions, which may hold coordinates and speeds, at a state."""
-    if mechanism.is_constant(*nodes):
-        fixed = [mechanism.number(node) for node in nodes]
-        return lambda where, speed: fixed
-    scalars = [scalar(node) for node in nodes]
-    return lambda where, speed: Values(coordinates(where, speed)).row(scalars)
-
-
-def _force(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    spot, turns = mechanism.spot(element["on"]), element["frame"] == "body"
-    components = _values(element["force"], mechanism, coordinates)
-
-    def law(where: State, speed: State) -> list[Load]:
-        x, y = components(where, speed)
-        angle = where[3 * spot.body + 2] if turns else 0.0
-        c, s = math.cos(angle), math.sin(angle)
-        return [load_at(element.name, placed(spot, where, speed), c * x - s * y, s * x + c * y)]
-
-    return law
-
-
-def _couple(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
-    on, other = mechanism.body_number(element["on"]), mechanism.body_number(element["reaction_on"])
-    couple = _values((element["couple"],), mechanism, coordinates)
-    return lambda where, speed: _couples(element.name, other, on, couple(where, speed)[0])
-
-
-LAWS: Mapping[str, Callable[[Element, Mechanism, Coordinates], Law]] = {
-    "gravity": _gravity,
-    "spring": _spring,
-    "torsion-spring": _torsion,
-    "damper": _damper,
-    "rotary-damper": _rotary_damper,
-    "force": _force,
-    "couple": _couple,
-}
-
-
-def laws(mechanism: Mechanism, coordinates: Coordinates) -> list[Law]:
-    """The laws of all interactions; `coordinates` gives the values of q and q̇ at a state."""
-    found = []
-    for element in mechanism.problem.interactions:
-        if element.kind not in LAWS:
-            raise NotApplicable(f"the simulation does not know the interaction {element.kind}")
-        found.append(LAWS[element.kind](element, mechanism, coordinates))
-    return found

@@ -81,7 +81,7 @@ def kept_by(
     multiplier: str,
     pushes: Pushes,
     value: Callable[[Complex], complex] | None = None,
-    drag: Drag | None = None,
+    drags: tuple[Drag, ...] = (),
 ) -> Kept:
     """The condition that a unit force keeps; without a value it is one for the speeds alone."""
 
@@ -92,7 +92,7 @@ def kept_by(
         gap = 0.0 if value is None else value(shifted).real
         return Row(gap, [(column, entry.real) for column, entry in entries], bias)
 
-    return Kept(name, multiplier, row, value is not None, drag)
+    return Kept(name, multiplier, row, value is not None, drags)
 
 
 # --- contacts with lines and circles
@@ -241,8 +241,8 @@ def _side_of_circle(element: Element, touching: Spot, middle: Spot, radius: floa
     return -1 if abs(complex(x - cx.real, y - cy.real)) < radius - 1e-6 else 1
 
 
-def _normal(element: Element, bend: Curve, drag: Drag | None = None) -> Kept:
-    return kept_by(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drag)
+def _normal(element: Element, bend: Curve, *drags: Drag) -> Kept:
+    return kept_by(element.name, element.name, lambda where: bend.push(where, bend.normal(where)), bend.gap, drags)
 
 
 def _forward(bend: Curve, sign: int = 1) -> Pushes:
@@ -257,12 +257,12 @@ def _forward(bend: Curve, sign: int = 1) -> Pushes:
 
 def sliding(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     """N; with kinetic friction μN against the slip."""
-    bend, drag = curve(element, mechanism, start), None
+    bend, drags = curve(element, mechanism, start), []
     if element.values.get("coefficient") is not None:
         pushes = _forward(bend, -mechanism.slips[element.name])
         share = mechanism.number(element["coefficient"])
-        drag = Drag(element["friction"], lambda where, speed: _real(pushes, where, share))
-    return [_normal(element, bend, drag)]
+        drags = [Drag(element["friction"], lambda where, speed: _real(pushes, where, share))]
+    return [_normal(element, bend, *drags)]
 
 
 def _real(pushes: Pushes, where: State, share: float) -> Entries:

@@ -30,10 +30,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Drag:
-    """A force `name` in proportion to a multiplier that is no ideal force (kinetic friction μN)."""
+    """A force `name` in proportion to a multiplier that is no ideal force (kinetic friction μN); `strikes`: in a blow too."""
 
     name: str
     at: Callable[[State, State], Entries]
+    strikes: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +48,7 @@ class Kept:
     multiplier: str
     at: Callable[[State, State], Row]
     is_place: bool = True
-    drag: Drag | None = None
+    drags: tuple[Drag, ...] = ()
 
     @property
     def force(self) -> str:

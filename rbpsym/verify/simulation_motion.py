@@ -28,6 +28,7 @@ class Balance:
     loads: list[Load]
     rows: list[Row]
     where: State
+    speed: State
 
 
 class Equations:
@@ -49,7 +50,7 @@ class Equations:
             found = np.linalg.solve(self._matrix(rows, where, speed), self._right(loads, rows))
         except np.linalg.LinAlgError:
             raise NotApplicable("the simulation can't tell the unknown forces apart at this state") from None
-        return Balance(found[: self.size], found[self.size :], loads, rows, where)
+        return Balance(found[: self.size], found[self.size :], loads, rows, where, speed)
 
     def _matrix(self, rows: list[Row], where: State, speed: State) -> np.ndarray:
         size = self.size
@@ -59,7 +60,7 @@ class Equations:
                 matrix[k][column] += entry
                 matrix[column][k] -= entry
         for k, item in enumerate(self.kept, size):
-            for column, entry in item.drag.at(where, speed) if item.drag else ():
+            for column, entry in (part for drag in item.drags for part in drag.at(where, speed)):
                 matrix[column][k] -= entry
         return np.array(matrix)
 
@@ -105,8 +106,9 @@ class Equations:
         for item, row, multiplier in zip(self.kept, balance.rows, balance.multipliers.tolist(), strict=True):
             for column, entry in row.entries:
                 yield item.force, column, entry * multiplier
-            for column, entry in item.drag.at(balance.where, []) if item.drag else ():
-                yield item.drag.name, column, entry * multiplier
+            for drag in item.drags:
+                for column, entry in drag.at(balance.where, balance.speed):
+                    yield drag.name, column, entry * multiplier
 
 
 def duration(where_rate: np.ndarray, gained: np.ndarray, reach: float) -> float:

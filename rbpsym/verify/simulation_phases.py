@@ -236,7 +236,7 @@ def _struck(
     rows = [item.at(where, end.speed.tolist()) for item in after.equations.kept]
     names = [item.multiplier for item in after.equations.kept]
     matrix = [_dense(row.entries, size) for row in rows]
-    drags = [_dense(item.drag.at(where, []) if item.drag else (), size) for item in after.equations.kept]
+    drags = [_dragged(item, where, size) for item in after.equations.kept]
     wanted = [-row.drift for row in rows]
     momentum = before.equations.masses * end.speed
     for element in impulses:
@@ -244,7 +244,7 @@ def _struck(
             for kept, factor in _bounces(before, element, end):
                 row = kept.at(where, end.speed.tolist())
                 matrix.append(_dense(row.entries, size))
-                drags.append(_dense(kept.drag.at(where, []) if kept.drag else (), size))
+                drags.append(_dragged(kept, where, size))
                 wanted.append(-factor * float(matrix[-1] @ end.speed))
                 names.append(kept.multiplier)
             continue
@@ -262,6 +262,11 @@ def _struck(
     full = np.block([[np.diag(before.equations.masses), -pushes.T], [g, np.zeros((len(g), len(g)))]])
     found = np.linalg.lstsq(full, np.concatenate([momentum, wanted]), rcond=None)[0]
     return found[:size], dict(zip(names, found[size:].tolist(), strict=True))
+
+
+def _dragged(kept: Kept, where: list[float], size: int) -> np.ndarray:
+    """What comes in proportion to its multiplier in a blow."""
+    return _dense([entry for drag in kept.drags if drag.strikes for entry in drag.at(where, [])], size)
 
 
 def _meets(element: Element, mechanism: Mechanism, start: list[float]) -> list[Kept]:
