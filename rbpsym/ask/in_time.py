@@ -78,7 +78,8 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
     if asked_for is None:
         raise StatementError(f"“{subject}” does not come to this value in this motion")
     made = at_time(asked, place, substitute(time, letters), manner, is_solved=True)
-    return replace(made, state=replace(made.state, valid=asked_for), watched=(subject, value, time))
+    there = {**made.state.speeds, **({name: value} if subject != name else {})}  # by its own meaning, not by a long formula
+    return replace(made, state=replace(made.state, speeds=there, valid=asked_for), watched=(subject, value, time))
 
 
 def time_of_swing(asked: Asked, moment: Moment) -> tuple[Scalar, str] | None:

@@ -64,6 +64,7 @@ STEPS: Mapping[str, Entry] = {
     "work.cancels.joint": (w.works_cancel_as_points_move_together, "work.cancelled"),
     "work.dissipated.damper": (g.is_never_positive, "work.drawn"),
     "work.dissipated.friction": (w.works_do_not_cancel, "work.drawn"),
+    "work.dissipated.resistance": (w.works_do_not_cancel, "work.drawn"),
     "work.theorem.whole.cancelled": (w.some_works_cancel, "work.theorem.whole.all"),
     "work.added": (w.conserved_energy_is_handed_on, "work.summed"),
     "work.summed": (w.work_is_handed_on, "work.dropped"),

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Inlines
 from rbpsym.document.places import line_in_words, point_in_words
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words, capital
+from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element, PointRef
 from rbpsym.statement.paths import tensions
@@ -29,7 +31,9 @@ def element_sentence(element: Element, pose: DrawnPose, said: Words) -> Inlines:
 
 
 def _pivot(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"point": point_in_words(element["point"], pose, said)}
+    ends = {"ground", element["point"].body}
+    rough = any(ends == {*each["between"]} for each in pose.study.problem.of_kind("resisting-couple"))
+    return {"point": point_in_words(element["point"], pose, said), **({"key": "statement.pivot_rough"} if rough else {})}
 
 
 def _pair(element: Element, pose: DrawnPose, said: Words) -> Slots:
@@ -110,6 +114,21 @@ def _applied(element: Element, pose: DrawnPose, said: Words) -> Slots:
     return {"point": point_in_words(element["on"], pose, said)}
 
 
+def _resisting(element: Element, pose: DrawnPose, said: Words) -> Slots:
+    """A force or couple against a motion, its size with or without the speed in it."""
+    speed = t.Sym(LETTERS[element.kind])
+    slots: Slots = {"size": element["size"], "speed": speed}
+    moves = "on" in element.values and any(map(scalar, element["medium"]))
+    if "on" in element.values:
+        slots["point"] = point_in_words(element["on"], pose, said)
+    else:
+        names = [name for name in element["between"] if name in pose.study.system.bodies]
+        slots |= {"bodies": [BodyRef(name) for name in names], "count": len(names)}
+    if moves:
+        return slots | {"x": element["medium"][0], "y": element["medium"][1], "key": "statement.resistance_in"}
+    return slots if speed.name in t.names(element["size"]) else slots | {"key": f"statement.{element.kind}_dry"}
+
+
 def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
     return {"couple": element["couple"], "body": BodyRef(element["on"])}
 
@@ -168,6 +187,8 @@ SENTENCES: Mapping[str, Writer] = {
     "rotary-damper": _twisting,
     "force": _applied,
     "couple": _couple,
+    "resistance": _resisting,
+    "resisting-couple": _resisting,
 }
 
 

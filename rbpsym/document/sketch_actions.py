@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.figures.sketch import Point, SketchArrow
@@ -35,16 +35,19 @@ def _letter(element: Element, parts: tuple[t.Node, ...]) -> t.Node:
 
 
 def _forces(pose: DrawnPose) -> Iterator[SketchArrow]:
-    for element in pose.study.problem.of_kind("force"):
+    for element in pose.study.problem.of_kind("force", "resistance"):
         acting = pose.study.system.named(element.name)[0]
-        way = _unit(*(_value(pose, part) for part in (acting.vector.x, acting.vector.y)))
+        moving = dict.fromkeys(pose.study.system.speeds, 1.0)  # what vanishes at rest is drawn as in motion
+        ways = (_unit(*(_value(pose, part, more) for part in (acting.vector.x, acting.vector.y))) for more in ({}, moving))
+        way = next(filter(None, ways), None)
         if way:
-            yield SketchArrow("force", pose.point(acting.point), way, _letter(element, element["force"]))
+            letter = _letter(element, element["force"]) if element.kind == "force" else t.Vec(element.name)
+            yield SketchArrow("force", pose.point(acting.point), way, letter)
 
 
-def _value(pose: DrawnPose, value) -> float:
+def _value(pose: DrawnPose, value, more: Mapping[str, float]) -> float:
     try:
-        return number(value, {**pose.reactions(), **pose.numbers})
+        return number(value, {**pose.reactions(), **pose.numbers, **more})
     except NoNumber:
         return 0.0
 
@@ -53,6 +56,11 @@ def _couples(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in pose.study.problem.of_kind("couple"):
         sense = math.copysign(1.0, pose.node(element["couple"]))
         yield SketchArrow("couple", pose.center(element["on"]), (sense, 0.0), _sized(element["couple"], element.name))
+    for element in pose.study.problem.of_kind("resisting-couple"):
+        acting = pose.study.system.named(element.name)[0]
+        found = (_value(pose, acting.couple, more) for more in ({}, dict.fromkeys(pose.study.system.speeds, 1.0)))
+        sense = math.copysign(1.0, next(filter(None, found), 1.0))
+        yield SketchArrow("couple", pose.center(acting.on), (sense, 0.0), _sized(element["size"], element.name))
 
 
 def _sized(node: t.Node, name: str) -> t.Node:

@@ -19,7 +19,7 @@ from rbpsym.statement.model import PointRef
 
 
 TOO_WIDE = 51.0  # em: a table that is wider could not be read
-PARTIES = ("earth", "ground", "agent", "string", "link", "spring", "damper")
+PARTIES = ("earth", "ground", "agent", "medium", "string", "link", "spring", "damper")
 
 
 def forces_table(steps: list[Step], derivation: Derivation, said: Words) -> Table:

@@ -42,6 +42,13 @@ def resistances(system: System) -> dict[str, Resisted]:
     return {e.name: resisted_by(e, setting) for e in system.problem.of_kind(*LETTERS)}
 
 
+def stops(system: System) -> bool:
+    """Whether dry friction acts, or another resistance that is there at rest too: its sense is that of the motion."""
+    rough = any(element.values.get("coefficient") is not None for element in system.problem.constraints)
+    still = dict.fromkeys(system.speeds, NOTHING)
+    return rough or any(found.sense and substitute(found.push, still) for found in resistances(system).values())
+
+
 def senses(system: System) -> dict[str, int | Scalar]:
     """The senses of slips, and by interaction that is against a motion of one sense: that sense for a couple, for a point
     the speed in that sense."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra.calculus import depends_on, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
@@ -25,6 +25,7 @@ from rbpsym.mechanics.at_start import study_of
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import ENDINGS, State, at_start
+from rbpsym.mechanics.friction import resistances
 from rbpsym.mechanics.impulse import Struck, is_holding, restitutions, strike
 from rbpsym.mechanics.phase_checks import (
     check_bounce,
@@ -138,6 +139,7 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     placed = type(study)(_started(problem, study.style, before.places, {}))
     _check(study, phase, placed, before)
     struck: Struck = strike(study.system, placed.system, phase.impulses, before.places, before.speeds)
+    _refuse_struck_resistance(phase, placed.system, struck)
     speeds, impulses = (
         {name: neat(value, study.assumptions) for name, value in each.items()} for each in (struck.speeds, struck.impulses)
     )
@@ -153,6 +155,20 @@ def _next(stage: Stage, phase: Phase) -> Stage:
     began = HandOver(before, speeds, impulses, lost, taken, is_blow, asked, held, phase)
     later = type(study)(after)
     return Stage(phase.name, later if later.at_start and later.ties else study_of(after), began, clock)
+
+
+def _refuse_struck_resistance(phase: Phase, system: System, struck: Struck) -> None:
+    """What a resistance that rests on an unknown force takes in a blow to that force is not said."""
+    hit = {name for name, impulse in struck.impulses.items() if not is_zero(impulse)}
+    for name, found in resistances(system).items():
+        if hit & names_in(found.push):
+            element = system.element(name)
+            raise StatementError(
+                f"in the blow with which “{phase.name}” begins, “{name}” would have an impulse of its own, for its size rests on "
+                f"{min(hit & names_in(found.push))}",
+                instead="let it act from a phase after the blow on.",
+                place=element.place,
+            )
 
 
 def _held(

@@ -18,7 +18,8 @@ from rbpsym.errors import LimitError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import slips
+from rbpsym.mechanics.friction import resistances, slips
+from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.ways import taken
 from rbpsym.notation.machine import to_machine
@@ -35,8 +36,8 @@ def check_start(study: Study, *, moves: bool = True) -> None:
         if sign(value, study.assumptions, factoring=False).kind == "negative":
             raise WRONG[what](element, what, value)
     if settle((Demand(value, OPS[what]) for _, what, value in found), study.assumptions) is None:
-        rough = next((e for e in study.problem.constraints if e.values.get("coefficient") is not None), None)
-        element = rough or study.problem.constraints[0]
+        among = (*study.problem.constraints, *study.problem.interactions)
+        element = next((e for e in among if e.values.get("coefficient") is not None or e.kind in LETTERS), among[0])
         raise StatementError(
             f"no values of the parameters let “{element.name}” push and slip at the start as it is stated",
             instead="check the start, the side, and the sense of the slip.",
@@ -57,7 +58,7 @@ def begins(study: Study) -> tuple[Demand, ...]:
         return ()
 
 
-OPS = {"way": ">", "force": ">=", "slip": ">", "gain": ">"}
+OPS = {"way": ">", "force": ">=", "size": ">=", "slip": ">", "gain": ">"}
 
 
 def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
@@ -69,6 +70,10 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
         for name in pushes(element):
             value = _at_start(reactions[name], start)
             yield from () if value is None else [(element, "force", value)]
+    for name, found in resistances(study.system).items():
+        used = names_in(found.size) & reactions.keys()
+        value = _at_start(substitute(found.size, {n: reactions[n] for n in used}), start) if used else None
+        yield from () if value is None else [(study.system.element(name), "size", value)]
     for name, slip in slips(study.system).items():
         element = study.system.element(name)
         first = _at_start(slip, start)
@@ -78,6 +83,16 @@ def asked(study: Study) -> Iterator[tuple[Element, str, Scalar]]:
                 yield element, "gain", first
         elif first is not None:
             yield element, "slip", first
+
+
+def kept_sense(study: Study, element: Element) -> tuple[Demand, ...]:
+    """What a resistance asks of the state, as far as nothing declared says so: that the motion keeps its sense, and that a
+    size that rests on unknown forces is not negative."""
+    found = resistances(study.system).get(element.name)
+    if found is None:
+        return ()
+    size = [found.size] if names_in(found.size) & {*study.system.unknowns} else []
+    return settle((Demand(value, ">=") for value in ([found.slip] if found.sense else []) + size), study.assumptions) or ()
 
 
 def ways_taken(study: Study) -> Iterator[tuple[Element, Scalar]]:
@@ -138,9 +153,18 @@ def _slips_back(element: Element, what: str, value: Scalar) -> StatementError:
         "slip": "at the start it slips the other way",
         "gain": "from rest it does not begin to slide that way: friction would drive it",
     }
+    size = to_machine(present(value))
+    if element.kind in LETTERS:
+        other = "at the start it moves the other way" if what == "slip" else "from rest it does not begin to move that way"
+        return StatementError(
+            f"the {element.kind} “{element.name}” is against a motion that is not the stated one: {other} (in the sense that it "
+            f"resists, the {'speed' if what == 'slip' else 'acceleration'} is {size})",
+            instead="take the other sense; where nothing begins to move, hold it by a constraint.",
+            place=element.place,
+        )
     return StatementError(
         f"{element.kind} “{element.name}” has slip = “{element['slip']}”, but {told[what]} (in this sense "
-        f"{'the speed' if what == 'slip' else 'the acceleration'} of the slip is {to_machine(present(value))})",
+        f"{'the speed' if what == 'slip' else 'the acceleration'} of the slip is {size})",
         instead='take the other sense, slip = "auto" for a start with a speed, or static friction, type = "sticking" or '
         '"rolling", for what does not slide.',
         place=element.place,
@@ -155,4 +179,12 @@ def _elsewhere(element: Element, what: str, value: Scalar) -> StatementError:
     )
 
 
-WRONG = {"way": _elsewhere, "force": _pulls, "slip": _slips_back, "gain": _slips_back}
+def _negative(element: Element, what: str, value: Scalar) -> StatementError:
+    return StatementError(
+        f"the size of the {element.kind} “{element.name}” would be negative at the start: {to_machine(present(value))}",
+        instead="a magnitude is not: write the unknown force in it with the other sign.",
+        place=element.place,
+    )
+
+
+WRONG = {"way": _elsewhere, "size": _negative, "force": _pulls, "slip": _slips_back, "gain": _slips_back}

@@ -17,7 +17,7 @@ from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, short
 from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.friction import spare
+from rbpsym.mechanics.friction import spare, stops
 from rbpsym.mechanics.roots import common_zeros
 from rbpsym.mechanics.system import System
 from rbpsym.mechanics.ways import taken
@@ -48,7 +48,7 @@ def unfit(system: System, dynamics: Dynamics) -> str:
     """Why positions of rest are not looked for."""
     if system.implicit:
         return "coordinates stay tied to each other by an equation"
-    if not all(dynamics.ideal.values()):
+    if not all(dynamics.ideal.values()) or stops(system):
         return "kinetic friction acts, whose sense depends on the motion"
     if any(depends_on(force, "t") for force in resting_forces(system, dynamics)):
         return "the forces depend on the time"

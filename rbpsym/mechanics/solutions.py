@@ -21,6 +21,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, NotApplicable
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, where_stable
 from rbpsym.mechanics.study import Study
@@ -193,7 +194,7 @@ def lasting(known: Given, one: Course) -> Course:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
     from rbpsym.mechanics import slipping
 
-    if all(known.study.dynamics.ideal.values()):
+    if not slips(known.study.system):
         return one
     others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}
     cases = {name: tuple(_cases(other)) for name, other in others.items() if other is not None}

@@ -14,6 +14,7 @@ from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.friction import stops
 from rbpsym.mechanics.solutions import Given, kind_of, steady
 
 Letters = Mapping[str, Scalar]
@@ -143,7 +144,7 @@ FEATURES: Mapping[str, tuple[str, Callable[[Given], Scalar | None]]] = {
 
 def feature(known: Given, key: str) -> Scalar | None:
     """What is told of the whole motion; None where kinetic friction acts, with which it ends when the slip stops."""
-    return FEATURES[key][1](known) if all(known.study.dynamics.ideal.values()) else None
+    return None if stops(known.study.system) else FEATURES[key][1](known)
 
 
 # --- when it comes somewhere

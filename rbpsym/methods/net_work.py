@@ -17,6 +17,8 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics import motion
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork
+from rbpsym.mechanics.pushing import kept_sense
+from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.methods.known_works import over_coordinates
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Element
@@ -54,9 +56,9 @@ def _unknown(draft: Draft, name: str) -> bool:
 
 
 def is_dissipative(draft: Draft, name: str) -> bool:
-    """Dampers and kinetic friction (whether they do dissipate is for the step to prove)."""
+    """Dampers, resistances and kinetic friction (whether they do dissipate is for the step to prove)."""
     element = draft.study.system.element(name)
-    return element.kind in ("damper", "rotary-damper") or is_kinetic(element, name)
+    return element.kind in ("damper", "rotary-damper", *LETTERS) or is_kinetic(element, name)
 
 
 def is_kinetic(element: Element, name: str) -> bool:
@@ -107,7 +109,8 @@ def _manner(element: Element, name: str) -> str:
 def _dissipated(draft: Draft, name: str, items: list[ForceWork], terms: list[t.Sym]) -> None:
     """The rate at which a damper or kinetic friction takes energy out."""
     element, value = draft.study.system.element(name), net_power(draft, name)
-    rough = is_kinetic(element, name)
+    rough, against = is_kinetic(element, name), element.kind in LETTERS
+    manner = "friction" if rough else "resistance" if against else "damper"
     rate = t.Deriv(t.Group(t.add(*terms)) if len(terms) > 1 else terms[0])
     chain = t.equation(rate, _against_slip(draft, element, value) if rough else draft.show(value, factor=True))
     if sign(value, draft.study.assumptions).kind in ("nonpositive", "negative"):
@@ -116,12 +119,12 @@ def _dissipated(draft: Draft, name: str, items: list[ForceWork], terms: list[t.S
         f"dissipation.{name}",
         "power",
         chain,
-        f"work.dissipated.{'friction' if rough else 'damper'}",
+        f"work.dissipated.{manner}",
         premises=[f"work.{i.force}.{i.on}" for i in items],
         force=force_node(draft, draft.study.system.named(name)[0]),
         normal=t.Sym(element.name),
         variant="one" if len(terms) == 1 else "many",
-        obligations=(t.relation(t.Sym(element.name), ">=", t.ZERO),) if rough else (),
+        obligations=(t.relation(t.Sym(element.name), ">=", t.ZERO),) if rough else draft.asked(kept_sense(draft.study, element)),
     )
 
 

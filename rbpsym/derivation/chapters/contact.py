@@ -17,6 +17,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import Loss
 from rbpsym.mechanics.friction import FrictionNeed
 from rbpsym.mechanics.pushing import asked, start_valid
+from rbpsym.mechanics.resistance import LETTERS
 from rbpsym.mechanics.sides import Side
 from rbpsym.mechanics.stability import essential
 from rbpsym.notation import tree as t
@@ -51,7 +52,7 @@ def _slides(draft: Draft, element: Element, value: Scalar) -> None:
         f"slides.{element.name}",
         "identity",
         t.equation(letter, draft.show(value, factor=True)),
-        "contact.slides",
+        "contact.moves" if element.kind in LETTERS else "contact.slides",
         premises=ground(draft, *draft.study.system.coordinates),
         force=t.Sym(element.name),
         letter=letter,
