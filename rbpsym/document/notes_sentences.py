@@ -134,7 +134,8 @@ def _couple(element: Element, pose: DrawnPose, said: Words) -> Slots:
 
 
 def _driven(element: Element, pose: DrawnPose, said: Words) -> Slots:
-    return {"point": point_in_words(element["point"], pose, said), "distance": element["distance"]}
+    slots: Slots = {"point": point_in_words(element["point"], pose, said), "distance": element["distance"]}
+    return {**slots, "other": BodyRef(element["of"]), "key": "statement.driven_along"} if element["of"] else slots
 
 
 def _turned(element: Element, pose: DrawnPose, said: Words) -> Slots:
@@ -182,6 +183,7 @@ SENTENCES: Mapping[str, Writer] = {
     "prescribed-angle": _turned,
     "gravity": lambda e, p, w: {"g": e["g"]},
     "spring": _spring,
+    "pull": lambda e, p, w: {"size": e["size"], **_ends(e, p, w)},
     "damper": lambda e, p, w: {"coefficient": e["coefficient"], **_ends(e, p, w)},
     "torsion-spring": _twisting,
     "rotary-damper": _twisting,

@@ -70,7 +70,8 @@ def _sized(node: t.Node, name: str) -> t.Node:
 
 def _driven(pose: DrawnPose) -> Iterator[SketchArrow]:
     for element in pose.study.problem.of_kind("prescribed"):
-        way = _unit(*(pose.node(part) for part in element["along"]))
+        push = pose.study.system.named(element.name)[0].vector.derivative(element.name)
+        way = _unit(*(_value(pose, part, {}) for part in (push.x, push.y)))
         if way:
             yield SketchArrow("driven", pose.ref(element["point"]), way, element["distance"])
     for element in pose.study.problem.of_kind("prescribed-angle"):

@@ -40,7 +40,7 @@ def points(pose: DrawnPose) -> Iterator[sk.SketchPoint]:
         yield _joined(pose, element)
     for element in touching(pose):
         yield from _led_or_edge(pose, element)
-    for element in pose.study.problem.of_kind("spring", "damper"):
+    for element in pose.study.problem.of_kind("spring", "damper", "pull"):
         yield from _anchors(pose, *element["between"])
     for element in pose.study.problem.of_kind("string"):
         yield from _string_ends(pose, element["path"])
@@ -170,6 +170,8 @@ def cords(pose: DrawnPose) -> Iterator[sk.SketchCord]:
     """Curves, and each string as a line of points, with arcs round its pulleys."""
     geometry = geometry_of(pose.study.system)
     yield from (_bent(pose, element) for element in touching(pose) if element.values.get("curve") is not None)
+    for element in pose.study.problem.of_kind("pull"):
+        yield sk.SketchCord(tuple(pose.ref(ref) for ref in element["between"]), element["size"], "string")
     for element in pose.study.problem.of_kind("string"):
         pieces = [piece for run in runs(element["path"]) for piece in segments(run, geometry)]
         found: list[sk.Point] = []

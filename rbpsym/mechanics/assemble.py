@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
@@ -45,7 +45,7 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     solved = {c.name: tied.solved[c.name] for c in problem.coordinates if c.name in tied.solved}
     _refuse_frozen(problem, tied.implicit, names)
     scope, independent = _rates(names, tied, problem, free=free)
-    scope = _with_clock(scope, problem, placed)
+    scope = _with_clock(scope, problem, placed, tied.implicit)
     states = {name: _moving(name, inertias[name], placed[name], scope) for name in problem.body_names}
     bare = System(problem, names, solved, states, (), tied.conditions, tied.implicit, scope, independent, tied.speeds)
     _check_starts(bare)
@@ -53,9 +53,10 @@ def assemble(problem: Problem, *, free: bool = False) -> System:
     return _with_forces(bare, locator(problem, inertias, placed))
 
 
-def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose]) -> Scope:
+def _with_clock(scope: Scope, problem: Problem, placed: Mapping[str, Pose], tied: Iterable[Condition]) -> Scope:
     """The time runs where something depends on it explicitly."""
-    values = [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
+    values = [condition.value for condition in tied]
+    values += [v for pose in placed.values() for v in (pose.angle, pose.origin.x, pose.origin.y)]
     values += [scalar(node) for e in problem.interactions for v in e.values.values() for node in _nodes(v)]
     if not any(depends_on(value, CLOCK) for value in values):
         return scope

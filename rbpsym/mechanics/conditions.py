@@ -194,7 +194,8 @@ def _driven(value: Scalar, coordinate: Coordinate, given: Assumptions) -> Scalar
     from rbpsym.mechanics.roots import zeros
 
     ends = [(scalar(end), side) for end, side in ((coordinate.lower, 1), (coordinate.upper, -1)) if end is not None]
-    found = zeros(value, coordinate.name) if len(ends) == 2 else []
+    is_length = bool(coordinate.quantity.dimension.length)  # an angle comes back after each turn: both ends tell which is meant
+    found = zeros(value, coordinate.name) if len(ends) == 2 or (ends and is_length) else []
     gaps = [[sign((zero - end) * side, given) for end, side in ends] for zero in found]
     inside = [zero for zero, signs in zip(found, gaps, strict=True) if all(one.is_nonnegative for one in signs)]
     outside = [signs for signs in gaps if any(one.kind in ("negative", "zero", "nonpositive") for one in signs)]

@@ -14,7 +14,7 @@ from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair
-from rbpsym.mechanics.system import Force
+from rbpsym.mechanics.system import Force, rotated
 from rbpsym.statement.curves import toucher
 from rbpsym.statement.model import Element, Line, PointRef
 
@@ -140,14 +140,23 @@ def _string_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, st
 
 
 def _driven_gaps(element: Element, geometry: Geometry) -> tuple[tuple[Scalar, str], ...]:
-    place = geometry.where(element["point"])
-    return ((pair(element["along"]).dot(place) - scalar(element["distance"]), "driven"),)
+    place = geometry.where(element["point"]) - geometry.origin(element["of"])
+    return ((_driven_along(element, geometry).dot(place) - scalar(element["distance"]), "driven"),)
+
+
+def _driven_along(element: Element, geometry: Geometry) -> Vector:
+    along = pair(element["along"])
+    return rotated(along.x, along.y, geometry.angle(element["of"])) if element["of"] else along
 
 
 def _driving_force(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    ref, push = element["point"], pair(element["along"]) * symbol(element.name)
-    return (
-        Force(element.name, ref.body, "agent", geometry.where(ref), push, unknowns=(element.name,), where=ref.label),
+    """On the point; the opposite one on the body along which it is driven, if there is one."""
+    ref, of, push = element["point"], element["of"], _driven_along(element, geometry) * symbol(element.name)
+    ends = ((ref.body, of or "agent", push), (of, ref.body, -push))
+    return tuple(
+        Force(element.name, on, by, geometry.where(ref), vector, unknowns=(element.name,), where=ref.label)
+        for on, by, vector in ends
+        if on
     )
 
 

@@ -19,6 +19,7 @@ from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.inertia import tidy
 from rbpsym.mechanics.resistance import Resisted, resisted
 from rbpsym.mechanics.system import BodyState, Force, rotated
+from rbpsym.notation.tree import ONE
 from rbpsym.statement.model import Element, PointRef
 
 HALF = Fraction(1, 2)
@@ -116,7 +117,7 @@ def _apart(element: Element, setting: Setting) -> tuple[Scalar, ...]:
     """The distance of the ends, if it is no root and the force hangs on its sign."""
     first, second = element["between"]
     is_line = len((setting.where(second) - setting.where(first)).settled().parts) == 1
-    return (stretch(element, setting)[1],) if is_line and scalar(element["natural_length"]) else ()
+    return (stretch(element, setting)[1],) if is_line and scalar(element.values.get("natural_length", ONE)) else ()
 
 
 def _spring_energy(element: Element, setting: Setting) -> Scalar:
@@ -127,6 +128,16 @@ def _spring_energy(element: Element, setting: Setting) -> Scalar:
         return k * apart.dot(apart) * HALF
     _, distance = stretch(element, setting)
     return k * (distance - natural) ** 2 * HALF
+
+
+def _pull(element: Element, setting: Setting) -> tuple[Force, ...]:
+    return _ends(element, setting, stretch(element, setting)[0] * scalar(element["size"]))
+
+
+def _pull_energy(element: Element, setting: Setting) -> Scalar | None:
+    """F d for a constant force."""
+    size = scalar(element["size"])
+    return size * stretch(element, setting)[1] if setting.is_constant(size) else None
 
 
 def _couples(element: Element, first: str, second: str, on_second: Scalar, setting: Setting) -> tuple[Force, ...]:
@@ -252,6 +263,7 @@ LAWS: Mapping[str, Law] = {
     "gravity": Law(_weights, _height_energy),
     "spring": Law(_spring, _spring_energy, _apart),
     "torsion-spring": Law(_torsion, lambda e, s: scalar(e["stiffness"]) * _twist(e, s) ** 2 * HALF),
+    "pull": Law(_pull, _pull_energy, _apart),
     "damper": Law(_damper, _no_potential),
     "rotary-damper": Law(_rotary_damper, _no_potential),
     "force": Law(_applied_force, _applied_energy),

@@ -148,9 +148,11 @@ def speeds_along(element: Element, geometry: Geometry) -> tuple[tuple[str, Scala
 
 
 def gap(element: Element, geometry: Geometry) -> Scalar | None:
-    """Square of the distance minus that of the given length; None if no length is given."""
+    """The distance minus the given length, along one line; else the same of their squares; None if no length is given."""
     if element["length"] is None:
         return None
     first, second = (geometry.where(turn.center) for turn in element["path"])
-    apart = second - first
-    return apart.dot(apart) - scalar(element["length"]) ** 2
+    apart, length = (second - first).settled(), scalar(element["length"])
+    if len(apart.parts) == 1 and (sign := geometry.sign(next(iter(apart.parts.values())))):
+        return next(iter(apart.parts.values())) * sign - length
+    return apart.dot(apart) - length**2

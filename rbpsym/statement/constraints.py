@@ -195,9 +195,10 @@ CONSTRAINTS: dict[str, ElementKind] = registry(
             Field(
                 "length",
                 "expression",
-                "length between two points; absent: as at the start",
+                "length between two points, which may change with the time t (a winch): “L - u*t”; absent: as at the start",
                 LENGTH,
                 default="",
+                may_use="time",
                 sign="positive",
             ),
         ),
@@ -208,7 +209,15 @@ CONSTRAINTS: dict[str, ElementKind] = registry(
         "a light rigid rod between two points: it keeps their distance, and pulls or pushes",
         (
             Field("points", "path", "the two points that it joins"),
-            Field("length", "expression", "its length; absent: as at the start", LENGTH, default="", sign="positive"),
+            Field(
+                "length",
+                "expression",
+                "its length, which may change with the time t (a telescope); absent: as at the start",
+                LENGTH,
+                default="",
+                may_use="time",
+                sign="positive",
+            ),
         ),
         aliases=("light-rod",),
         read_as="string",
@@ -220,6 +229,13 @@ CONSTRAINTS: dict[str, ElementKind] = registry(
             Field("point", "point", "the point that is driven"),
             Field("distance", "expression", f"place along the direction, {_TIME_PLACE}", LENGTH, may_use="time"),
             Field("along", "pair", "unit vector of the direction", NUMBER, default=["1", "0"]),
+            Field(
+                "of",
+                "body",
+                "the body along which it is driven, which feels the opposite force: direction and place are those in its frame; "
+                "absent: in space, by an outside agent",
+                default="",
+            ),
         ),
         unknowns=(_NORMAL,),
     ),

@@ -106,6 +106,11 @@ def _joins_two(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> No
         raise element.error("joins two fixed places", "name a point of a body.")
 
 
+def _along_another(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
+    if element["point"].body == element["of"]:
+        raise element.error(f"drives a point of “{element['of']}” along that body itself", "name a point of another body.")
+
+
 def _no_fixed_place(element: Element, scope: Scope, bodies: Mapping[str, Body]) -> None:
     for point in element["points"]:
         if point.body is None:
@@ -148,6 +153,7 @@ _RULES: Mapping[str, tuple[Callable, ...]] = {
     "gravity": (_unit_direction,),
     "spring": (_between_points,),
     "damper": (_between_points,),
+    "pull": (_between_points,),
     "torsion-spring": (_between_bodies,),
     "rotary-damper": (_between_bodies,),
     "force": (_on_a_body("on"), _body_frame),
@@ -156,6 +162,7 @@ _RULES: Mapping[str, tuple[Callable, ...]] = {
     "resisting-couple": (_between_bodies, _own_letter),
     "pivot": (_on_a_body("point"), _pivot_place),
     "pin": (_no_fixed_place, _joins_two),
+    "prescribed": (_on_a_body("point"), _along_another),
     "weld": (_joins_two, _no_particle, _weld_angle),
     **CURVE_RULES,
 }

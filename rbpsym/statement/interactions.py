@@ -41,6 +41,15 @@ INTERACTIONS: dict[str, ElementKind] = registry(
         ),
     ),
     ElementKind(
+        "pull",
+        "a force of given size along the line of two points, which pulls them together: a rope that is pulled over a fixed "
+        "point, a jack (which pushes: negative)",
+        (
+            _BETWEEN_POINTS,
+            Field("size", "expression", "the force, positive where it pulls", FORCE, may_use="speeds"),
+        ),
+    ),
+    ElementKind(
         "damper",
         "a dashpot between two points: force coefficient × rate at which their distance changes",
         (

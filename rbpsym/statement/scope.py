@@ -11,6 +11,7 @@ from rbpsym.errors import DimensionError, Place, RbpsymError, StatementError
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import written_otherwise
 from rbpsym.notation.tree import Add, Node, Num, Sym, walk
+from rbpsym.notation.tree import names as tree_names
 from rbpsym.quantities import LENGTH, NUMBER, TIME, Dimension
 from rbpsym.statement.hints import unknown_symbol
 from rbpsym.statement.model import Pair
@@ -163,7 +164,8 @@ def _check_values(node: Node, scope: Scope, what: str, sign: str) -> None:
     if found := without_value(node, given):
         raise _at(found[0], f"{what} {found[1]}", "write what has a value for the numbers that are declared.")
     found = contradicts(node, sign, given)
-    if found and not (found == LEFT_OPEN and scope.variables):  # where in the body it varies is not known here
+    varies = scope.variables or CLOCK in tree_names(node)  # where in the body, or when, is not known here
+    if found and not (found == LEFT_OPEN and varies):
         raise _at(node, f"{what} must be {sign}, but this is {found}", SIGNS_ARE_PREMISES)
 
 

@@ -25,12 +25,14 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided
 from rbpsym.errors import LimitError, NotApplicable
+from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import residue, solve_linear
 from rbpsym.mechanics.energy import potentials
 from rbpsym.mechanics.friction import geometry_of, resistances
 from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.placing import locator
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System, rotated
@@ -179,6 +181,12 @@ def _damper_work(element: Element, motion: Motion, name: str) -> Scalar:
     return -(scalar(element["coefficient"]) * rates / apart.dot(apart))
 
 
+def _pull_work(element: Element, motion: Motion, name: str) -> Scalar:
+    """-F ∂d/∂q with the distance d."""
+    distance = stretch(element, setting_of(motion.system, motion.where))[1]
+    return -(motion.own(scalar(element["size"])) * derivative(distance, name))
+
+
 def _rotary_damper_work(element: Element, motion: Motion, name: str) -> Scalar:
     first, second = element["between"]
     twist = motion.angle(second) - motion.angle(first)
@@ -218,6 +226,7 @@ def _resisting_work(element: Element, motion: Motion, name: str) -> Scalar:
 
 
 VIRTUAL_WORKS: Mapping[str, Callable[[Element, Motion, str], Scalar]] = {
+    "pull": _pull_work,
     "damper": _damper_work,
     "rotary-damper": _rotary_damper_work,
     "force": _force_work,

@@ -18,6 +18,7 @@ import numpy as np
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import FUNCTIONS, Values
+from rbpsym.notation.tree import neg
 from rbpsym.statement.model import Element, PointRef, Turn
 from rbpsym.statement.paths import runs, tensions
 from rbpsym.verify.simulation_bodies import Mechanism, Spot, State
@@ -26,8 +27,8 @@ from rbpsym.verify.simulation_joints import (
     Entries,
     Kept,
     Row,
+    driven,
     driven_angle,
-    driven_point,
     pin,
     pivot,
     turn,
@@ -177,9 +178,7 @@ def _line(element: Element, mechanism: Mechanism, start: State) -> Curve:
     line, bearer = element["line"], mechanism.body_number(element["of"])
     a, b, c = (mechanism.number(node) for node in (line.a, line.b, line.c))
     a, b, c = (part / math.hypot(a, b) for part in (a, b, c))
-    frame = GROUND_SPOT
-    if bearer >= 0:
-        frame = Spot(bearer, -mechanism.centers[bearer][0], -mechanism.centers[bearer][1])
+    frame = _frame(bearer, mechanism)
 
     def across(where: Complex) -> Point:
         angle = where[3 * bearer + 2] if bearer >= 0 else 0.0
@@ -297,25 +296,22 @@ def slipping(element: Element, mechanism: Mechanism, start: State) -> Kept:
 
 
 def string(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A tension for each run of the string, for the speeds along it."""
-    return [
-        kept_by(element.name, name, _pulls(run, mechanism), _stretch(element, run, mechanism))
-        for name, run in zip(tensions(element), runs(element["path"]), strict=True)
-    ]
+    """A tension for each run of the string: for the speeds along it, or the length of a straight piece."""
+    found = zip(tensions(element), runs(element["path"]), strict=True)
+    return [_along_run(element, name, run, mechanism) for name, run in found]
 
 
-def _stretch(element: Element, run: tuple[Turn, ...], mechanism: Mechanism) -> Callable[[Complex], complex] | None:
-    """Natural length minus length, for a straight piece whose length is given."""
-    if element["length"] is None:
-        return None
+def _along_run(element: Element, name: str, run: tuple[Turn, ...], mechanism: Mechanism) -> Kept:
+    pushes, length = _pulls(run, mechanism), element["length"]
+    if length is None:
+        return kept_by(element.name, name, pushes)
     first, second = (mechanism.spot(turn.center) for turn in run)
-    length = mechanism.number(element["length"])
 
-    def gap(where: Complex) -> complex:
+    def shrunk(where: Complex) -> complex:
         (ax, ay), (bx, by) = spot_at(first, where), spot_at(second, where)
-        return length - cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
+        return -cmath.sqrt((bx - ax) ** 2 + (by - ay) ** 2)
 
-    return gap
+    return driven(element.name, name, kept_by(element.name, name, pushes, shrunk).at, neg(length), mechanism)
 
 
 def _pulls(run: tuple[Turn, ...], mechanism: Mechanism) -> Pushes:
@@ -340,6 +336,34 @@ def _along(dx: complex, dy: complex, offset: complex) -> Point:
     square = dx * dx + dy * dy
     length = cmath.sqrt(square - offset * offset)
     return (dx * length + dy * offset) / square, (dy * length - dx * offset) / square
+
+
+def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
+    """A point driven along a direction of space or of a body; the force is along it."""
+    spot, (ax, ay) = mechanism.spot(element["point"]), mechanism.pair(element["along"])
+    bearer = mechanism.body_number(element["of"])
+    frame = _frame(bearer, mechanism)
+
+    def along(where: Complex) -> Point:
+        angle = where[3 * bearer + 2] if bearer >= 0 else 0.0
+        cos, sin = cmath.cos(angle), cmath.sin(angle)
+        return cos * ax - sin * ay, sin * ax + cos * ay
+
+    def pushes(where: Complex) -> list[Push]:
+        here, (x, y) = spot_at(spot, where), along(where)
+        return [Push(spot.body, here, x, y), Push(bearer, here, -x, -y)]
+
+    def place(where: Complex) -> complex:
+        here, origin, way = spot_at(spot, where), spot_at(frame, where), along(where)
+        return sum((a - b) * c for a, b, c in zip(here, origin, way, strict=True))
+
+    own = kept_by(element.name, element.name, pushes, place)
+    return [driven(element.name, element.name, own.at, element["distance"], mechanism)]
+
+
+def _frame(bearer: int, mechanism: Mechanism) -> Spot:
+    """The origin of the frame of a body, or of space."""
+    return Spot(bearer, *(-part for part in mechanism.centers[bearer])) if bearer >= 0 else GROUND_SPOT
 
 
 KINDS: Mapping[str, Callable[[Element, Mechanism, State], list[Kept]]] = {

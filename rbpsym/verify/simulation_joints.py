@@ -106,7 +106,7 @@ def pivot(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     held, at = mechanism.spot(element["point"]), element["at"]
     if at is not None and not mechanism.is_constant(*at):
         ways = (("x", 1.0, 0.0, at[0]), ("y", 0.0, 1.0, at[1]))
-        return [_driven(element.name, f"{element.name}_{a}", component(held, *d), n, mechanism) for a, *d, n in ways]
+        return [driven(element.name, f"{element.name}_{a}", component(held, *d), n, mechanism) for a, *d, n in ways]
     here = placed(held, start, [0.0] * len(start)).place if at is None else mechanism.pair(at)
     return _meeting(Spot(-1, *here), held, element.name)
 
@@ -140,7 +140,7 @@ def _weld_angle(element: Element, mechanism: Mechanism, first: Spot, second: Spo
     return turn(first.body, second.body)(start, start).value
 
 
-def _driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanism: Mechanism) -> Kept:
+def driven(name: str, multiplier: str, quantity: Condition, node: Node, mechanism: Mechanism) -> Kept:
     """A quantity of the bodies that equals a function of time."""
     wanted = scalar(node)
     speed_wanted = derivative(wanted, "t")
@@ -154,13 +154,7 @@ def _driven(name: str, multiplier: str, quantity: Condition, node: Node, mechani
     return Kept(name, multiplier, row)
 
 
-def driven_point(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
-    """A point driven along a direction; the force is along it."""
-    along = component(mechanism.spot(element["point"]), *mechanism.pair(element["along"]))
-    return [_driven(element.name, element.name, along, element["distance"], mechanism)]
-
-
 def driven_angle(element: Element, mechanism: Mechanism, start: State) -> list[Kept]:
     """A body that is turned; the couple is the multiplier."""
     angle = turn(mechanism.body_number(element["of"]), mechanism.body_number(element["body"]))
-    return [_driven(element.name, element.name, angle, element["angle"], mechanism)]
+    return [driven(element.name, element.name, angle, element["angle"], mechanism)]

@@ -49,6 +49,16 @@ def _damper(element: Element, mechanism: Mechanism, coordinates: Coordinates) ->
     return _between(element, mechanism, lambda d, rate: c * rate / (d * d))
 
 
+def _pull(element: Element, mechanism: Mechanism, coordinates: Coordinates) -> Law:
+    sizes = _values((element["size"],), mechanism, coordinates)
+
+    def law(where: State, speed: State) -> list[Load]:
+        size = sizes(where, speed)[0]
+        return _between(element, mechanism, lambda d, rate: size / d)(where, speed)
+
+    return law
+
+
 def _couples(name: str, first: int, second: int, on_second: float) -> list[Load]:
     pairs = ((second, on_second), (first, -on_second))
     return [Load(name, k, 0.0, 0.0, couple) for k, couple in pairs if k >= 0]
@@ -98,6 +108,7 @@ LAWS: Mapping[str, Callable[[Element, Mechanism, Coordinates], Law]] = {
     "gravity": _gravity,
     "spring": _spring,
     "torsion-spring": _torsion,
+    "pull": _pull,
     "damper": _damper,
     "rotary-damper": _rotary_damper,
     "force": _force,

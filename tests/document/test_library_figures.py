@@ -91,7 +91,7 @@ def test_every_part_of_the_statement_is_seen(name: str) -> None:
     held = [*problem.constraints, *{e.name: e for e in later}.values()]
     kinds += ["string" for e in held[len(problem.constraints) :] if "path" in e.values]
     assert len(sketch.bodies) == len(problem.bodies)
-    assert len([cord for cord in sketch.cords if cord.kind != "rail"]) == kinds.count("string")
+    assert len([cord for cord in sketch.cords if cord.kind != "rail"]) == kinds.count("string") + kinds.count("pull")
     assert len(sketch.links) == kinds.count("spring") + kinds.count("damper")
     assert len(sketch.coils) == kinds.count("torsion-spring") + kinds.count("rotary-damper")
     assert sum(point.kind == "pivot" for point in sketch.points) >= kinds.count("pivot")

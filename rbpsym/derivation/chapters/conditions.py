@@ -159,7 +159,7 @@ def _driven_rows(draft: Draft, element: Element) -> list[t.Node]:
         angle = draft.study.problem.body(element["body"]).angle
         base = draft.study.problem.body(element["of"]).angle if element["of"] else t.ZERO
         return [] if None in (angle, base) else [t.equation(t.add(angle, t.neg(base)), element["angle"])]
-    if element.kind != "prescribed":
+    if element.kind != "prescribed" or element["of"]:
         return []
     at = coordinates_of(draft, element["point"])
     if at is None:

@@ -116,7 +116,7 @@ def points(seen: SeenStudy) -> Iterator[Part]:
 
 def fixed_ends(seen: SeenStudy) -> Iterator[Any]:
     """Points of the ground to which springs, dampers and strings are tied."""
-    for element in seen.study.problem.of_kind("spring", "damper"):
+    for element in seen.study.problem.of_kind("spring", "damper", "pull"):
         yield from (ref for ref in element["between"] if ref.body is None)
     for element in seen.study.problem.of_kind("string"):
         yield from (turn.center for turn in element["path"] if turn.body is None and not turn.sense)
@@ -167,6 +167,8 @@ def cords(seen: SeenStudy) -> Iterator[Part]:
     for element in seen.study.problem.of_kind("guide", "contact"):
         if element["curve"] is not None:
             yield from bent(seen, element)
+    for element in seen.study.problem.of_kind("pull"):
+        yield {"ends": [seen.at(seen.geometry.where(ref)) for ref in element["between"]], "turn": None}
     for element in seen.study.problem.of_kind("string"):
         for run in runs(element["path"]):
             for piece in segments(run, seen.geometry):
