@@ -128,9 +128,9 @@ def _is_first(context: Context, step: Step, gap: Scalar, time: Scalar) -> Verdic
     slope = derivative(gap, "t")
     dying = [function("exp", atoms.atom(i).arg) for i in gap.atoms() if atoms.atom(i).kind == "exp" and "t" in atom_names(i)]
     steady = [slope, *(short(slope / factor) for factor in dying)]
-    if sign(slope, _given(context, step)).is_nonzero or any(value and not depends_on(value, "t") for value in steady):
+    given_ = _given(context, step).with_signs({"t": "positive"})
+    if sign(slope, given_).is_nonzero or any(value and not depends_on(value, "t") for value in steady):
         return Verdict(PROVED, how="it changes in one sense all the time")
-    given_ = _given(context, step)
     begins, bends = sign(substitute(slope, {"t": NOTHING}), given_), sign(derivative(slope, "t"), given_)
     if bends.is_nonzero and bends.sense and (begins.kind == "zero" or begins.sense == bends.sense):
         return Verdict(PROVED, how="it changes in one sense, ever faster")
@@ -194,6 +194,7 @@ def feature(context: Context, step: Step) -> Verdict:
     form, name = step.data["form"], step.data["name"]
     place, speed = symbol(name), symbol(f"{name}_dot")
     stated = form.constant - form.stiffness * place - form.damping * speed - form.drag * speed * speed + form.drive
+    stated += form.power / speed
     found = same(context, _gained(context, step), stated)
     return weakest([found, *FEATURES[step.data["key"]](context, step, context.value(right))])
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import substitute
@@ -46,7 +47,9 @@ def stops(system: System) -> bool:
     """Whether dry friction acts, or another resistance that is there at rest too: its sense is that of the motion."""
     rough = any(element.values.get("coefficient") is not None for element in system.problem.constraints)
     still = dict.fromkeys(system.speeds, NOTHING)
-    return rough or any(found.sense and substitute(found.push, still) for found in resistances(system).values())
+    with suppress(ZeroDivisionError):
+        return rough or any(found.sense and substitute(found.push, still) for found in resistances(system).values())
+    return True
 
 
 def senses(system: System) -> dict[str, int | Scalar]:

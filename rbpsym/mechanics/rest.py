@@ -39,9 +39,11 @@ class Rest:
 
 
 def resting_forces(system: System, dynamics: Dynamics) -> tuple[Scalar, ...]:
-    """Generalized forces with all speeds zero."""
+    """Generalized forces with all speeds zero; none where one has no value at rest (that of a given power)."""
     still = dict.fromkeys(system.speeds, NOTHING)
-    return tuple(short(substitute(value, still)) for value in dynamics.forcing)
+    with suppress(ZeroDivisionError):
+        return tuple(short(substitute(value, still)) for value in dynamics.forcing)
+    return ()
 
 
 def unfit(system: System, dynamics: Dynamics) -> str:
@@ -50,6 +52,8 @@ def unfit(system: System, dynamics: Dynamics) -> str:
         return "coordinates stay tied to each other by an equation"
     if not all(dynamics.ideal.values()) or stops(system):
         return "kinetic friction acts, whose sense depends on the motion"
+    if system.independent and not resting_forces(system, dynamics):
+        return "a force has no value at rest"
     if any(depends_on(force, "t") for force in resting_forces(system, dynamics)):
         return "the forces depend on the time"
     return "there are more than four free coordinates" if len(system.independent) > 4 else ""

@@ -1,8 +1,9 @@
 """The motion of one coordinate as a function of the time, where its acceleration has a form that can be integrated.
 
 q̈ = c - s q - b q̇ - k q̇² + h(t) with constant c, s, b, k: free, damped and harmonically driven oscillations (k = 0), resistance
-in proportion to the speed (s = k = 0) and to its square (s = b = 0). A solution starts as the motion does; that it solves
-the equation is proved by differentiation (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
+in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = p/q̇ of a constant power. A solution starts
+as the motion does; that it solves the equation is proved by differentiation (`derivation.checks_solutions`).
+Kleppner & Kolenkow, 11; Goldstein, 6.6.
 """
 
 from __future__ import annotations
@@ -35,7 +36,8 @@ STEADY, SMALL = "steady", "small"
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive, where d²(drive)/dt² = -frequency² drive."""
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive + power/q̇, where d²(drive)/dt² = -frequency² drive; a power
+    stands alone."""
 
     constant: Scalar
     stiffness: Scalar = NOTHING
@@ -43,6 +45,7 @@ class Form:
     drag: Scalar = NOTHING
     drive: Scalar = NOTHING
     frequency: Scalar = NOTHING
+    power: Scalar = NOTHING
 
     @property
     def rest(self) -> Scalar:
@@ -138,10 +141,12 @@ def form_along(study: Study, name: str) -> Form | None:
 def form_of(value: Scalar, name: str, moving: set[str]) -> Form | None:
     """The form of an acceleration; None for another one."""
     speed = f"{name}_dot"
-    slope = derivative(value, speed)
+    power, slope = short(value * symbol(speed)), derivative(value, speed)
+    if power and not names_in(power) & moving:
+        return Form(NOTHING, power=power)
     try:
         parts = (derivative(value, name), substitute(slope, {speed: NOTHING}), derivative(slope, speed) / 2)
-    except ZeroDivisionError:  # no polynomial in the speed
+    except ZeroDivisionError:  # it grows beyond all bounds where the speed vanishes
         return None
     stiffness, damping, drag = (short(-part) for part in parts)
     left = short(value + stiffness * symbol(name) + damping * symbol(speed) + drag * symbol(speed) ** 2)
@@ -263,8 +268,8 @@ def modes_of(study: Study) -> dict[str, Course]:
 
 def kind_of(form: Form) -> str:
     """Which of the solved forms it is: a key of SOLVED, or “damped”."""
-    if form.drag:
-        return "dragged"
+    if form.drag or form.power:
+        return "dragged" if form.drag else "powered"
     if form.stiffness:
         return "damped" if form.damping else "swinging"
     return "resisted" if form.damping else "uniform"
@@ -380,10 +385,18 @@ def _dragged(known: Given) -> Course | None:
     return Course(known.place + last * TIME + function("ln", part) / form.drag, letters, valid=valid) if way else None
 
 
+def _powered(known: Given) -> Course | None:
+    """q̇² grows as 2 p t."""
+    square, way = known.speed**2 + known.form.power * TIME * 2, known.sense(known.speed)
+    speed = root(square) * way
+    return Course(known.place + (speed**3 - known.speed**3) / known.form.power / 3, valid=(Demand(square),)) if way else None
+
+
 SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
     "uniform": _uniform,
     "swinging": _swinging,
     "resisted": _resisted,
     "dragged": _dragged,
+    "powered": _powered,
 }
 DAMPED: Mapping[str, Callable[[Given, Scalar], Course | None]] = {WEAK: _weak, CRITICAL: _critical, STRONG: _strong}

@@ -152,9 +152,9 @@ def feature(known: Given, key: str) -> Scalar | None:
 
 def time_to(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
     """The first t > 0 at which a function of the time vanishes, and what has to be positive for that; None where no formula
-    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm, in e^{ηt} and e^{-ηt} alone, or in
-    sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
-    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_growth, _by_logarithm, _by_wave))
+    gives it: one is found where the time stands in it once, as t, in e^{λt}, in a logarithm or a root, in e^{ηt} and e^{-ηt}
+    alone, or in sines and cosines of ϑt. `letters` stand for their values in it, and in the time that is found."""
+    found = (find(Scalar(gap.num), known, letters) for find in (_by_power, _by_growth, _by_logarithm, _by_root, _by_wave))
     return next((one for one in found if one is not None), None)
 
 
@@ -213,6 +213,15 @@ def _by_logarithm(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, 
     if parts is None:
         return None
     return time_to(atoms.atom(moving[0]).arg - function("exp", short(-parts[1] / parts[0])), known, letters)
+
+
+def _by_root(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:
+    """a √f(t) + b = 0 as f(t) = (b/a)², where -b/a is not negative."""
+    moving = _moving(gap)
+    parts = _linear(gap, moving[0]) if len(moving) == 1 and atoms.atom(moving[0]).kind == "root" else None
+    value = short(-parts[1] / parts[0]) if parts else NOTHING
+    found = time_to(atoms.atom(moving[0]).arg - value**2, known, letters) if parts else None
+    return None if found is None else (found[0], (*found[1], Demand(substitute(value, letters), ">=")))
 
 
 def _by_wave(gap: Scalar, known: Given, letters: Letters) -> tuple[Scalar, tuple[Demand, ...]] | None:

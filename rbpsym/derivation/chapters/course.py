@@ -26,7 +26,7 @@ def write(draft: Draft) -> None:
     draft.chapter = "course"
     for name in draft.study.system.independent:
         known = solutions.given(draft.study, name)
-        if known is None or not (known.form.stiffness or known.form.damping or known.form.drag):
+        if known is None or not (known.form.stiffness or known.form.damping or known.form.drag or known.form.power):
             continue
         for one in solutions.courses(known) if not known.form.drive else (solutions.driven(known),):
             told(draft, name, one)
