@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
@@ -386,10 +387,11 @@ def _dragged(known: Given) -> Course | None:
 
 
 def _powered(known: Given) -> Course | None:
-    """q̇² grows as 2 p t."""
-    square, way = known.speed**2 + known.form.power * TIME * 2, known.sense(known.speed)
-    speed = root(square) * way
-    return Course(known.place + (speed**3 - known.speed**3) / known.form.power / 3, valid=(Demand(square),)) if way else None
+    """The square of the speed grows at the rate 2 p."""
+    rate, way = known.letter("lamda"), known.sense(known.speed)
+    square, letters = known.speed**2 + rate * TIME, _named(rate, short(known.form.power * 2))
+    place = known.place + ((root(square) * way) ** 3 - known.speed**3) / rate * Fraction(2, 3)
+    return Course(place, letters, valid=(Demand(substitute(square, letters)),)) if way else None
 
 
 SOLVED: Mapping[str, Callable[[Given], Course | None]] = {
