@@ -306,7 +306,8 @@ def _valid(
         asked = [Demand(substitute(one.value, image), one.op) for one in asked]
     asked = [*first, *asked]
     if moment is not None and moment.watched:
-        asked = [Demand(substitute(one.value, {"t": moment.state.time}), one.op) for one in asked]
+        at, given = {"t": moment.state.time}, found.study.assumptions
+        asked = [Demand(neat(substitute(one.value, at), given), one.op) for one in asked]
     stated = (*(moment.state.valid if moment else ()), *lasts)
     wanted = (*stated, *asked)
     never = next((one for one in wanted if settle([one], found.study.assumptions) is None), None)

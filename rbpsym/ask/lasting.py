@@ -78,7 +78,7 @@ def slipping(study: Study, state: State) -> Iterator[Demand]:
     image = image_of(study, state)
     for slip in slips(study.system).values():
         there = short(substitute(slip, image))
-        if not names_in(there) & study.system.scope.rates.keys():
+        if there and not names_in(there) & study.system.scope.rates.keys():
             yield Demand(there, ">=")
 
 
