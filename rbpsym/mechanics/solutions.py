@@ -1,9 +1,8 @@
 """The motion of one coordinate as a function of the time, where its acceleration has a form that can be integrated.
 
 q̈ = c - s q - b q̇ - k q̇² + h(t) with constant c, s, b, k: free, damped and harmonically driven oscillations (k = 0), resistance
-in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = p/q̇ of a constant power. A solution starts
-as the motion does; that it solves the equation is proved by differentiation (`derivation.checks_solutions`).
-Kleppner & Kolenkow, 11; Goldstein, 6.6.
+in proportion to the speed (s = k = 0) and to its square (s = b = 0); and q̈ = p/q̇ of a constant power. That it starts as
+the motion does and solves the equation is proved (`derivation.checks_solutions`). Kleppner & Kolenkow, 11; Goldstein, 6.6.
 """
 
 from __future__ import annotations
@@ -37,8 +36,7 @@ STEADY, SMALL = "steady", "small"
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive + power/q̇, where d²(drive)/dt² = -frequency² drive; a power
-    stands alone."""
+    """q̈ = constant - stiffness q - damping q̇ - drag q̇² + drive + power/q̇, where d²(drive)/dt² = -frequency² drive; or power/q̇."""
 
     constant: Scalar
     stiffness: Scalar = NOTHING
@@ -116,7 +114,6 @@ class Given:
         except NoNumber:
             return 0
         return (found > 0) - (found < 0)
-
 
 
 def given(study: Study, name: str, *, small: bool = False) -> Given | None:
@@ -199,7 +196,6 @@ def courses(known: Given) -> Iterator[Course]:
 def lasting(known: Given, one: Course) -> Course:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
     from rbpsym.mechanics import slipping
-
     if not slips(known.study.system):
         return one
     others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}
