@@ -40,6 +40,7 @@ SOURCES  := $(shell find rbpsym templates derivations -type f ! -name '*.pyc' 2>
 
 .PHONY: help notes test test-fast bare thorough check mutants distractors lint bench library docs clean
 .DELETE_ON_ERROR:
+unexport PYTHONDONTWRITEBYTECODE  # tests run hundreds of short processes: what they load is compiled once
 
 help:
 	@sed -n 's/^# \(make .*\)/\1/p' Makefile
