@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from fractions import Fraction
 from itertools import combinations
@@ -115,21 +114,6 @@ def divisors(den: Poly) -> Monomial:
         for index, exponent in m:
             lowest[index] = min(lowest.get(index, 0), exponent)
     return tuple(sorted((index, -exponent) for index, exponent in lowest.items() if exponent < 0))
-
-
-def plain_value(poly: Poly) -> float | None:
-    """The value of a polynomial in π and roots of numbers alone."""
-    plain = {index: _plain_atom(index) for index in poly.atoms()}
-    if None in plain.values():
-        return None
-    return sum(float(c) * math.prod(plain[i] ** e for i, e in m) for m, c in poly.terms.items())
-
-
-def _plain_atom(index: int) -> float | None:
-    found = atoms.atom(index)
-    if found.kind == "root" and (number := found.arg.number()) is not None:
-        return math.sqrt(number)
-    return math.pi if index == atoms.PI else None
 
 
 def common_coefficient(poly: Poly, style: Style) -> Coefficient:
