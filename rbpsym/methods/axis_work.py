@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from rbpsym.algebra.calculus import derivative, names_in
 from rbpsym.algebra.evaluate import at_start
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, short
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters.inertia import moment_about, turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
-from rbpsym.mechanics.elimination import short
 from rbpsym.methods.balances import outer_forces
 from rbpsym.methods.known_works import integral, started
 from rbpsym.notation import tree as t

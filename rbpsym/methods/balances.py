@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero, without_even_roots
+from rbpsym.algebra.normal import is_zero, short, without_even_roots
 from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.present import present_ratio
 from rbpsym.algebra.scalar import NOTHING, Scalar
@@ -20,7 +20,7 @@ from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.constraints import JOINTS
-from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import normal
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
@@ -115,7 +115,7 @@ def _torque(study: Study, kind: str, bodies: tuple[str, ...], label: str, point:
     return _balance(study, kind, bodies, label, point, left, right)
 
 
-def _balance(study: Study, kind: str, bodies, label: str, where: Vector, left: Scalar, right: Scalar) -> Balance:
+def _balance(study: Study, kind: str, bodies: tuple[str, ...], label: str, where: Vector, left: Scalar, right: Scalar) -> Balance:
     left, right = short(left), short(right)
     names = (*study.system.accelerations, *study.system.unknowns)
     unknowns = frozenset(n for n in names if not is_zero(derivative(left - right, n)))
@@ -282,6 +282,6 @@ def _varies(coefficient: Scalar, draft: Draft) -> bool:
     return any(depends_on(coefficient, name) for name in draft.study.system.coordinates)
 
 
-def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Node:
+def solved_for(draft: Draft, name: str, raw: t.Node, value: Scalar) -> t.Chain:
     """unknown = form that keeps both sides of the equation (= the same with all that cancels taken out)."""
     return t.equation(t.Sym(name), *with_shorter(draft, raw, value))

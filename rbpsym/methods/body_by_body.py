@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.balances import Balance
 from rbpsym.notation import tree as t
@@ -45,7 +45,7 @@ def _without(side: Scalar, settled: Mapping[str, Step]) -> Scalar:
     return substitute(side, dict.fromkeys(settled, NOTHING)) if settled else side
 
 
-def _inner(draft: Draft, balance: Balance) -> list:
+def _inner(draft: Draft, balance: Balance) -> list[Force]:
     return [f for f in draft.study.system.forces if f.on in balance.bodies and f.by in balance.bodies]
 
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, short, tidy
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters import momentum
 from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import StepRef
 from rbpsym.mechanics import energy
-from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.inertia import tidy
 from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.net_work import is_kinetic, net_power, work_symbols
 from rbpsym.notation import tree as t
@@ -28,14 +26,15 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
         return None
     draft.chapter = "energy"
     _kinetic(draft)
-    if draft.study.first_integral is None:
+    kept = draft.study.first_integral
+    if kept is None:
         _not_conserved(draft)
         return None
     _potentials(draft)
     _splits(draft)
-    _conserved(draft)
+    _conserved(draft, kept)
     _speeds(draft)
-    return _acceleration(draft)
+    return _acceleration(draft, kept)
 
 
 def _not_conserved(draft: Draft) -> None:
@@ -145,12 +144,12 @@ def _splits(draft: Draft) -> None:
         if value is None or not items or name not in {i.force for i in draft.study.works}:
             continue
         works = list(work_symbols(draft, [i for i in draft.study.works if i.force == name]))
-        change = t.neg(t.Delta(t.Sym(draft.free(f"U_{name}"))))
+        gain = t.Delta(t.Sym(draft.free(f"U_{name}")))
         equal = len(works) == 2 and items[0].translational.parts == items[0].rotational.parts
         if equal:
-            statement = t.equation(*works, t.neg(t.mul(t.Div(t.ONE, t.TWO), change.arg)))
+            statement = t.equation(*works, t.neg(t.mul(t.Div(t.ONE, t.TWO), gain)))
         else:
-            statement = t.equation(t.add(*works), change)
+            statement = t.equation(t.add(*works), t.neg(gain))
         draft.add(
             f"split.{name}",
             "work",
@@ -162,11 +161,10 @@ def _splits(draft: Draft) -> None:
         )
 
 
-def _conserved(draft: Draft) -> None:
+def _conserved(draft: Draft, value: Scalar) -> None:
     """E = T + U is constant."""
     letters = [t.Sym(draft.free("K", "tot"))]
     letters += [t.Sym(draft.free(f"U_{n}")) for n, v in energy.potentials(draft.study.system).items() if v]
-    value = draft.study.first_integral
     shown = _as_sum(draft)
     letter = draft.define(draft.free("E", "tot"), value)
     items = (
@@ -228,7 +226,7 @@ def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
     return t.add(draft.show(begun, factor=True), *([draft.show(gained, factor=True)] if gained else []))
 
 
-def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
+def _acceleration(draft: Draft, kept: Scalar) -> Mapping[str, Scalar] | None:
     """dE/dt = 0 divided by the speed, where one coordinate is left to be found."""
     system = draft.study.system
     accelerations = draft.study.dynamics.accelerations or {}
@@ -239,7 +237,7 @@ def _acceleration(draft: Draft) -> Mapping[str, Scalar] | None:
         return None
     [name] = open_
     resting = {f"{n}_ddot": NOTHING for n in system.independent if n != name}
-    rate = substitute(draft.context.rate_of(draft.study.first_integral), resting)
+    rate = substitute(draft.context.rate_of(kept), resting)
     inner = short(rate / symbol(f"{name}_dot"))
     if inner.num.atoms() and any(derivative(inner, f"{n}_dot") for n in system.independent if n != name):
         return None

@@ -6,12 +6,11 @@ from collections.abc import Iterable, Mapping
 
 from rbpsym.algebra.calculus import depends_on, names_in, substitute
 from rbpsym.algebra.evaluate import at_start
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, short
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.draft import Draft
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.notation import tree as t
 
@@ -110,5 +109,6 @@ def show_gained(draft: Draft, value: Scalar) -> t.Node:
     begun = draft.show(start[speed.name])
     grown = t.mul(*now.factors[:-1], t.add(squared, t.neg(t.power(begun, 2))))
     shown = grown if isinstance(begun, t.Sym | t.Num) else t.Delta(t.Group(now))
-    same = scalars_equal(draft.context.value(shown), value, draft.study.assumptions).is_proved
+    found = draft.context.value(shown)
+    same = isinstance(found, Scalar) and scalars_equal(found, value, draft.study.assumptions).is_proved
     return shown if same else draft.show(value, factor=True)

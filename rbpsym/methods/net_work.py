@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics import motion
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork
 from rbpsym.mechanics.pushing import kept_sense
 from rbpsym.mechanics.resistance import LETTERS

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rbpsym.algebra.normal import short, tidy
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.signs import positive_first
 from rbpsym.derivation.chapters.forces import force_node, torque_node
 from rbpsym.derivation.draft import Draft, length
-from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short, solve_linear
-from rbpsym.mechanics.inertia import tidy
+from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.notation import tree as t
 
 NAME = "newton-euler"
@@ -27,7 +27,7 @@ def write(draft: Draft) -> Mapping[str, Scalar] | None:
     return _accelerations(draft)
 
 
-def _equations(draft: Draft, name: str):
+def _equations(draft: Draft, name: str) -> Step | None:
     """F_x = M a_x, F_y = M a_y, τ_cm = I α of one body."""
     state, rows = draft.study.system.bodies[name], []
     forces = draft.study.system.on(name)
@@ -56,7 +56,7 @@ def _equations(draft: Draft, name: str):
     )
 
 
-def _reactions(draft: Draft, steps: list) -> None:
+def _reactions(draft: Draft, steps: list[Step]) -> None:
     """Each unknown force as a function of position and speed."""
     values = draft.study.dynamics.reactions
     if not values:

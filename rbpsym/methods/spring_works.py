@@ -7,15 +7,16 @@ say): the law is seen for any natural length first.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.assemble import setting_of
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.interactions import stretch
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.placing import locator
@@ -73,7 +74,7 @@ def _write(draft: Draft, spring: Spring) -> None:
     shown = [_general(draft, spring, natural, work) for _, work in halves]
     if any(length(node) > LONGEST for node in shown):
         return
-    slots = {
+    slots: dict[str, Any] = {
         "force": force_node(draft, draft.study.system.named(spring.item.force)[0]),
         "body": BodyRef(spring.item.on),
         "natural": natural,

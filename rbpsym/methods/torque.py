@@ -6,14 +6,15 @@ from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.effort import at_most
-from rbpsym.algebra.normal import is_zero, same
+from rbpsym.algebra.normal import is_zero, same, short
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.signs import positive_first
 from rbpsym.algebra.vector import Space
 from rbpsym.derivation.draft import Draft, acceleration_symbol, length
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError
-from rbpsym.mechanics.elimination import short, solve_linear
+from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.mechanics.system import Force
 from rbpsym.methods.balances import Balance, Plan, isolated, outer_forces, plan, solved_for
 from rbpsym.methods.body_by_body import along_k, by_bodies
 from rbpsym.notation import tree as t
@@ -77,7 +78,7 @@ def _is_rigid(draft: Draft, bodies: tuple[str, ...]) -> bool:
     return all(same(states[0].omega, state.omega) for state in states[1:])
 
 
-def _point(draft: Draft, balance: Balance) -> t.Node:
+def _point(draft: Draft, balance: Balance) -> t.Sym:
     """What the point is called: a fixed one as it is, the centre of mass, or a letter that no thing has."""
     letters = draft.study.letters
     return t.Sym({"fixed": balance.label, "center": "cm"}.get(balance.kind) or letters.free("C", taken=letters.things))
@@ -122,7 +123,7 @@ def _manner(draft: Draft, balance: Balance) -> str:
     return "contact" if touching else balance.kind
 
 
-def _silent(forces) -> PhraseRef:
+def _silent(forces: list[Force]) -> PhraseRef:
     """The unknown forces that have no torque about the point."""
     names = [t.Vec(name) for name in dict.fromkeys(f.name for f in forces)]
     return PhraseRef("torque.silent", {"forces": names, "count": len(names)}) if names else PhraseRef("torque.none", {})
@@ -222,7 +223,9 @@ def _as_second_rate(draft: Draft, coordinate: str, solved: t.Chain) -> t.Chain:
     return t.equation(first, t.Deriv(t.Sym(coordinate), "t", 2), *others)
 
 
-def _shown(draft: Draft, found: Plan, steps: list[Step], name: str, value: Scalar, source: Step | None):
+def _shown(
+    draft: Draft, found: Plan, steps: list[Step], name: str, value: Scalar, source: Step | None
+) -> tuple[t.Node, list[str]]:
     """The isolated form from one equation, with what the others say of its further unknowns if that is zero.
 
     A net torque stands over the moment of inertia of one body; what follows from equations of several

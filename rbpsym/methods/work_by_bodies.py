@@ -9,13 +9,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, short
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics import energy, motion
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.known_works import carried_out, gained, show_gained, since_start, started, steady
 from rbpsym.notation import tree as t

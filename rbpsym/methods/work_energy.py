@@ -9,14 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters.forces import force_node, tag
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork, Work
+from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.methods import axis_work, net_work, spring_works, work_by_bodies, works_together
 from rbpsym.methods.balances import isolated_again, solved_for
 from rbpsym.methods.known_works import over_coordinates
@@ -67,7 +68,7 @@ def name_of(draft: Draft, item: ForceWork, half: str) -> str:
     return draft.free(f"cal_W_{half}_{tag(draft, _forces(draft, item)[0])}")
 
 
-def _forces(draft: Draft, item: ForceWork):
+def _forces(draft: Draft, item: ForceWork) -> list[Force]:
     return [f for f in draft.study.system.forces if (f.name, f.on) == (item.force, item.on)]
 
 
@@ -84,8 +85,7 @@ def _symbols(draft: Draft, item: ForceWork) -> None:
 
 def _integrals(draft: Draft, item: ForceWork) -> None:
     """Both works as integrals along the motion, with unknown forces as symbols."""
-    rows = [_row(draft, item, half, getattr(item, word)) for half, word in HALVES]
-    rows = [row for row in rows if row is not None]
+    rows = [row for half, word in HALVES if (row := _row(draft, item, half, getattr(item, word))) is not None]
     if not rows:
         return
     silent = not item.translational.parts and not item.rotational.parts
@@ -137,7 +137,7 @@ def _theorem(draft: Draft, works: tuple[ForceWork, ...], level: int) -> None:
             )
 
 
-def _bodies_with_known_motion(draft: Draft) -> list:
+def _bodies_with_known_motion(draft: Draft) -> list[tuple[str, BodyState]]:
     """All bodies; none where the accelerations have no closed formula, and only the whole can be decided."""
     return [] if draft.study.dynamics.accelerations is None else list(draft.study.system.bodies.items())
 

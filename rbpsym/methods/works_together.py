@@ -6,8 +6,10 @@ Both halves of the work–energy theorem are then told with that one unknown, wh
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from rbpsym.algebra.poly import ONE, Monomial, Poly
+from rbpsym.algebra.normal import short
+from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.style import PLAIN, split
 from rbpsym.algebra.vector import Vector
@@ -16,7 +18,6 @@ from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, StepRef
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import torque_about_center
-from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import ForceWork, Work
 from rbpsym.mechanics.system import BodyState, Force
 from rbpsym.methods.known_works import gained, is_of_position, show_gained, since_start, start_of, started
@@ -109,7 +110,7 @@ def _translation(draft: Draft, these: Together, work: t.Sym) -> list[str]:
     return [first.id, second.id]
 
 
-def _slots(draft: Draft, these: Together, work: t.Sym) -> dict[str, object]:
+def _slots(draft: Draft, these: Together, work: t.Sym) -> dict[str, Any]:
     return {
         "premises": [f"work.{i.force}.{i.on}" for i in draft.study.works]
         + [f"workless.{i.force}" for i in these.ideal],
@@ -162,7 +163,7 @@ def _shared(values: list[Scalar]) -> Scalar:
     polys = [value.num for value in values if value]
     if not polys or any(value.den is not ONE for value in values):
         return Scalar(ONE)
-    numbers = {abs(c) for poly in polys for c in poly.terms.values()}
+    numbers: set[Coefficient] = {c if c > 0 else -c for poly in polys for c in poly.terms.values()}
     return Scalar(Poly({_lowest([m for p in polys for m in p.terms]): numbers.pop() if len(numbers) == 1 else 1}))
 
 
@@ -225,7 +226,7 @@ def _sum(draft: Draft, these: Together, work: t.Sym, steps: list[list[str]]) -> 
     if study.potential is None or study.first_integral is None:
         return
     named = _kinetic(draft, these, "translational")
-    if isinstance(named, t.Delta):
+    if isinstance(named, t.Delta) and isinstance(named.arg, t.Group):
         named = named.arg.arg
     potentials = [draft.show(value, factor=True) for value in energy.potentials(study.system).values() if value]
     letter = draft.define(draft.free("E", "tot"), study.first_integral)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from rbpsym.errors import Place, StatementError
 from rbpsym.notation.tree import ZERO, Node
@@ -188,7 +189,7 @@ class Element:
 
     name: str
     kind: str
-    values: Mapping[str, object]
+    values: Mapping[str, Any]  # of many kinds: formulas, names, numbers, as the entry of the table of kinds has them
     place: Place | None = field(default=None, compare=False, repr=False)
 
     def with_values(self, **values: object) -> Element:
@@ -205,7 +206,7 @@ class Element:
         """What is wrong with it, at its place: “pivot “P” holds nothing”."""
         return StatementError(f"{self.kind} “{self.name}” {what}", instead=instead, place=self.place)
 
-    def __getitem__(self, key: str) -> object:
+    def __getitem__(self, key: str) -> Any:
         return self.values[key]
 
 
