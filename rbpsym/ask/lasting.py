@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,7 +17,7 @@ from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, value_reached
 from rbpsym.mechanics.friction import slips
-from rbpsym.mechanics.pushing import begins
+from rbpsym.mechanics.pushing import begins, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import sense
@@ -65,6 +66,15 @@ def held(study: Study) -> list[Demand]:
     return kept
 
 
+def running(study: Study) -> Iterator[Demand]:
+    """Where strings run and springs reach as the formulas have it, as far as that is known of one coordinate."""
+    for _, value in ways_kept(study):
+        way = substitute(value, study.system.dependent)
+        moving = names_in(way) & study.system.scope.rates.keys()
+        if len(moving) == 1 and moving <= study.squares.keys():
+            yield Demand(way)
+
+
 def regime(study: Study) -> list[Demand]:
     """What of that depends on the parameters alone."""
     moving = {*study.system.scope.rates, *study.system.speeds, "t"}
@@ -96,7 +106,8 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
         lasts, doubts = lasts_to(study, found.moment)
         return (*(() if found.moment.how == "rest" else begins(study)), *lasts), doubts
     lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
-    return (*begins(study), *(demand for _, demand in lost), *(held if found.of == "position" else regime)(study)), ()
+    along = (*held(study), *running(study)) if found.of == "position" else regime(study)
+    return (*begins(study), *(demand for _, demand in lost), *along), ()
 
 
 def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand, ...], tuple[str, ...]]:
@@ -147,6 +158,13 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
 
 def _on_way(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Demand]:
     """Least values on the way from the start to some places (None: on the whole motion). Raises Undecided, StatementError."""
+    for demand in running(study):
+        with suppress(Undecided):  # how far it goes is told by what holds it
+            [name] = names_in(demand.value) & study.system.scope.rates.keys()
+            found = _least(study, demand, name, places=places)
+            if settle(found, study.assumptions) is None:
+                raise StatementError("a string runs out, or a spring turns over, before: the motion that is stated ends there")
+            yield from found
     for demand in held(study):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
         if len(names) > 1 or names - study.squares.keys():
