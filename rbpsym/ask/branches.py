@@ -30,11 +30,10 @@ def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
     starts = asked_of_start(world.asked.first) if quantity is not None else ()
     slips = [value for element, what, value in starts if what == "slip" and element["slip"] == "auto"]
     moments = [demand.value for demand in world.demands if demand.op == ">"]
-    for senses in (slips, moments):
-        senses = [value for value in senses if depends_on(value, name) and sign(value, given).kind is None]
-        side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(senses[0], name), given).kind) if senses else None
-        ends = [end for end in zeros(senses[0], name) if sign(end, given).kind == "positive"] if len(senses) == 1 and side else []
-        if quantity is not None and len(ends) == 1 and getattr(quantity, side) is None:
+    for value in (*slips, *moments) if quantity is not None else ():
+        ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []
+        side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)
+        if len(ends) == 1 and side and sign(value, given).kind is None and getattr(quantity, side) is None:
             other = replace(quantity, **{side: present(ends[0])})
             phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
             return Asked(replace(_with(problem, other), phases=phases)), 1 if side == "lower" else -1
