@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rbpsym.commands.arguments import name_argument
-from rbpsym.document.escaping import columns, padded
 
 if TYPE_CHECKING:
     from rbpsym.derivation.step import Step
@@ -167,6 +166,8 @@ class InLetters:
 
 def table(title: str, values: Mapping[str, str | None] | None, drawn: InLetters) -> Iterator[str]:
     """One group of results."""
+    from rbpsym.document.escaping import columns, padded
+
     known = {drawn.name(name): drawn.formula(value) for name, value in (values or {}).items() if value is not None}
     width = max(map(columns, known), default=0)
     if known:

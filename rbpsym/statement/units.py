@@ -21,21 +21,21 @@ from rbpsym.quantities import Dimension
 
 
 _STEPS = (
-    (re.compile(r"\\(?:square)\s*\\([A-Za-z]+)"), r"\1^2"),
-    (re.compile(r"\\(?:cubic)\s*\\([A-Za-z]+)"), r"\1^3"),
-    (re.compile(r"\\squared(?![A-Za-z])"), "^2"),
-    (re.compile(r"\\cubed(?![A-Za-z])"), "^3"),
-    (re.compile(r"\\per(?![A-Za-z])"), "/"),
-    (re.compile(r"\\(?=[A-Za-z])"), " "),
-    (re.compile(r"\s*\b(?:per|por|entre)\b\s*"), "/"),
-    (re.compile(r"\s+(?:squared|al cuadrado|cuadrados?)\b"), "^2"),
-    (re.compile(r"\s+(?:cubed|al cubo|cúbicos?)\b"), "^3"),
-    (re.compile(r"\bsquare\s+([A-Za-z]+)"), r"\1^2"),
-    (re.compile(r"\bcubic\s+([A-Za-z]+)"), r"\1^3"),
-    (re.compile(r"(?<![A-Za-z])ms(?=\s*(?:\^|\*\*)?\s*[({]?\s*[-−⁻])"), "m s"),  # of m/s, never one over milliseconds
-    (re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])"), "·"),
-    (re.compile(r"\["), "("),
-    (re.compile(r"\]"), ")"),
+    (r"\\(?:square)\s*\\([A-Za-z]+)", r"\1^2"),
+    (r"\\(?:cubic)\s*\\([A-Za-z]+)", r"\1^3"),
+    (r"\\squared(?![A-Za-z])", "^2"),
+    (r"\\cubed(?![A-Za-z])", "^3"),
+    (r"\\per(?![A-Za-z])", "/"),
+    (r"\\(?=[A-Za-z])", " "),
+    (r"\s*\b(?:per|por|entre)\b\s*", "/"),
+    (r"\s+(?:squared|al cuadrado|cuadrados?)\b", "^2"),
+    (r"\s+(?:cubed|al cubo|cúbicos?)\b", "^3"),
+    (r"\bsquare\s+([A-Za-z]+)", r"\1^2"),
+    (r"\bcubic\s+([A-Za-z]+)", r"\1^3"),
+    (r"(?<![A-Za-z])ms(?=\s*(?:\^|\*\*)?\s*[({]?\s*[-−⁻])", "m s"),  # of m/s, never one over milliseconds
+    (r"(?<=[A-Za-z])-(?=[A-Za-z])", "·"),
+    (r"\[", "("),
+    (r"\]", ")"),
 )
 PREFIXES = {"kilo": "k", "mega": "M", "giga": "G", "milli": "m", "mili": "m", "centi": "c", "deci": "d", "micro": "µ"}
 
@@ -47,7 +47,7 @@ def in_signs(text: str) -> str:
     'meters/second^2'
     """
     for pattern, sign in _STEPS:
-        text = pattern.sub(sign, text)
+        text = re.sub(pattern, sign, text)
     return text
 
 
