@@ -142,7 +142,9 @@ def bounds_hold(context: Context, step: Step) -> Verdict:
 def _bound_said(values: Sequence[Scalar], there: Mapping[str, Scalar], way, given: Assumptions, sense: int) -> Verdict:
     """Whether at one bound no value is negative, while at one place one vanishes there and is negative beyond."""
     [name] = there
-    is_kept = all(_is_kept(rooted(substitute(value, there), given), way, given) for value in values)
+    ends = [end and rooted(substitute(end, there), given) for end in given.range_of(way[0])] if way[0] else []
+    within = given.with_range(way[0], *ends, given.sides_of(way[0])) if ends else given
+    is_kept = all(_is_kept(rooted(substitute(value, there), given), way, within) for value in values)
     worst = [value for whole in values for value in _there(whole, *way)]
     edge = [value for value in worst if is_zero(rooted(substitute(value, there), given))]
     if is_kept and any(sign(shorter(derivative(value, name)), given).kind == KINDS[-sense] for value in edge):

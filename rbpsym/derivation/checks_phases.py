@@ -23,6 +23,7 @@ from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import compare, refuted_only_where
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.signs import sign
+from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import PROVED, UNDECIDED, Verdict
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of
@@ -116,8 +117,9 @@ def first_there(context: Context, step: Step) -> Verdict:
     printed, context = demanded(context, step), under(context, step, ">")
     (place,) = [context.value(right) for _, _, right in relations(step.statement)]
     goes, between = way_to(context, step.data["name"], place, printed)
-    gap = sign(_gap(context, step.data["ending"].phase), between)
-    return weakest([*goes, Verdict(PROVED) if gap.is_nonzero else UNSEEN])
+    gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
+    is_free = sign(gap, between).is_nonzero or sign_along(gap, name, between)
+    return weakest([*goes, Verdict(PROVED) if is_free else UNSEEN])
 
 
 def _gap(context: Context, phase: Phase) -> Scalar:

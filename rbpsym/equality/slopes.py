@@ -7,10 +7,14 @@ negative at both ends. The sign of a slope is found in the same way.
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import prod
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra.normal import normal, shorten
+from rbpsym.algebra.poly import ONE, Poly, inverse
+from rbpsym.algebra.ring import factors
+from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import rooted
@@ -41,7 +45,21 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
         way = sign_along(slope, name, given, most=most - 1) * side if any(kept) else 0
         if (way and kept[way < 0]) or (all(kept) and sign_along(derivative(slope, name), name, given, most=0) == -side):
             return side
-    return 0
+    low, high = (None if end is None else end / 2 for end in ends)
+    signs = [sign_along(part, name, given.with_range(name, low, high), known, most - 1) for part in _in_halves(value, name)]
+    return prod(signs) if len(signs) > 1 else 0
+
+
+def _in_halves(value: Scalar, name: str) -> list[Scalar]:
+    """Factors in half of the angle: A sin 2u + B (cos 2u - 1) = 2 sin u (A cos u - B sin u)."""
+    if value.den is not ONE or not any(atoms.atom(index).kind in ("sin", "cos") for index in value.num.atoms()):
+        return []
+    half = shorten(normal(substitute(value, {name: symbol(name) * 2}).num))
+    common = half.content()[1]
+    rest = half.scaled(1, inverse(common))
+    number, found = factors(rest) if rest.terms and all(e > 0 for m in rest.terms for _, e in m) else (1, ())
+    parts = [Scalar(Poly({common: number})), *(Scalar(part) for part, power in found for _ in range(power))]
+    return parts if len(rest) > 1 and parts[1:] != [Scalar(rest)] else []
 
 
 def _is_smooth(value: Scalar, name: str) -> bool:

@@ -168,7 +168,12 @@ WITHIN = {  # what is positive of an argument within the bounds of its function
 # --- inverse functions
 
 
-FORWARD = {"asin": sine, "acos": cosine, "atan": lambda angle: sine(angle) / cosine(angle)}
+def _tangent(angle: Scalar) -> Scalar:
+    """tan A, of numbers as sin 2A/(1 + cos 2A), which is known for more of them."""
+    return sine(angle) / cosine(angle) if names_in(angle) - {"pi"} else sine(angle * 2) / (1 + cosine(angle * 2))
+
+
+FORWARD = {"asin": sine, "acos": cosine, "atan": _tangent}
 ENDS = {"asin": (-PI / 2, PI / 2), "atan": (-PI / 2, PI / 2), "acos": (NOTHING, PI)}
 
 
@@ -198,10 +203,11 @@ def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
 
 
 def _squared(demand: Demand, given: Assumptions) -> list[Demand]:
-    """A > B √x for B > 0 as A > 0 and A² > B² x; A + B √x > 0 for A ≤ 0 < B as B² x > A²; else nothing."""
+    """A > B √x for B > 0 as A > 0 and A² > B² x; A + B √x > 0 for A ≤ 0 < B as B² x > A²; else nothing, as of √2."""
     for index in demand.value.num.atoms() if demand.op != "!=" else ():
         parts = {k: Scalar(part) for k, part in demand.value.num.by_power(index).items()}
-        if atoms.atom(index).kind == "root" and set(parts) - {0} == {1} and demand.value.den is ONE:
+        is_root = atoms.atom(index).kind == "root" and atoms.atom(index).arg.number() is None
+        if is_root and set(parts) - {0} == {1} and demand.value.den is ONE:
             rest, root = parts.get(0, NOTHING), sign(parts[1], given)
             gap = rest**2 - parts[1] ** 2 * atoms.atom(index).arg
             if root.kind == "negative":

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import UNITY, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -58,5 +60,13 @@ def open_factors(value: Scalar, assumptions: Assumptions) -> list[Scalar]:
 
 
 def _primitive(value: Scalar) -> Scalar:
-    """Without a common number."""
+    """Without a common number, be it a root: √2 a - 2 b as a - √2 b."""
+    first = min(value.num.terms, key=lambda m: sorted((str(atoms.atom(i).arg), e) for i, e in m if not _is_root_of_number(i)))
+    for index in (i for i, e in first if _is_root_of_number(i)):
+        value = short(value * Scalar(generator(index)))
     return Scalar(value.num.scaled(1 / abs(Fraction(value.num.content()[0]))), value.den)
+
+
+def _is_root_of_number(index: int) -> bool:
+    found = atoms.atom(index)
+    return found.kind == "root" and found.arg.number() is not None
