@@ -259,7 +259,7 @@ def _settled(world: ProblemWorld, value: Scalar, moment: Moment, question: Quest
         name = min(moving)
         if name == "t":
             raise NoClosedForm(f"“{question.quantity}” depends on the time, which is not known there", instead=BY_NUMBERS)
-        if moment.state.places.get(name) == symbol(name):
+        if moment.state.places.get(name.removesuffix("_dot")) == symbol(name.removesuffix("_dot")):
             raise NoClosedForm(f"“{question.quantity}” depends on {name}, for which no closed form was found", instead=BY_NUMBERS)
         raise StatementError(
             f"“{question.quantity}” still depends on {name} there",

@@ -74,19 +74,25 @@ def scene(asked: Asked, place: int | None = None) -> Scene:
 def seen(world: Scene, phrase: str) -> Scalar:
     """A quantity at a moment, or on the motion with its speeds as functions of the place as far as they are known.
 
-    Raises StatementError or ReadError for what means nothing.
+    Raises StatementError or ReadError for what means nothing, and for a vector.
     """
+    values = parts_seen(world, phrase)
+    if len(values) != 1:
+        raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
+    return values[0]
+
+
+def parts_seen(world: Scene, phrase: str) -> tuple[Scalar, ...]:
+    """The same of a vector too, its components."""
     question = read_question(phrase)
     if world.place and question.when is None and not question.phase and not is_jump(question.quantity):
         question = replace(question, phase=world.asked.names[world.place])
     found = found_of(world.asked, question)
-    if len(found.values) != 1:
-        raise StatementError(f"“{phrase}” is a vector", instead="name its magnitude or a component.")
     world.used.append((question, found))
     lasts, doubts = asks(world.asked, found)
     (world.standing if found.moment is None else world.lasting).extend(lasts)
     world.doubts.extend(doubts)
-    return neat(found.values[0], world.motion.assumptions)
+    return tuple(neat(value, world.motion.assumptions) for value in found.values)
 
 
 PLACE = re.compile(r"(.+?)((?: (?:where|when|at|just|right|in|once) ).+)")  # a quantity, and where or when it is asked

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,13 +12,13 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.limits import SMALL, Leading, leading
-from rbpsym.ask.seen import Scene, parameter, place_in, require_same, seen, told
+from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import proved, undecided
+from rbpsym.equality.verdict import all_of, proved, undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.notation.infix import read_infix
@@ -34,8 +35,8 @@ FAR = ("oo", "inf", "infinity", "∞")
 
 def with_values(world: Scene, phrase: str, text: str) -> Finding:
     """A quantity with values of parameters put in: “c = 2/5 and mu = 0”."""
-    pairs, value, given = _pairs(world, text), seen(world, phrase), world.motion.assumptions
-    idle = [name for name in pairs if not depends_on(value, name)]
+    pairs, parts, given = _pairs(world, text), parts_seen(world, phrase), world.motion.assumptions
+    idle = [name for name in pairs if not any(depends_on(part, name) for part in parts)]
     if idle:
         raise StatementError(f"“{phrase}” does not depend on {idle[0]}", instead="leave it out.")
     image = {name: place_in(world, name, to) for name, to in pairs.items()}
@@ -43,7 +44,8 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         valid = settle((Demand(neat(substitute(d.value, image), given), d.op) for d in (*world.demands, *world.standing)), given)
         if valid is None:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
-        return Finding(proved("put in exactly"), values=(neat(substitute(value, image), given),), valid=valid, met=True)
+        values = tuple(neat(substitute(part, image), given) for part in parts)
+        return Finding(proved("put in exactly"), values=values, valid=valid, met=True)
     except ZeroDivisionError:
         instead = f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=instead) from None
@@ -80,15 +82,25 @@ def _constant(world: Scene, name: str) -> str:
 
 def in_limit(world: Scene, phrase: str, name: str, text: str, *, as_term: bool = False) -> Finding:
     """A quantity in the limit NAME -> VALUE; near it, its leading term (`as_term`)."""
-    name, given, value = _constant(world, name), world.motion.assumptions, seen(world, phrase)
+    name, given, parts = _constant(world, name), world.motion.assumptions, parts_seen(world, phrase)
     sign_, plain = (-1, text[1:]) if text.startswith("-") else (1, text.removeprefix("+"))
     to = None if plain in FAR else place_in(world, name, text)
-    if not depends_on(value, name):
+    if not any(depends_on(part, name) for part in parts):
         raise StatementError(f"“{phrase}” does not depend on {name}", instead="leave the limit out.")
     limits = of_symbol(name, given)
     at_top = to is not None and limits.upper is not None and is_zero(to - limits.upper)
     side = -1 if at_top else sign_
-    return _near(world, _limit(value, name, to, side, given, phrase, as_term=as_term), name, to, side)
+    found = [_limit(part, name, to, side, given, phrase, as_term=as_term) for part in parts]
+    return _near(world, _together(found, phrase), name, to, side)
+
+
+def _together(found: Sequence[Finding], phrase: str) -> Finding:
+    """What is found of the components as one finding. Raises StatementError where one of them has no limit but 0."""
+    if len(found) == 1:
+        return found[0]
+    if any(one.relation != "=" or not one.values for one in found):
+        raise StatementError(f"the components of “{phrase}” have no limits of one kind", instead="name a component.")
+    return Finding(all_of(one.verdict for one in found), values=tuple(value for one in found for value in one.values))
 
 
 def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
@@ -110,8 +122,10 @@ def _limit(
     value: Scalar, name: str, to: Scalar | None, side: int, given: Assumptions, phrase: str, *, as_term: bool
 ) -> Finding:
     found = leading(value, name, to, side)
+    if not depends_on(value, name):
+        return Finding(proved("it does not depend on this"), values=(value,))
     if found is None and is_zero(value):
-        return Finding(proved("it vanishes"), values=(NOTHING,))
+        return _nothing()
     if found is None:
         return Finding(undecided("no leading term of its power series was found"))
     term = _term(found, name, to, side)
@@ -145,18 +159,25 @@ def _term(found: Leading, name: str, to: Scalar | None, side: int) -> Scalar:
 def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Finding:
     """A quantity for M >> m: the leading term for m → 0 (for M → ∞ if m does not occur), all else being fixed."""
     great, small = (first, second) if way == ">>" else (second, first)
-    value, given = seen(world, phrase), world.motion.assumptions
+    parts, given = parts_seen(world, phrase), world.motion.assumptions
     for name in (great, small):
         parameter(world, name)
     require_same(world, symbol(great), symbol(small), (great, small))
-    both = [name for name in (great, small) if depends_on(value, name)]
+    both = [name for name in (great, small) if any(depends_on(part, name) for part in parts)]
     if not both:
         raise StatementError(f"“{phrase}” depends on neither {great} nor {small}", instead="leave the limit out.")
     name, to = (small, NOTHING) if small in both else (great, None)
-    found = leading(value, name, to)
-    if found is None:
-        return Finding(undecided("no leading term of its power series was found"))
-    return _near(world, Finding(**_checked(found, given), values=(neat(_term(found, name, to, 1), given),)), name, to)
+    found = []
+    for part in parts:
+        term = leading(part, name, to)
+        if term is None and not is_zero(part):
+            return Finding(undecided("no leading term of its power series was found"))
+        found.append(Finding(**_checked(term, given), values=(neat(_term(term, name, to, 1), given),)) if term else _nothing())
+    return _near(world, _together(found, phrase), name, to)
+
+
+def _nothing() -> Finding:
+    return Finding(proved("it vanishes"), values=(NOTHING,))
 
 
 # --- dependence
@@ -166,23 +187,22 @@ def depends(world: Scene, phrase: str, name: str) -> Finding:
     """Whether a quantity depends on a parameter."""
     if name not in world.names:
         raise StatementError(f"“{name}” is no quantity of the problem", instead=did_you_mean(name, world.names, "names"))
-    value = seen(world, phrase)
-    slope = derivative(value, name)
-    if is_zero(slope):
+    slopes = [derivative(part, name) for part in parts_seen(world, phrase)]
+    if all(map(is_zero, slopes)):
         says = f"no: “{phrase}” does not depend on {name}"
         return Finding(proved("its derivative vanishes identically"), says=says, holds=False)
     given = world.motion.assumptions
-    if sign(slope, given).is_nonzero or find_witness(slope, NOTHING, given) is not None:
+    if any(sign(slope, given).is_nonzero or find_witness(slope, NOTHING, given) is not None for slope in slopes):
         return Finding(proved("its derivative does not vanish"), says=f"yes: “{phrase}” depends on {name}", holds=True)
     return Finding(undecided("whether its derivative vanishes is not decided"))
 
 
 def conserved(world: Scene, phrase: str) -> Finding:
     """Whether a quantity stays what it is along the motion."""
-    rate = seen(world, f"rate of {phrase} as a function of the state")
-    if is_zero(rate):
+    rates = parts_seen(world, f"rate of {phrase} as a function of the state")
+    if all(map(is_zero, rates)):
         return Finding(proved("its rate vanishes identically"), says=f"yes: “{phrase}” is conserved", holds=True)
-    if find_witness(rate, NOTHING, world.motion.assumptions) is not None:
+    if any(find_witness(rate, NOTHING, world.motion.assumptions) is not None for rate in rates):
         return Finding(proved("its rate does not vanish"), says=f"no: “{phrase}” changes", holds=False)
     return Finding(undecided("whether its rate vanishes is not decided"))
 

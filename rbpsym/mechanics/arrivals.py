@@ -29,26 +29,35 @@ EDGE = 1e-9
 NEAR_ENDS = (0.02, 0.98)
 
 
-def mover(study: Study) -> str | None:
+def mover(study: Study, subject: str = "") -> str | None:
     """The one independent coordinate that changes, if the square of its speed is known; the others stay at rest, or their
-    speeds follow from conserved momenta."""
+    speeds follow from conserved momenta. Of several that change the subject, if its speed follows from its own place."""
     if study.kept_speeds:
         return next(iter(study.squares))
+    moving = _moving(study)
+    one = moving[0] if len(moving) == 1 else subject
+    return one if one in moving and one in study.squares else None
+
+
+def _moving(study: Study) -> list[str]:
+    """The independent coordinates that change."""
     start, gains = study.system.scope.start, study.dynamics.accelerations or {}
-    moving = [
+    return [
         name
         for name in study.system.independent
         if start.get(f"{name}_dot", NOTHING) or not is_zero(gains.get(f"{name}_ddot", symbol(name)))
     ]
-    return moving[0] if len(moving) == 1 and moving[0] in study.squares else None
 
 
 def state_at(study: Study, name: str, place: Scalar, sense: int = 0) -> State:
     """All coordinates and speeds where the one that changes has a value, its speed from the first integral, in the `sense`
-    in which it comes there (0: that at the sample numbers); a coordinate that is not known there is its own letter."""
+    in which it comes there (0: that at the sample numbers); a coordinate that is not known there is its own letter, and so is
+    the speed of one that moves for itself."""
     there = sense or floating(place - study.system.scope.start[name], sample(study.problem))
     speed = positive_root(study, substitute(study.squares[name], {name: place})) * (-1 if there < 0 else 1)
     here = {**study.system.scope.start, name: place, f"{name}_dot": speed}
+    apart = [key for other in _moving(study) if other != name and not study.kept_speeds for key in (other, f"{other}_dot")]
+    here |= {key: symbol(key) for key in apart}
     for other, rate in study.kept_speeds.items():
         here[other.removesuffix("_dot")] = substitute(_followed(study, name, other), {name: place})
         here[other] = substitute(rate, {name: place, f"{name}_dot": speed})

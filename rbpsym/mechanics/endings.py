@@ -97,7 +97,7 @@ def value_reached(study: Study, phase: Phase) -> State:
         start, gain = at_start(study), _gain(study, phase, phase.subject)
         way = short(value - start.places[phase.subject])
         return _after(study, phase, start, *_time_until(study, phase, way, start.speeds[phase.subject], gain))
-    name = mover(study)
+    name = mover(study, phase.subject)
     if name is None or f"{phase.subject}_dot" in study.kept_speeds:
         raise _no_closed_form(f"the moment at which “{phase.subject}” reaches its value")
     return _met(study, phase, name, "", of_coordinate(study, phase.subject)[0] - value)
@@ -149,7 +149,7 @@ def comes_to_rest(study: Study, phase: Phase) -> State:
         if is_zero(gain) or settle(asked, study.assumptions) is None:
             raise _never(study, phase, what="does not come to rest")
         return _after(study, phase, start, short(-(speed / gain)), asked)
-    name = mover(study)
+    name = mover(study, phase.subject)
     if name is None or f"{phase.subject}_dot" in study.kept_speeds or is_zero(of_coordinate(study, phase.subject)[1]):
         raise _no_closed_form(f"the place at which “{phase.subject}” comes to rest")
     return _met(study, phase, name, "comes to rest", study.squares[name])

@@ -165,11 +165,9 @@ def whole_period(world: ProblemWorld, name: str | None, other: str | None = None
 
 
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
-    """The place of the one stable (unstable) equilibrium."""
-    found = _equilibria(world, name, not unstable)
-    if len(found) > 1:
-        raise StatementError(f"“{name}” has {len(found)} such equilibria")
-    return number(found[0].at[name], "oscillations")
+    """The places of the stable (unstable) equilibria."""
+    places = tuple(item.at[name] for item in _equilibria(world, name, not unstable))
+    return number(*places, "oscillations") if len(places) == 1 else Bound(told="oscillations", values=places)
 
 
 OTHERWISE = {
@@ -202,5 +200,5 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"({'|'.join(OF_MODE)}) of (\w+)", of_mode, "decay rate of COORDINATE"),
     (rf"(?:(longest|shortest) )?period of (\w+){_ABOUT}", period, "period of COORDINATE about COORDINATE = VALUE"),
     (r"(?:exact|whole|true) period of (\w+)|period of large swings of (\w+)", whole_period, "exact period of COORDINATE"),
-    (r"(unstable )?equilibrium of (\w+)", equilibrium, "equilibrium of COORDINATE"),
+    (r"(unstable )?equilibri(?:um|a) of (\w+)", equilibrium, "equilibrium of COORDINATE"),
 )  # fmt: skip

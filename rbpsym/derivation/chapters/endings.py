@@ -146,7 +146,8 @@ PLACES = {"lost": "lost", "slips": "slips", "reaches": "value", "takes": "value"
 def _mover(draft: Draft, ending: Ending) -> list[str]:
     """The independent coordinate that moved."""
     start, names = at_start(draft.study), draft.study.system.independent
-    moved = [n for n in names if n in draft.study.squares and not is_zero(ending.state.places[n] - start.places[n])]
+    known = [n for n in names if n in draft.study.squares and ending.state.places[n] != symbol(n)]
+    moved = [n for n in known if not is_zero(ending.state.places[n] - start.places[n])]
     return moved[:1] or list(names[:1])
 
 
@@ -162,7 +163,7 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
         letter = name_of(draft, name, ending.number)
         known = letter in draft.context.scalars
         draft.context.scalars[letter] = value
-        if not known and value != symbol(name) and not is_zero(value - begun[name]):
+        if not known and value not in (symbol(name), symbol(f"{name}_dot")) and not is_zero(value - begun[name]):
             rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True)))
             letters[letter] = name
     if rows:
