@@ -28,7 +28,7 @@ SUPERLATIVES = LEAST | GREATEST
 
 
 OPPOSITE = re.compile(r"(\w+) (?:begins to |starts to |just )?(slip|leave|lift|tip)s?(?: off| over)?((?: (?:until|before) .+)?)")
-NEVER = re.compile(r"(\w+) (?:does not|never) (?:reach(?:es)?|gets? to|comes? to) (.+)")
+NEVER = re.compile(r"(\w+) (?:(?:does not|never) (?:reach(?:es)?|gets? to|comes? to)|(?:stays|remains) (?:below|above)) (.+)")
 KEPT = {"slip": "does not slip", **dict.fromkeys(("leave", "lift", "tip"), "keeps contact")}
 FLIPPED = {">=": "<", ">": "<=", "<=": ">", "<": ">="}
 
@@ -37,7 +37,7 @@ def which(world: Scene, superlative: str | None, name: str, text: str) -> Findin
     """SYMBOL for which a condition is met, or its opposite; the smallest or largest of them."""
     if opposite := OPPOSITE.fullmatch(text):
         return _opposite(world, superlative, name, f"{opposite[1]} {KEPT[opposite[2]]}{opposite[3]}")
-    if never := NEVER.fullmatch(text):
+    if (never := NEVER.fullmatch(text)) and (never[1] in world.coordinates or "never" in text or "does" in text):
         return _opposite(world, superlative, name, f"{never[1]} reaches {never[2]}")
     condition = wanted(world, text, name)
     if condition.equal:

@@ -73,7 +73,7 @@ def wanted(world: Scene, text: str, name: str = "") -> Wanted:
     """What a condition asks for; `name`: of which symbol. Raises StatementError for one that means nothing here."""
     for pattern, find in WANTED:
         if found := re.fullmatch(pattern, text):
-            words = found.groups() if find not in (_holds_fast, _holds_then) else (*found.groups(), name)
+            words = found.groups() if find not in (_holds_fast, _holds_then, _holds_there) else (*found.groups(), name)
             return find(world, *words)
     return _compared(world, text)
 
@@ -150,6 +150,12 @@ def _stays(world: Scene, phrase: str, sign: str, until: str | None, text: str | 
     return on_way(world, (value,), phrase, until, text, world.motion.assumptions)
 
 
+def _beyond(world: Scene, phrase: str, side: str, value: str, until: str | None, text: str | None) -> Wanted:
+    """A quantity stays on one side of a value on the way; of a coordinate, see `critical.NEVER`."""
+    gap = _equal(world, phrase, value).values[0] * (1 if side == "above" else -1)
+    return on_way(world, (gap,), phrase, until, text, world.motion.assumptions)
+
+
 def _keeps(world: Scene, phrase: str, until: str | None, text: str | None) -> Wanted:
     return _stays(world, phrase, "positive", until, text)
 
@@ -175,10 +181,10 @@ def on_way(
 COEFFICIENT = "mu"  # may be asked for where the problem declares none
 
 
-def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "") -> Wanted:
-    """Static friction stays below its limit, at one contact or at all (“it”)."""
+def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "", there: str = "") -> Wanted:
+    """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`there`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
-    if (found := _held_then(world, contact, None, name)) and contact not in needs and (contact != "it" or not needs):
+    if not there and (found := _held_then(world, contact, None, name)) and contact not in needs and (contact != "it" or not needs):
         return found
     if not needs:
         raise StatementError(
@@ -197,13 +203,20 @@ def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None,
             f"the contact “{without}” has no coefficient of static friction",
             instead=f'ask for “{COEFFICIENT} for which …”, or write limit = "mu" in [constraints.{without}].',
         )
-    forces = [(sum((seen(world, n) for n in need.normals), NOTHING) * need.limit, seen(world, need.friction)) for need in held]
+    def here(force: str) -> Scalar:
+        return seen(world, force + there)
+
+    forces = [(sum(map(here, need.normals), NOTHING) * need.limit, here(need.friction)) for need in held]
     values = tuple(most + friction * side for most, friction in forces for side in (-1, 1))
     found = on_way(world, values, "the friction that is needed", until, text, given)
     normal = {need.constraint for need in held if len(need.normals) == 1}
-    others = [seen(world, name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
+    others = [here(name) for e in world.study.problem.constraints for name in pushes(e) if name not in normal]
     beside = tuple(value for value in others if sign(value, found.given).kind != "positive")
     return replace(found, beside=beside, there="there a contact is lost")
+
+
+def _holds_there(world: Scene, contact: str, there: str, name: str = "") -> Wanted:
+    return _holds_fast(world, contact, None, None, name, there)
 
 
 def _held_then(world: Scene, contact: str, phase: str | None, name: str = "") -> Wanted | None:
@@ -332,10 +345,12 @@ WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips? when ([\w-]+) begins", _holds_then),
+    (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?( (?:at|where|when|right|just) .+)", _holds_there),
     (rf"{_N} (?:holds|sticks|rolls without slipping){_UNTIL}", _holds_fast),
     (rf"\w+ (?:does not|never) (?:leave|lift|let go|lose contact|tip)s?(?: off| over)?{_UNTIL}", _touches),
     (rf"\w+ (?:stays in|keeps) contact{_UNTIL}", _touches),
-    (rf"(.+?) (?:stays|remains|is always) (positive|negative){_UNTIL}", _stays),
+    (rf"(.+?) (?:stays|remains|is(?: always)?) (positive|negative){_UNTIL}", _stays),
+    (rf"(.+?) (?:stays|remains|is(?: always)?) (below|above) (.+?){_UNTIL}", _beyond),
     (rf"(.+?) (?:does not|never) vanish(?:es)?{_UNTIL}", _keeps),
     (rf"{_N} = (.+) is (un)?stable", _stable),
     (rf"{_N} = (.+) is (?:an equilibrium|in equilibrium|a place of rest)", _equilibrium),
