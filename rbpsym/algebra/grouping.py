@@ -142,8 +142,10 @@ def starts_negative(poly: Poly, style: Style) -> bool:
 
 
 def leads_negative(poly: Poly, style: Style) -> bool:
-    """Whether all terms are negative, or the one that is taken off is known to be the greater."""
-    return all(c < 0 for c in poly.terms.values()) or (len(poly) == 2 and _names(poly, -1, 1) in style.greater)
+    """Whether all terms are negative, or the sum is known to be, such as one in which the greater is taken off."""
+    if all(c < 0 for c in poly.terms.values()) or (len(poly) == 2 and _names(poly, -1, 1) in style.greater):
+        return True
+    return any(c < 0 for c in poly.terms.values()) and len(poly) <= FEW and style.sense(poly) < 0
 
 
 def leads_backwards(poly: Poly, style: Style) -> bool:
@@ -171,7 +173,7 @@ def _is_of_squares(product: Poly) -> bool:
 
 def leads_positive(poly: Poly, style: Style) -> bool:
     """Whether a difference is known to be positive."""
-    return len(poly) == 2 and _names(poly, 1, -1) in style.greater
+    return (len(poly) == 2 and _names(poly, 1, -1) in style.greater) or (len(poly) <= FEW and style.sense(poly) > 0)
 
 
 def _names(poly: Poly, first: int, second: int) -> tuple[str | None, ...]:

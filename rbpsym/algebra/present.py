@@ -316,7 +316,10 @@ def atom_node(index: int, style: Style = PLAIN) -> t.Node:
         return t.Fn(found.kind, angle_node(found.arg, style))
     if found.kind == "root":
         side = side_of(found.arg)
-        return t.Sqrt(_radicand(found.arg, style)) if side is None else t.Abs(present(side, style, factor=True))
+        if side is None:
+            return t.Sqrt(_radicand(found.arg, style))
+        inner = present(side, style, factor=True)
+        return t.Abs(inner.arg if isinstance(inner, t.Neg) else inner)
     return t.Fn(found.kind, present(found.arg, style, factor=True))
 
 

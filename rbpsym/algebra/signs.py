@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.grouping import leads_negative, leads_positive, perfect_power
 from rbpsym.algebra.poly import Coefficient, Poly
 from rbpsym.algebra.style import Style, moves
@@ -46,7 +47,9 @@ def _is_bounded(node: t.Node) -> bool:
 
 
 def _may_turn(node: t.Add, style: Style) -> bool:
-    return _compared(node.terms[0], getattr(node.terms[1], "arg", None)) not in style.greater
+    if _compared(node.terms[0], getattr(node.terms[1], "arg", None)) in style.greater:
+        return False
+    return style.sense(scalar(node).num) <= 0
 
 
 def _compared(first: t.Node, second: t.Node | None) -> tuple[str | None, str | None]:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import Monomial
+from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import Scalar, name_of
 from rbpsym.quantities import Dimension
 
 DERIVED = ("_dot", "_ddot")
 COEFFICIENT, OTHER = 0.4, 5  # ranks: a number such as μ is the first factor, but makes no term the first
+
+
+def _open(sum_: Poly) -> int:
+    return 0
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,7 @@ class Style:
     With `dimensions`, a sum of moments of inertia keeps its terms whole (m ℓ²/3 + M ℓ²). With
     `whole`, sums get whole coefficients, as above a bar whose denominator has them. `greater` holds
     pairs of parameters of which the first is known to be the greater one: R - a, never a - R.
+    `sense` tells 1 of a sum that is surely not negative, -1 of one that is surely not positive, else 0: it is printed turned.
     With `tangents`, sin A / cos A is printed tan A. In a `gathered` sum, no factor is taken out of some of its terms.
     """
 
@@ -32,10 +37,11 @@ class Style:
     greater: frozenset[tuple[str, str]] = frozenset()
     tangents: bool = True
     gathered: bool = False
+    sense: Callable[[Poly], int] = _open
 
     @cached_property
     def _content(self) -> int:
-        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents, self.gathered))
+        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents, self.gathered, self.sense))
 
     def __hash__(self) -> int:
         return self._content

@@ -69,13 +69,13 @@ def certified(asked: Asked, question: Question, found: Found, letter: str = LETT
     if found.moment is not None and found.moment.courses:
         in_time.write(draft, found.moment)
         draft.chapter = "ask"
-    last, values = _last(draft, found, letter), found.values
+    lasts, open_ = ((), ()) if is_ground else asks(asked, found)
+    last, values = _last(draft, found, letter, lasts), found.values
     if question.is_direction:
         last, values = _direction(draft, question, found)
     steps = needed(draft.steps, last)
     held = tuple(step.slots["where"] for step in steps if step.slots.get("where"))
     comes = [COMES] if found.moment is not None and found.moment.is_open else []
-    lasts, open_ = ((), ()) if is_ground else asks(asked, found)
     comes += map(undecided, open_)
     verdict = all_of([*comes, *(step.certificate.verdict for step in (*before, *steps) if step.certificate)])
     nodes = tuple(row.items[-1] for row in _rows(last.statement))
@@ -157,14 +157,15 @@ def _speeds(found: Found) -> list[str]:
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
 
 
-def _last(draft: Draft, found: Found, name: str) -> Step:
+def _last(draft: Draft, found: Found, name: str, lasts: tuple[Demand, ...]) -> Step:
     """The step that states the answer."""
+    met = (*found.asked, *(found.moment.state.valid if found.moment else ()), *lasts)
     parted = f"{name}_" if "_" not in name else name
     marks = "xy" if not found.told.startswith("osc") else range(1, len(found.values) + 1)
     letters = [name] if len(found.values) == 1 else [f"{parted}{mark}" for mark in marks]
     letters = [draft.free(letter) for letter in letters]
     pairs = zip(letters, found.values, strict=True)
-    rows = [t.equation(t.Sym(letter), draft.show(value, factor=True)) for letter, value in pairs]
+    rows = [t.equation(t.Sym(letter), draft.show(value, factor=True, met=met)) for letter, value in pairs]
     of = dict(zip(letters, found.named, strict=True))
     rule = "value_told" if found.told else "value_along" if found.moment is None else "value_then"
     speeds = (name.removesuffix("_dot") for name in (*found.speeds, *found.kept))

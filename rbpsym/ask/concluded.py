@@ -35,7 +35,7 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
     doubts = [] if found.symbol else map(undecided, world.doubts)
-    nodes = tuple(draft.show(value, factor=True) for value in found.values)
+    nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
     last = tuple(_last(draft, found, nodes, letter))
     return Answer(
         Question(text, found.symbol or text),

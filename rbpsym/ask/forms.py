@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from rbpsym.algebra.calculus import root
+from rbpsym.algebra.exponentials import with_exponentials_joined
 from rbpsym.algebra.normal import has_roots, is_rooted
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
@@ -20,6 +21,7 @@ from rbpsym.quantity.path import even
 
 def shortest(value: Scalar, study: Study) -> Scalar:
     """The value in the shortest of its forms: as it is, with short roots, as one root."""
+    value = with_exponentials_joined(value)
     if not has_roots(value):
         return value
     given, square = study.assumptions, short(even(value * value))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.effort import apart, ask_for_more, at_most
@@ -17,8 +18,8 @@ from rbpsym.derivation.facts import facts_of
 from rbpsym.derivation.letters import introduce
 from rbpsym.derivation.step import STANDARD, Skipped, Step
 from rbpsym.equality.decide import scalars_equal
-from rbpsym.equality.rooted import neat
-from rbpsym.mechanics.demands import Demand
+from rbpsym.equality.rooted import Senses, neat
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
@@ -109,11 +110,14 @@ class Draft:
         """Whether a step of that id was made."""
         return any(step.id == id for step in self.steps)
 
-    def show(self, value: Scalar, *, factor: bool = False) -> t.Node:
-        """A value as a display tree in the problem's style."""
+    def show(self, value: Scalar, *, factor: bool = False, met: Iterable[Demand] = ()) -> t.Node:
+        """A value as a display tree in the problem's style; sums are turned as they are positive where the demands are met."""
+        style, given = self.study.style, self.study.assumptions
+        if met:
+            style = replace(style, sense=Senses(assuming(given, met, tighter=True)))
         if not has_roots(value):
-            return present(value, self.study.style, factor=factor)
-        plain, shown = (present(form, self.study.style, factor=factor) for form in (value, neat(value, self.study.assumptions)))
+            return present(value, style, factor=factor)
+        plain, shown = (present(form, style, factor=factor) for form in (value, neat(value, given)))
         return shown if shown == plain or self._is_proved(shown, value) else plain
 
     def _is_proved(self, form: t.Node, value: Scalar) -> bool:

@@ -11,7 +11,7 @@ from rbpsym.algebra.poly import UNIT, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.masks import MINUS, PLUS
+from rbpsym.equality.masks import MINUS, PLUS, ZERO
 
 Bound = Scalar | None
 IsNonnegative = Callable[[Scalar], bool]
@@ -124,6 +124,13 @@ def of_inverse(kind: str, arg: int) -> Bounds:
     elif kind == "acos" and not arg & PLUS:
         low = quarter
     return Bounds(low, high, kind != "atan" or not low, kind != "atan" or not high)
+
+
+def of_exponential(arg: int) -> Bounds:
+    """Bounds of an exponential whose argument has one of the signs `arg`."""
+    if not arg & MINUS:
+        return Bounds(UNITY, None, bool(arg & ZERO))
+    return Bounds(NOTHING) if arg & PLUS else Bounds(NOTHING, UNITY, upper_in=bool(arg & ZERO))
 
 
 def of_half_tangent(angle: Poly, assumptions: Assumptions, is_nonnegative: IsNonnegative) -> Bounds:

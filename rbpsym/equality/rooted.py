@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from rbpsym.algebra import atoms
+from rbpsym.algebra.exponentials import with_exponentials_joined
 from rbpsym.algebra.normal import shorten
+from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import simplified_root, tidied, with_image, without_even_roots
 from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 
 
+@dataclass(frozen=True, slots=True)
+class Senses:
+    """The sense of sums under assumptions, for `Style.sense`."""
+
+    given: Assumptions
+
+    def __call__(self, sum_: Poly) -> int:
+        return sign(Scalar(sum_), self.given).sense
+
+
 def shorter(value: Scalar) -> Scalar:
-    """The value with sin² + cos² = 1 used where that makes it shorter."""
+    """The value with sin² + cos² = 1 used where that makes it shorter, and one exponential in each product."""
+    value = with_exponentials_joined(value)
     num = shorten(value.num)
     return value if num is value.num else quotient(num, value.den)
 

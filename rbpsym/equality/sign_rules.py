@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
+from math import lcm
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import normal, partner, without_squares
-from rbpsym.algebra.poly import ONE, Poly, inverse
+from rbpsym.algebra.exponentials import is_exponential
+from rbpsym.algebra.normal import normal, partner, substitute, without_squares
+from rbpsym.algebra.poly import ONE, Poly, generator, inverse
 from rbpsym.algebra.poly import ZERO as ZERO_POLY
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar, quotient
@@ -77,6 +80,18 @@ def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
     discriminant = study.poly(inner)
     discriminant = study.poly(normal(inner)) if discriminant == ANY else discriminant
     return {MINUS: lead, ZERO: lead | ZERO, MINUS | ZERO: lead | ZERO}.get(discriminant, ANY)
+
+
+def _by_exponentials(study: Study, poly: Poly) -> int:
+    """Several exponentials of multiples of one quantity as powers of one."""
+    found = [index for index in poly.atoms() if is_exponential(index)]
+    first = atoms.atom(found[0]).arg if len(found) > 1 else None
+    ratios = {index: (atoms.atom(index).arg / first).number() for index in found} if first else {}
+    if not ratios or None in ratios.values():
+        return ANY
+    parts = lcm(*(Fraction(ratio).denominator for ratio in ratios.values()))
+    one = generator(atoms.intern("exp", first / parts))
+    return study.poly(substitute(poly, {index: one ** int(ratio * parts) for index, ratio in ratios.items()}))
 
 
 def _by_squares(study: Study, poly: Poly) -> int:
@@ -228,6 +243,7 @@ RULES: tuple[Rule, ...] = (
     (_by_root, "squares are compared"),
     (_by_quadratic, "a quadratic with this discriminant has no change of sign"),
     (_by_bounds, "it has this sign on the whole range of a generator"),
+    (_by_exponentials, "all exponentials are powers of one"),
     (_by_squares, "by sin² + cos² = 1"),
     (_by_factors, "the signs of its factors"),
     (_by_double_angle, "by |sin 2x| ≤ 1"),

@@ -197,6 +197,7 @@ BOUNDS: dict[str, Callable[[Study, Any], b.Bounds]] = {
     "cos": lambda study, angle: b.of_wave("cos", angle, study.assumptions, study.is_nonnegative),
     "sin": lambda study, angle: b.of_wave("sin", angle, study.assumptions, study.is_nonnegative),
     "half": lambda study, angle: b.of_half_tangent(angle, study.assumptions, study.is_nonnegative),
+    "exp": lambda study, arg: b.of_exponential(study.scalar(arg)),
     "atan": lambda study, arg: b.of_inverse("atan", study.scalar(arg)),
     "asin": lambda study, arg: b.of_inverse("asin", study.scalar(arg)),
     "acos": lambda study, arg: b.of_inverse("acos", study.scalar(arg)),

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.exponentials import with_exponentials_joined
 from rbpsym.algebra.poly import ONE, ZERO, generator
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
@@ -39,7 +40,7 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
     queue = list(demands)
     while queue:
         demand = queue.pop(0)
-        value = short(without_even_roots(demand.value))
+        value = short(without_even_roots(with_exponentials_joined(demand.value)))
         item = _without_inverse(Demand(Scalar(value.num * value.den) if len(value.den) > 1 else value, demand.op), given)
         found = sign(item.value, given)
         if found.kind in FAILS[item.op]:
