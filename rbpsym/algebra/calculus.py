@@ -128,6 +128,17 @@ def _known(name: str, values: Mapping[Scalar, Scalar]):
     return lambda arg: values[arg] if arg in values else generator_of(name, arg)
 
 
+def _turned(name: str, values: Mapping[Scalar, Scalar]):
+    """Of an odd function: -f(x) for f(-x)."""
+    plain = _known(name, values)
+
+    def see(arg: Scalar) -> Scalar:
+        below = all(c < 0 for c in arg.num.terms.values()) and arg not in values
+        return -plain(-arg) if below else plain(arg)
+
+    return see
+
+
 def _odd(values: Mapping[Scalar, Scalar]) -> dict[Scalar, Scalar]:
     return {NOTHING: NOTHING, **values, **{-at: -value for at, value in values.items()}}
 
@@ -146,9 +157,9 @@ FUNCTIONS = {
     "csc": lambda a: 1 / sine(a),
     "exp": _known("exp", {NOTHING: UNITY}),
     "ln": _known("ln", {UNITY: NOTHING}),
-    "asin": _known("asin", SINES),
+    "asin": _turned("asin", SINES),
     "acos": _known("acos", {at: PI / 2 - angle for at, angle in SINES.items()}),
-    "atan": _known("atan", TANGENTS),
+    "atan": _turned("atan", TANGENTS),
     "elliptic_k": _known("elliptic_k", {NOTHING: PI / 2}),
     "elliptic_e": _known("elliptic_e", {NOTHING: PI / 2, UNITY: UNITY}),
     "sqrt": root,

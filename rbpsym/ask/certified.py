@@ -29,6 +29,7 @@ from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.stability import essential
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import Notation
@@ -316,6 +317,7 @@ def _valid(
         what = to_machine(present(never.value))
         raise StatementError(f"this motion never comes about: it needs {what} {never.op} 0", instead="change the statement.")
     left = settle(wanted, found.study.assumptions) if len(asked) == len(duties) else None
+    left = left if left is None else _told_by_forces(left, found.study)
     return draft.asked(left) if left is not None else tuple(dict.fromkeys((*duties, *draft.asked(stated))))
 
 
@@ -327,6 +329,14 @@ def _there(study: Study, demand: Demand, moment: Moment) -> Demand:
         return there
     inertia = [[value_in(study, entry, moment.state) for entry in row] for row in study.dynamics.mass_matrix]
     return there if is_zero(determinant(inertia)) else Demand(UNITY)
+
+
+def _told_by_forces(demands: tuple[Demand, ...], study: Study) -> list[Demand]:
+    """Without what is said of an unknown force already: N > 0 says that 11 cos θ - 6 is not zero."""
+    along = (not study.at_start and study.reactions_along_motion) or {}
+    said = {d: essential(substitute(d.value, along), study.assumptions) for d in demands if names_in(d.value) & along.keys()}
+    firm = [value for demand, value in said.items() if demand.op == ">"]
+    return [d for d in demands if d in said or (d.value not in firm and not (d.op == "!=" and -d.value in firm))]
 
 
 def _duties(steps: Sequence[Step]) -> list[t.Node]:

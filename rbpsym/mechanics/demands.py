@@ -9,7 +9,8 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
 from rbpsym.algebra.exponentials import with_exponentials_joined
-from rbpsym.algebra.poly import ONE, ZERO, generator
+from rbpsym.algebra.normal import is_zero, normal
+from rbpsym.algebra.poly import ONE, ZERO, Poly, generator
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
@@ -47,7 +48,7 @@ def settle(demands: Iterable[Demand], given: Assumptions) -> tuple[Demand, ...] 
             return None
         if not IMPLIED[item.op](found):
             item = Demand(essential(item.value, given), item.op)
-            parts = _squared(item, given) or _parted(item, given)
+            parts = _squared(item, given) or _without_roots(item) or _parted(item, given)
             kept += [] if parts else [item]
             queue += parts
     return _consistent(list(dict.fromkeys(kept)), given)
@@ -72,21 +73,28 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]
     for item in list(demands):
         others = [other for other in demands if other is not item]
-        found = sign(item.value, assuming(given, others))
+        found = sign(item.value, assuming(given, others, tighter=True))
         products = [sign(short(item.value * o.value), given) for o in others if ">" in (item.op, o.op) and o.op != "!="]
         if found.kind in FAILS[item.op] or any(p.kind in FAILS[item.op] for p in products):
             return None
-        if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products):
+        if IMPLIED[item.op](found) or any(p.kind == "positive" for p in products) or any(_leaves(o, item) for o in others):
             demands = others
     return tuple(demands)
+
+
+def _leaves(firm: Demand, item: Demand) -> bool:
+    """Whether sin x ≠ 0 is asked, which leaves 1 - cos x and 1 + cos x positive: their product is its square."""
+    return firm.op != ">=" and is_zero(item.value * (2 - item.value) - firm.value**2)
 
 
 def _divided(item: Demand, demands: list[Demand]) -> Demand:
     """Without a factor that another demand says to be positive."""
     for other in demands:
-        if "!=" not in (item.op, other.op) and 1 < len(other.value.num) < len(item.value.num):
-            rest = short(item.value / other.value)
-            item = Demand(rest, item.op) if rest.den is ONE and len(rest.num) < len(item.value.num) else item
+        is_firm = other.op == ">" or other.op == item.op == ">="
+        if is_firm and item.op != "!=" and other.value != item.value and 1 < len(other.value.num) <= len(item.value.num):
+            for above, below in ((item.value.num, other.value.num), (normal(item.value.num), normal(other.value.num))):
+                rest = short(Scalar(above) / Scalar(below))
+                item = Demand(rest, item.op) if rest.den is ONE and len(rest.num) < len(above) else item
     return item
 
 
@@ -201,6 +209,17 @@ def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
 
 
 # --- roots
+
+
+def _without_roots(demand: Demand) -> list[Demand]:
+    """A √x > 0 as A > 0 and x > 0, A x² > 0 as A > 0 and x ≠ 0, A √x ≠ 0 as A ≠ 0 and x ≠ 0; else nothing."""
+    powers = [(i, e) for i, e in demand.value.num.content()[1] if atoms.atom(i).kind == "root" or not e % 2]
+    if not powers or demand.op == ">=" or demand.value.den is not ONE:
+        return []
+    rest = demand.value / Scalar(Poly({tuple(powers): 1}))
+    found = (atoms.atom(i).arg if atoms.atom(i).kind == "root" else Scalar(generator(i)) for i, _ in powers)
+    ops = (demand.op if e % 2 else "!=" for _, e in powers)
+    return [Demand(rest, demand.op), *map(Demand, found, ops)]
 
 
 def _squared(demand: Demand, given: Assumptions) -> list[Demand]:

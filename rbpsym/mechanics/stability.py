@@ -7,7 +7,7 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.algebra.scalar import UNITY, Scalar, name_of
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError
@@ -60,9 +60,10 @@ def open_factors(value: Scalar, assumptions: Assumptions) -> list[Scalar]:
 
 
 def _primitive(value: Scalar) -> Scalar:
-    """Without a common number, be it a root: √2 a - 2 b as a - √2 b."""
-    first = min(value.num.terms, key=lambda m: sorted((str(atoms.atom(i).arg), e) for i, e in m if not _is_root_of_number(i)))
-    for index in (i for i, e in first if _is_root_of_number(i)):
+    """Without a common number, be it a root: √2 a - 2 b + √2 b as a - √2 b + b, by a term that no other is a multiple of."""
+    plain = [(sorted((name_of(i), e) for i, e in m if not _is_root_of_number(i)), m) for m in value.num.terms]
+    single = [(key, m) for key, m in plain if sum(key == other for other, _ in plain) == 1]
+    for index in (i for i, _ in max(single)[1] if _is_root_of_number(i)) if single else ():
         value = short(value * Scalar(generator(index)))
     return Scalar(value.num.scaled(1 / abs(Fraction(value.num.content()[0]))), value.den)
 
