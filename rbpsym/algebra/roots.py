@@ -11,7 +11,7 @@ from rbpsym.algebra.calculus import inside, root
 from rbpsym.algebra.normal import has_roots, tidy
 from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, inverse, times
 from rbpsym.algebra.ring import factors
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, total
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, generator_of, lift, name_of, total
 
 
 def simplified_root(value: Scalar, is_positive: Callable[[str], bool]) -> Scalar:
@@ -43,9 +43,24 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
         terms, below = value.num.terms.items(), UNITY / Scalar(value.den)
         parted = total(_product(m, below * c, sense) for m, c in terms)
         value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
+    value = value if value.den is ONE else with_root_taken_out(value)
     for index in _sizes(value):  # what is even in √(x²) is a function of x
         if _replaced(value, index, -Scalar(generator(index))) == value:
             value = _replaced(value, index, side_of(atoms.atom(index).arg))
+    return value
+
+
+def with_root_taken_out(value: Scalar) -> Scalar:
+    """A √x + B x as √x (A + B √x), where a denominator that is a multiple of x makes it shorter or there is none."""
+    for index in sorted(filter(_is_root, value.num.atoms()), key=name_of):
+        parts, radicand = value.num.by_power(index), atoms.atom(index).arg
+        if set(parts) != {0, 1} or radicand.number() is not None:
+            continue
+        rest = Scalar(parts[0]) / radicand
+        below = Scalar(value.den) / radicand if value.den is not ONE else UNITY
+        if rest.den is below.den is ONE:
+            above = Scalar(parts[1]) + rest * Scalar(generator(index))
+            return above * Scalar(generator(index)) ** (1 if value.den is ONE else -1) / below
     return value
 
 
@@ -82,7 +97,11 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> 
             before[factor] += power - one
             sizes = sizes * generator_of("root", Scalar(factor) ** 2) ** one
     inner = _whole(1 if size > 0 else -1, within)
-    return _whole(number, before) * sizes * root(lift(abs(size))) * (UNITY if inner == UNITY else generator_of("root", inner))
+    inner = tidied(inner, sense) if inner != radicand else inner
+    whole = _whole(number, before) * sizes * root(lift(abs(size)))
+    if inner.num.is_monomial() and inner.den is not ONE and (below := Scalar(inner.den) / Scalar(inner.num)).den is ONE:
+        return whole / generator_of("root", below)
+    return whole * (UNITY if inner == UNITY else generator_of("root", inner))
 
 
 def _factored(value: Scalar) -> tuple[Fraction, dict[Poly, int]]:

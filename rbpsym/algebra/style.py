@@ -41,7 +41,8 @@ class Style:
 
     @cached_property
     def _content(self) -> int:
-        return hash((frozenset(self.rank.items()), self.moving, self.whole, self.greater, self.tangents, self.gathered, self.sense))
+        ways = (self.whole, self.greater, self.tangents, self.gathered, self.sense)
+        return hash((frozenset(self.rank.items()), self.moving, *ways))
 
     def __hash__(self) -> int:
         return self._content

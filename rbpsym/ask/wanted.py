@@ -184,7 +184,8 @@ COEFFICIENT = "mu"  # may be asked for where the problem declares none
 def _holds_fast(world: Scene, contact: str, until: str | None, text: str | None, name: str = "", there: str = "") -> Wanted:
     """Static friction stays below its limit, at one contact or at all (“it”), on the way or at one moment (`there`)."""
     needs = {need.constraint: need for need in world.study.friction_needs}
-    if not there and (found := _held_then(world, contact, None, name)) and contact not in needs and (contact != "it" or not needs):
+    found = None if there else _held_then(world, contact, None, name)
+    if found and contact not in needs and (contact != "it" or not needs):
         return found
     if not needs:
         raise StatementError(

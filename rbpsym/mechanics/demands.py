@@ -94,7 +94,8 @@ def _divided(item: Demand, demands: list[Demand]) -> Demand:
         if is_firm and item.op != "!=" and other.value != item.value and 1 < len(other.value.num) <= len(item.value.num):
             for above, below in ((item.value.num, other.value.num), (normal(item.value.num), normal(other.value.num))):
                 rest = short(Scalar(above) / Scalar(below))
-                item = Demand(rest, item.op) if rest.den is ONE and len(rest.num) < len(above) else item
+                is_less = rest.den is ONE and len(rest.num) < len(above) and rest.number() is None
+                item = Demand(rest, item.op) if is_less else item
     return item
 
 
@@ -212,14 +213,13 @@ def _without_inverse(demand: Demand, given: Assumptions) -> Demand:
 
 
 def _without_roots(demand: Demand) -> list[Demand]:
-    """A √x > 0 as A > 0 and x > 0, A x² > 0 as A > 0 and x ≠ 0, A √x ≠ 0 as A ≠ 0 and x ≠ 0; else nothing."""
+    """A √x > 0 as A > 0 and x > 0, A x² > 0 as A > 0 and x ≠ 0, A √x ≠ 0 as A ≠ 0 and x > 0; else nothing."""
     powers = [(i, e) for i, e in demand.value.num.content()[1] if atoms.atom(i).kind == "root" or not e % 2]
     if not powers or demand.op == ">=" or demand.value.den is not ONE:
         return []
     rest = demand.value / Scalar(Poly({tuple(powers): 1}))
-    found = (atoms.atom(i).arg if atoms.atom(i).kind == "root" else Scalar(generator(i)) for i, _ in powers)
-    ops = (demand.op if e % 2 else "!=" for _, e in powers)
-    return [Demand(rest, demand.op), *map(Demand, found, ops)]
+    roots = [Demand(atoms.atom(i).arg) for i, _ in powers if atoms.atom(i).kind == "root"]
+    return [Demand(rest, demand.op), *roots, *(Demand(Scalar(generator(i)), "!=") for i, e in powers if not e % 2)]
 
 
 def _squared(demand: Demand, given: Assumptions) -> list[Demand]:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from rbpsym.algebra import atoms
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import generator
+from rbpsym.algebra.roots import with_root_taken_out
 from rbpsym.algebra.scalar import UNITY, Scalar, name_of
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
@@ -41,6 +42,7 @@ def _minors(matrix: Matrix) -> list[Scalar]:
 
 def essential(value: Scalar, assumptions: Assumptions) -> Scalar:
     """The value without factors whose signs are known, as far as it can be factored."""
+    value = with_root_taken_out(Scalar(value.num)) / Scalar(value.den)
     product = UNITY
     for factor in open_factors(value, assumptions):
         product = product * factor

@@ -87,6 +87,16 @@ SETS = {
     "waves": ["sin(theta) > 0"],
     "falling": ["-sin(theta) > 0", "m > 0"],
     "rising": ["cos(theta) > 0", "1 - mu > 0"],
+    "what a sine leaves": ["sin(theta) > 0", "1 - cos(theta) > 0"],
+    "with a factor in squares": ["(1 - cos(theta))*(m + M + M*cos(theta)) > 0", "1 - cos(theta) > 0", "m - 2*k > 0"],
+    "a factor, or zero": ["(m - M)*(k - L) >= 0", "m - M >= 0", "x - 2 > 0"],
+    "the square of what is open": ["x**2*sqrt(m)*(m - M) > 0", "m - M > 0"],
+    "a root that is not zero": ["sqrt(m - M)/k != 0"],
+    "root and its radicand": ["sqrt(m - M)*(m - M) > 0", "m - M > 0"],
+    "a number's root": ["m*sqrt(2) - 2*M + M*sqrt(2) > 0", "m + M - M*sqrt(2) > 0"],
+    "a root taken out": ["mu*sqrt(m + M)*k - (m + M)*L >= 0"],
+    "a tangent": ["2*atan(mu) - pi/4 > 0"],
+    "exponentials": ["exp(x/m) - 2 + exp(-x/m) >= 0"],
     "wave and its square": ["cos(theta) > 0", "cos(theta) - cos(theta)**2 > 0"],
 }
 
