@@ -99,7 +99,7 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> 
     inner = _whole(1 if size > 0 else -1, within)
     inner = tidied(inner, sense) if inner != radicand else inner
     whole = _whole(number, before) * sizes * root(lift(abs(size)))
-    if inner.num.is_monomial() and inner.den is not ONE and (below := Scalar(inner.den) / Scalar(inner.num)).den is ONE:
+    if inner.den is not ONE and all(power < 0 for power in within.values()) and (below := UNITY / inner).den is ONE:
         return whole / generator_of("root", below)
     return whole * (UNITY if inner == UNITY else generator_of("root", inner))
 

@@ -58,8 +58,14 @@ def meant_by(study: Study, text: str) -> Bound | None:
     return None
 
 
+_VALUE = r"\w+ ?= ?[^\s,=]+"
+WITHIN = re.compile(rf"(.+?),? (with {_VALUE}(?:(?:,| and) {_VALUE})*),? ((?:is|are) (?:the )?\w+|(?:for|in the limit) .+)")
+
+
 def _plain(text: str) -> str:
-    return " ".join(text.split()).rstrip(" ?.")
+    """The words of a question, values of parameters (“with F = 0”) at the end."""
+    plain = " ".join(text.split()).rstrip(" ?.")
+    return " ".join((said[1], said[3], said[2])) if (said := WITHIN.fullmatch(plain)) else plain
 
 
 def ask(problem: Problem, *questions: str) -> list[Answer]:
@@ -77,6 +83,9 @@ def ask(problem: Problem, *questions: str) -> list[Answer]:
 def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     """The answer to one question, called by the letter."""
     plain = _plain(text)
+    if plain != (own := " ".join(text.split()).rstrip(" ?.")):
+        found = answered(asked, plain, letter)
+        return replace(found, question=replace(found.question, text=own))
     if (said := WITH.fullmatch(plain)) and OF_TIME.search(said[1]):
         found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
         return replace(found, question=replace(found.question, text=plain))
@@ -90,8 +99,17 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
         made = of_parameters(asked, plain, letter)
         if made and made.verdict.is_refuted:
             raise Undecided(f"what was found for “{plain}” is refuted by its own check, and is not told")
-        return made or answer(asked, read_question(plain), letter)
-    except (StatementError, ReadError) as refused:
-        if found := resorted(asked, plain, letter):
+        found = made or answer(asked, read_question(plain), letter)
+        return (said and not found.verdict.is_proved and _with_these(asked, said, letter)) or found
+    except (StatementError, ReadError, Undecided) as refused:
+        if found := (said and _with_these(asked, said, letter)) or resorted(asked, plain, letter):
             return found
         raise refused
+
+
+def _with_these(asked: Asked, said: re.Match[str], letter: str) -> Answer | None:
+    """What is proved where parameters have these values from the beginning; None if nothing is."""
+    with suppress(RbpsymError):
+        found = answered(Asked(special_problem(scene(asked), said[2])), said[1], letter)
+        return replace(found, question=replace(found.question, text=said[0])) if found.verdict.is_proved else None
+    return None

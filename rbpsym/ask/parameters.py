@@ -103,7 +103,7 @@ def finding(asked: Asked, text: str, rows: Rows = ROWS) -> tuple[Scene, Finding]
     phase, place = PHASE.fullmatch(rest), None
     if phase is not None:
         rest, place = phase[1] + (phase[3] or ""), asked.named(phase[2])
-    if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in ROWS[:-1]):
+    if (said := WITH.fullmatch(rest)) and any(re.fullmatch(pattern, said[1]) for pattern, _ in (*ROWS[:-1], *made.MADE)):
         return finding(Asked(special.special_problem(scene(asked, place), said[2])), said[1])
     for pattern, find in rows:
         if words := re.fullmatch(pattern, rest.removeprefix("the ")):
