@@ -128,6 +128,22 @@ def _known(name: str, values: Mapping[Scalar, Scalar]):
     return lambda arg: values[arg] if arg in values else generator_of(name, arg)
 
 
+def _powered(arg: Scalar) -> Scalar:
+    """exp(x), of c ln x with a whole 2c as a power of x."""
+    [(m, c), *more] = arg.num.terms.items() if arg.den is ONE and arg else [((), 0)]
+    found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == 1 and not more and (2 * c).denominator == 1 else None
+    if not found or found.kind != "ln":
+        return generator_of("exp", arg) if arg else UNITY
+    return found.arg ** int(c // 1) * (root(found.arg) if (2 * c) % 2 else UNITY)
+
+
+def _logarithm(arg: Scalar) -> Scalar:
+    """ln x, of √x as ln x/2."""
+    [(m, c), *more] = arg.num.terms.items() if arg.den is ONE else [((), 0)]
+    found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == c == 1 and not more else None
+    return _logarithm(found.arg) / 2 if found and found.kind == "root" else _known("ln", {UNITY: NOTHING})(arg)
+
+
 def _turned(name: str, values: Mapping[Scalar, Scalar]):
     """Of an odd function: -f(x) for f(-x)."""
     plain = _known(name, values)
@@ -155,8 +171,8 @@ FUNCTIONS = {
     "cot": lambda a: cosine(a) / sine(a),
     "sec": lambda a: 1 / cosine(a),
     "csc": lambda a: 1 / sine(a),
-    "exp": _known("exp", {NOTHING: UNITY}),
-    "ln": _known("ln", {UNITY: NOTHING}),
+    "exp": _powered,
+    "ln": _logarithm,
     "asin": _turned("asin", SINES),
     "acos": _known("acos", {at: PI / 2 - angle for at, angle in SINES.items()}),
     "atan": _turned("atan", TANGENTS),

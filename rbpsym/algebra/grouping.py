@@ -11,7 +11,7 @@ from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly, inverse, tidy,
 from rbpsym.algebra.style import Style, is_quadratic, moves, split, term_key
 from rbpsym.quantities import LENGTH, MASS, NUMBER
 
-MOST_FACTORED, FEW = 16, 12  # terms; longer sums are not worth the search for factors
+MOST_FACTORED, FEW, FEWEST = 16, 12, 4  # terms; longer sums are not worth the search for factors
 ENOUGH = 2  # letters that a common factor of some terms has to save
 
 
@@ -248,6 +248,15 @@ def gathered(poly: Poly, style: Style) -> list[Poly]:
         if ((len(part) - 1) * letters, letters) > best:
             best, found = ((len(part) - 1) * letters, letters), part
     return [poly] if len(found) == len(poly) else [found, *gathered(poly - found, style)]
+
+
+def by_letters(poly: Poly, style: Style) -> list[list[Poly]]:
+    """The sum in parts with the same power of a letter, for each letter: M g ℓ (M + m) - m² (M + 2 m) v²."""
+    if style.gathered or not FEWEST <= len(poly) <= FEW or is_inertia(poly, style):
+        return []
+    letters = sorted(poly.atoms(), key=lambda i: term_key(((i, 1),), style))  # not by their numbers
+    powers = ([part.scaled(1, ((i, k),) if k else ()) for k, part in poly.by_power(i).items()] for i in letters)
+    return [parts for parts in powers if 1 < len(parts) < len(poly)]
 
 
 def splits_by_parameters(poly: Poly, style: Style) -> bool:

@@ -24,6 +24,7 @@ from rbpsym.algebra.bars import (
 from rbpsym.algebra.effort import remembered
 from rbpsym.algebra.grouping import (
     best_factors,
+    by_letters,
     by_moving,
     common_coefficient,
     divisors,
@@ -228,10 +229,17 @@ def _plain_sum(poly: Poly, style: Style) -> t.Node:
         whole = t.power(_plain_sum(-side if n % 2 == 0 and leads_negative(side, style) else side, style), n)
         size = t.mul(_monomial_node(abs(number), UNIT, style), whole)
         return t.neg(size) if number < 0 else size
-    parts = gathered(poly, style)
-    if len(parts) > 1:
-        style = replace(style, gathered=True)
-        return t.add(*positive_first([present_poly(part, style, True) for part in parts]))
+    inner, parts = replace(style, gathered=True), gathered(poly, style)
+    plain = _of_parts(parts, inner) if len(parts) > 1 else _in_order(poly, style)
+    ways = [plain, *(_of_parts(parts, inner) for parts in by_letters(poly, style))]
+    return min(ways, key=lambda node: sum(1 for _ in t.walk(node)))
+
+
+def _of_parts(parts: list[Poly], style: Style) -> t.Node:
+    return t.add(*positive_first([present_poly(part, style, True) for part in parts]))
+
+
+def _in_order(poly: Poly, style: Style) -> t.Node:
     ordered = sorted(poly.terms.items(), key=lambda item: term_key(item[0], style))
     if leads_backwards(poly, style):
         ordered = ordered[::-1]

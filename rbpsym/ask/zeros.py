@@ -201,7 +201,13 @@ def _all_places(value: Scalar, name: str, given: Assumptions) -> list[Place] | N
     return found
 
 
-UNDONE = {"acos": ("cos", NOTHING, PI), "asin": ("sin", -PI / 2, PI / 2), "atan": ("tan", -PI / 2, PI / 2)}
+UNDONE = {  # the function that undoes it, and between what its values lie
+    "acos": ("cos", NOTHING, PI),
+    "asin": ("sin", -PI / 2, PI / 2),
+    "atan": ("tan", -PI / 2, PI / 2),
+    "ln": ("exp", None, None),
+    "exp": ("ln", NOTHING, None),
+}
 
 
 def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[Place] | None:
@@ -212,7 +218,8 @@ def _undone(factor: Scalar, index: int, name: str, given: Assumptions) -> list[P
     kind, low, high = UNDONE[atoms.atom(index).kind]
     angle = short(-parts.get(0, NOTHING) / parts[1])
     found = _all_places(atoms.atom(index).arg - function(kind, angle), name, given)
-    asked = (Demand(angle - low, ">="), Demand(high - angle, ">="))
+    asked = () if low is None else (Demand(angle - low, ">=" if high else ">"),)
+    asked += () if high is None else (Demand(high - angle, ">="),)
     return None if found is None else [(place, (*asked, *more)) for place, more in found]
 
 

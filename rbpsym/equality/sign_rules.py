@@ -85,11 +85,13 @@ def _quadratic(study: Study, a: Poly, linear: Poly, constant: Poly) -> int:
 def _by_exponentials(study: Study, poly: Poly) -> int:
     """Several exponentials of multiples of one quantity as powers of one."""
     found = [index for index in poly.atoms() if is_exponential(index)]
-    first = atoms.atom(found[0]).arg if len(found) > 1 else None
-    ratios = {index: (atoms.atom(index).arg / first).number() for index in found} if first else {}
-    if not ratios or None in ratios.values():
+    if len(found) < 2:
         return ANY
-    parts = lcm(*(Fraction(ratio).denominator for ratio in ratios.values()))
+    first = atoms.atom(found[0]).arg
+    ratios = {index: Fraction(number) for index in found if (number := (atoms.atom(index).arg / first).number()) is not None}
+    if len(ratios) < len(found):
+        return ANY
+    parts = lcm(*(ratio.denominator for ratio in ratios.values()))
     one = generator(atoms.intern("exp", first / parts))
     return study.poly(substitute(poly, {index: one ** int(ratio * parts) for index, ratio in ratios.items()}))
 
