@@ -54,7 +54,7 @@ def with_root_taken_out(value: Scalar) -> Scalar:
     """A √x + B x as √x (A + B √x), where a denominator that is a multiple of x makes it shorter or there is none."""
     for index in sorted(filter(_is_root, value.num.atoms()), key=name_of):
         parts, radicand = value.num.by_power(index), atoms.atom(index).arg
-        if set(parts) != {0, 1} or radicand.number() is not None:
+        if set(parts) != {0, 1} or len(radicand.num) < 2:  # by one term all can be divided
             continue
         rest = Scalar(parts[0]) / radicand
         below = Scalar(value.den) / radicand if value.den is not ONE else UNITY

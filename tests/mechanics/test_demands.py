@@ -95,6 +95,7 @@ SETS = {
     "root and its radicand": ["sqrt(m - M)*(m - M) > 0", "m - M > 0"],
     "a number's root": ["m*sqrt(2) - 2*M + M*sqrt(2) > 0", "m + M - M*sqrt(2) > 0"],
     "a root taken out": ["mu*sqrt(m + M)*k - (m + M)*L >= 0"],
+    "no root of one term": ["mu*sqrt(m*M)*k - m*M*L >= 0", "x*sqrt(m*M) - m*M*L > 0"],
     "a tangent": ["2*atan(mu) - pi/4 > 0"],
     "exponentials": ["exp(x/m) - 2 + exp(-x/m) >= 0"],
     "wave and its square": ["cos(theta) > 0", "cos(theta) - cos(theta)**2 > 0"],
