@@ -30,6 +30,7 @@ BARE = 4  # the same where nothing can end
 STEPS = 6  # within a usual time
 CLOSE = 1e-7  # of the largest force: what counts as no force
 SAME = 1e-6  # of the usual time
+STUCK = 1e-7  # of the usual time: a step that small gets nowhere
 NEAR = 1e-3  # of the largest force: a set at which a force comes so near to nothing without changing its sign is redrawn
 
 
@@ -223,7 +224,7 @@ def follow(
                 solver.step()
         except (OverflowError, FloatingPointError, NotApplicable):  # a singularity: what is well before it is kept
             return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
-        if solver.status == "failed":
+        if solver.status == "failed" or solver.step_size < STUCK * step:  # bars that come to lie in one line
             return Followed([s for s in states if s[-1] <= solver.t / 2], None, False, least)
         dense, state = solver.dense_output(), _put_back(bench, solver.y)
         solver.y = state
