@@ -6,9 +6,11 @@ import pytest
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import symbol
 from rbpsym.ask.asking import answered
 from rbpsym.ask.integrated import _lasting
+from rbpsym.ask.lasting import held
 from rbpsym.ask.limits import leading
 from rbpsym.ask.seen import scene, way_to
 from rbpsym.ask.special import _term
@@ -85,3 +87,11 @@ def test_two_waves_of_one_angle_are_one_wave_with_a_phase(sign, text):
     found = _by_phase(factor, "x", Assumptions(dict.fromkeys(numbers, "positive")))
     assert len(found) == 2
     assert all(number(factor, {**numbers, "x": number(place, numbers)}) == pytest.approx(0, abs=1e-12) for place in found)
+
+
+def test_a_grip_along_the_motion_is_asked_for_without_dividing_by_what_may_vanish():
+    study = Study(asked("rod-falling-on-rough-floor").problem)
+    along, demands = study.reactions_along_motion, held(study)
+    for side in (-1, 1):
+        left = along["N"] * symbol("mu") + along["f"] * side
+        assert any(is_zero(demand.value - left) for demand in demands)

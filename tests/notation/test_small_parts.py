@@ -9,7 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.document.writers.word_math import fitted
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.algebra_layout import VULGAR
+from rbpsym.notation.algebra_layout import VULGAR, is_function_power
 from rbpsym.notation.infix import read_infix
 from rbpsym.notation.latex import to_latex
 from rbpsym.notation.latex_names import drawn_name
@@ -139,3 +139,8 @@ SUM_BELOW_ZERO = t.Neg(t.Add((t.Sym("a"), t.Sym("b"))))
 def test_a_minus_before_a_sum_is_that_of_all_of_it(node):
     names = {"a", "b"}
     assert scalar(read_latex(to_latex(node), names)) == scalar(read_infix(to_machine(node), names)) == scalar(node)
+
+
+@pytest.mark.parametrize(("exponent", "raised"), [(2, True), (3, True), (1, False), (-1, False), (Fraction(1, 2), False)])
+def test_which_powers_stand_behind_the_name_of_a_function(exponent, raised):
+    assert is_function_power(t.Pow(t.Fn("sin", t.Sym("x")), t.Num(exponent))) is raised

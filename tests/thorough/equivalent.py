@@ -47,4 +47,9 @@ EQUIVALENT: dict[str, str] = {
     "mechanics/roots.py _principal: -Fraction(number) + 1 -> (-Fraction(number)) - (1)": "the two are the same modulo 2",
     "ask/numbers.py _digits: 1 -> 2": "the least number of figures that are told is 3",
     "equality/factoring.py _factor_list: 1 / rational -> (1) * (rational)": "factors have no content but their sign",
+    "mechanics/events.py _changes_sign: way.sense > 0 -> way.sense >= 0": "a sense is 1 or -1",
+    "derivation/checks_places.py _beyond: wave(high) * sense -> (wave(high)) / (sense)": SIGN,
+    "mechanics/numbers.py _parameter: place % 3 -> (place) * (3)": SAMPLE,
+    "algebra/modular.py _random: int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), \"big\") % (PRIME - 2) -> "
+    "(int.from_bytes(blake2b(label.encode(), digest_size=8).digest(), \"big\")) * (PRIME - 2)": SAMPLE,
 }
