@@ -16,12 +16,13 @@ import numpy as np
 
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Vector
+from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.friction import senses
 from rbpsym.mechanics.instant import Instant
 from rbpsym.mechanics.motion import ForceWork
-from rbpsym.mechanics.numbers import Values, number, sample
+from rbpsym.mechanics.numbers import NoNumber, Values, number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import System
 from rbpsym.verify.simulation_bodies import Mechanism
@@ -226,7 +227,10 @@ class Bench:
         known, dynamics = Values(names), self.derived.dynamics
         wanted = self.derived.system.accelerations
         if dynamics.accelerations is not None:
-            found = known.row(dynamics.accelerations[name] for name in wanted)
+            try:
+                found = [number(dynamics.accelerations[name], names) for name in wanted]
+            except NoNumber:  # a string that would run through its pulley
+                raise NotApplicable("the accelerations have no value at a state at which they are tried") from None
         else:
             matrix = np.array([known.row(row) for row in dynamics.mass_matrix])
             found = np.linalg.solve(matrix, np.array(known.row(dynamics.forcing))).tolist()

@@ -6,11 +6,13 @@ from functools import cache
 import pytest
 
 from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.derive import derive
 from rbpsym.equality.verdict import PROVED, REFUTED
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.course import load_course
-from rbpsym.statement.library import course_files
+from rbpsym.statement.library import course_files, problem_files
+from rbpsym.statement.loader import load_text
 from rbpsym.verify.lagrange import agreement, lagrange_verdict
 from rbpsym.verify.simulation import simulate
 from tests.library.derived import derived
@@ -105,3 +107,10 @@ def test_a_mass_left_out_is_seen() -> None:
     other.__dict__["system"] = replace(it.system, bodies=light)
     assert lagrange_verdict(it.system, other.dynamics).kind is REFUTED
     assert simulate(it.system, other.dynamics).max_relative_error > 1e-3
+
+
+def test_a_string_through_its_pulley_is_not_simulated_and_that_is_told():
+    text = problem_files()["movable-pulley"].read_text(encoding="utf-8")
+    found = derive(load_text(text.replace('center = ["R", "z"]', 'center = ["R/3", "z"]')))
+    assert found.simulation is None
+    assert any("no value" in str(item) for item in found.skipped)
