@@ -62,7 +62,9 @@ class PlannedPart:
     def statement(self, said: Words) -> tuple[Block, ...]:
         """The statement in a language, the same for all students."""
         if said.language not in self.statements:
-            self.statements[said.language] = statement_blocks(self.bench.derivation, said)
+            targets = [task.target.id for _, prepared in self.wishes for task in prepared if task.target]
+            asks_later = any(target.startswith("question.") for target in targets)  # a question may be about any phase
+            self.statements[said.language] = statement_blocks(self.bench.derivation, said, asks_later=asks_later)
         return self.statements[said.language]
 
 

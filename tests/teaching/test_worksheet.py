@@ -440,3 +440,11 @@ def test_the_documentation_names_everything() -> None:
 def test_every_student_has_a_file_of_their_own() -> None:
     ids = ["王", "李", "Иван", "Ольга", "a_b", "a-b", "Ana", "ana", "José", "jose", "x" * 60, "x" * 61]
     assert len({own(id).casefold() for id in ids}) == len(ids)
+
+
+@pytest.mark.parametrize(("about", "told"), [("question.*", False), ("acceleration.*", True)])
+def test_that_all_is_about_the_first_phase_is_said_where_it_is_so(about: str, told: bool) -> None:
+    text = f'title = "Bounce"\n[[problem]]\nname = "superball"\n[[problem.task]]\nkind = "number"\nabout = ["{about}"]\n'
+    [part] = plan_of(sheet_of_text(text)).worksheet().parts
+    said = [inline.text for block in part.statement for inline in getattr(block, "inlines", ()) if hasattr(inline, "text")]
+    assert part.items and any("first part of the motion" in text for text in said) is told

@@ -18,12 +18,13 @@ from rbpsym.teaching.units import measure_text
 from rbpsym.teaching.wording import spoken
 
 
-def statement_blocks(derivation: Derivation, said: Words) -> tuple[Block, ...]:
-    """What the system is and how it starts, its figure and the conventions; without the table of symbols."""
+def statement_blocks(derivation: Derivation, said: Words, *, asks_later: bool) -> tuple[Block, ...]:
+    """What the system is and how it starts, its figure and the conventions; without the table of symbols. That all is
+    asked about the first phase is said unless some task may be about a later one."""
     first = _without_phases(derivation)
     section = statement_section(first, Words(said.language, first.study.problem, said.prefix), 2)
     blocks = tuple(block for block in section.blocks if not isinstance(block, Table))
-    names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[:1]]
+    names = [said.say("statement.phase", name=said.named(p.name)) for p in derivation.study.problem.phases[: not asks_later]]
     return (*blocks, *(Paragraph(spoken(said, "paper.first_phase", phase=name)) for name in names))
 
 
