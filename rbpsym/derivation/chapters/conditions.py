@@ -30,7 +30,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.contacts import meeting, rim_of
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.pushing import kept_sense, ways_kept, ways_taken
+from rbpsym.mechanics.pushing import ways_kept, ways_taken
 from rbpsym.mechanics.strings import segments
 from rbpsym.notation import tree as t
 from rbpsym.statement.curves import curve_body, toucher
@@ -99,12 +99,11 @@ def _geometric(draft: Draft, element: Element, given: Given) -> None:
 
 def as_taken(draft: Draft, element: Element) -> tuple[t.Node, ...]:
     """That it runs, or touches, on the side that is taken, as far as nothing declared says so: in each position, else at
-    the start; and that what is resisted keeps its sense."""
+    the start."""
     ways = (ways_kept(draft.study), ways_taken(draft.study))
     kept, begun = ([value for other, value in found if other is element] for found in ways)
     open_ = (value for value in dict.fromkeys(kept or begun) if sign(value, draft.study.assumptions).kind != "positive")
-    ways_open = tuple(t.relation(draft.show(value), ">", t.ZERO) for value in open_)
-    return (*ways_open, *draft.asked(kept_sense(draft.study, element)))
+    return tuple(t.relation(draft.show(value), ">", t.ZERO) for value in open_)
 
 
 def _kept_angle(draft: Draft, element: Element) -> None:

@@ -11,6 +11,7 @@ from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.pushing import kept_sense
 from rbpsym.mechanics.system import Force
 from rbpsym.notation import tree as t
 from rbpsym.statement.paths import round_size
@@ -81,8 +82,14 @@ def _entry(draft: Draft, force: Force) -> None:
         where=_place(draft, force),
         force=node,
         data={"forces": (force,), "origin": state.center, "value": center},
-        obligations=() if draft.study.system.is_reaction(force) else as_taken(draft, draft.study.system.element(force.name)),
+        obligations=() if draft.study.system.is_reaction(force) else _presupposed(draft, force.name),
     )
+
+
+def _presupposed(draft: Draft, name: str) -> tuple[t.Node, ...]:
+    """Where the formula of a force holds: on the side that is taken, and while what is resisted keeps its sense."""
+    element = draft.study.system.element(name)
+    return (*as_taken(draft, element), *draft.asked(kept_sense(draft.study, element)))
 
 
 BETWEEN = {"spring": "spring", "torsion-spring": "spring", "damper": "damper", "rotary-damper": "damper"}
