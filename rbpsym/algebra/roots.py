@@ -38,12 +38,12 @@ def tidied(value: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
     common = times(above, inverse(below))
     if any(_is_root(i) for i, _ in common):
         rest = Scalar(value.num.scaled(1, inverse(above))) / Scalar(value.den.scaled(1, inverse(below)))
-        value = _product(common, rest, sense)
+        value = _product(common, rest, sense, is_whole=True)
     elif any(map(_is_root, value.num.atoms())):
         terms, below = value.num.terms.items(), UNITY / Scalar(value.den)
         parted = total(_product(m, below * c, sense) for m, c in terms)
         value = parted if parted.den is ONE else total(_product(m, lift(c), sense) for m, c in terms) * below
-    value = value if value.den is ONE else with_root_taken_out(value)
+    value = value if value.den is ONE or any(map(_is_root, value.den.atoms())) else with_root_taken_out(value)
     for index in _sizes(value):  # what is even in √(x²) is a function of x
         if _replaced(value, index, -Scalar(generator(index))) == value:
             value = _replaced(value, index, side_of(atoms.atom(index).arg))
@@ -68,7 +68,7 @@ def _is_root(index: int) -> bool:
     return atoms.atom(index).kind == "root"
 
 
-def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> Scalar:
+def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int], *, is_whole: bool = False) -> Scalar:
     """A product of powers and a rest, its roots made one: of each factor an even power stands before the root."""
     radicand = math.prod((atoms.atom(i).arg ** e for i, e in powers if _is_root(i)), start=UNITY)
     rest = rest * Scalar(Poly({tuple(item for item in powers if not _is_root(item[0])): 1}))
@@ -97,9 +97,9 @@ def _product(powers: Monomial, rest: Scalar, sense: Callable[[Scalar], int]) -> 
             before[factor] += power - one
             sizes = sizes * generator_of("root", Scalar(factor) ** 2) ** one
     inner = _whole(1 if size > 0 else -1, within)
-    inner = tidied(inner, sense) if inner != radicand else inner
+    inner = tidied(inner, sense) if inner != radicand and inner.den is not ONE else inner
     whole = _whole(number, before) * sizes * root(lift(abs(size)))
-    if inner.den is not ONE and all(power < 0 for power in within.values()) and (below := UNITY / inner).den is ONE:
+    if is_whole and inner.den is not ONE and all(power < 0 for power in within.values()) and (below := UNITY / inner).den is ONE:
         return whole / generator_of("root", below)
     return whole * (UNITY if inner == UNITY else generator_of("root", inner))
 

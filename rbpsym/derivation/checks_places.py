@@ -10,7 +10,7 @@ from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.poly import ZERO
-from rbpsym.algebra.roots import with_image, without_even_roots
+from rbpsym.algebra.roots import with_image, with_root_taken_out, without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, quotient, symbol
 from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.checks import along_motion, relations, weakest
@@ -89,6 +89,7 @@ def has_sign_of_force(context: Context, step: Step) -> Verdict:
     """What is stated not to be negative is the force, but for a positive factor (`data`: "force")."""
     [(left, _, _)] = relations(step.statement)
     force, value = (context.along(v) for v in (symbol(step.data["force"]), context.value(left)))
+    force = with_root_taken_out(Scalar(force.num)) / Scalar(force.den)  # as its condition is printed
     return compare(NOTHING, force / value, context.assumptions)
 
 

@@ -110,10 +110,10 @@ class Draft:
         """Whether a step of that id was made."""
         return any(step.id == id for step in self.steps)
 
-    def show(self, value: Scalar, *, factor: bool = False, met: Iterable[Demand] = ()) -> t.Node:
-        """A value as a display tree in the problem's style; sums are turned as they are positive where the demands are met."""
+    def show(self, value: Scalar, *, factor: bool = False, met: Iterable[Demand] | None = None) -> t.Node:
+        """A value as a display tree in the problem's style; with demands, sums that they make positive are printed so."""
         style, given = self.study.style, self.study.assumptions
-        if met:
+        if met is not None:
             style = replace(style, sense=Senses(assuming(given, met, tighter=True)))
         if not has_roots(value):
             return present(value, style, factor=factor)

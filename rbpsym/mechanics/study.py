@@ -13,7 +13,6 @@ from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
 from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.equality.rooted import Senses
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy, events, friction, motion, open_rest, oscillation, rest, sides
 from rbpsym.mechanics.assemble import assemble
@@ -154,7 +153,7 @@ class Study:
         moving = [c.name for c in self.problem.coordinates] + list(self.system.unknowns)
         dimensions = {q.name: q.dimension for q in self.problem.parameters}
         varying = frozenset([*moving, *(f"{name}_dot" for name in moving), "t"])
-        return Style(rank, varying, dimensions, greater=self._greater, sense=Senses(self.assumptions))
+        return Style(rank, varying, dimensions, greater=self._greater)
 
     def _rank(self, quantity: Quantity) -> float:
         if quantity.dimension == NUMBER and quantity.name not in self.problem.implicit:

@@ -40,7 +40,7 @@ def told(draft: Draft, name: str, one: Course, law: str = "", beside: Mapping[st
     letters = {letter: _letter(draft, letter, value) for letter, value in one.letters.items()}
     said = {step.id for step in draft.steps for letter in letters.values() if _tells(step, letter)}
     place = substitute(one.place, {old: symbol(new) for old, new in letters.items()})
-    relation = t.relation(t.Sym(name), "~" if law else "=", draft.show(place, met=one.valid))
+    relation = t.relation(t.Sym(name), "~" if law else "=", draft.show(place, met=one.valid or None))
     where = None if one.where is None else t.equation(t.Sym(one.where[0]), draft.show(one.where[1]))
     return draft.add(
         f"course.{name}" + (f".{one.case}" if one.case else ""), "course", relation,

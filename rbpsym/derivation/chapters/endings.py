@@ -99,7 +99,7 @@ def _moment(draft: Draft, ending: Ending) -> None:
     draft.add(
         "moment",
         "event_time",
-        t.equation(letter, draft.show(time, factor=True, met=ending.state.valid)),
+        t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
         f"phases.moment.{MOMENTS[begun(ending.phase)]}",
         premises=draft.those("slip.speed", "slip.rate"),
         letter=letter,
@@ -164,7 +164,7 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
         known = letter in draft.context.scalars
         draft.context.scalars[letter] = value
         if not known and value not in (symbol(name), symbol(f"{name}_dot")) and not is_zero(value - begun[name]):
-            rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid)))
+            rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid or None)))
             letters[letter] = name
     if rows:
         draft.add(
