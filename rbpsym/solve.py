@@ -23,7 +23,7 @@ from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
 from rbpsym.mechanics.open_rest import Balance
 from rbpsym.mechanics.oscillation import Equilibrium, conditions, decaying, eigenvalues
-from rbpsym.mechanics.pushing import begins, ways_kept
+from rbpsym.mechanics.pushing import begins, kept_sense, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import Course, courses, given
 from rbpsym.mechanics.study import Study
@@ -294,11 +294,12 @@ def _damped(item: Equilibrium, study: Study) -> dict[str, Any]:
 
 def _valid_where(study: Study) -> list[str]:
     """What must not vanish for accelerations, forces and squares of speeds to be as they are told; what the ways of strings
-    and springs, one-sided forces and static friction ask for."""
+    and springs, resistances, one-sided forces and static friction ask for."""
     tables = (study.solved.accelerations or {}, study.solved.reactions, study.squares)
     below = dict.fromkeys(one for table in tables for value in table.values() for one in divisors(value))
     open_ = [one for one in below if not sign(one, study.assumptions).is_nonzero]
     asked = [Demand(value) for _, value in ways_kept(study)]
+    asked += [demand for element in study.problem.interactions for demand in kept_sense(study, element)]
     asked += [demand for side in study.sides if side.state in ("asked", "open") for demand in side.valid]
     return [*(f"{text(one, study)} != 0" for one in open_), *_demands([*asked, *grips(study.friction_needs)], study)]
 

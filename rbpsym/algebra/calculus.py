@@ -139,7 +139,7 @@ def _powered(arg: Scalar) -> Scalar:
 
 def _logarithm(arg: Scalar) -> Scalar:
     """ln x, of √x as ln x/2."""
-    [(m, c), *more] = arg.num.terms.items() if arg.den is ONE else [((), 0)]
+    [(m, c), *more] = arg.num.terms.items() if arg.den is ONE and arg else [((), 0)]
     found = atoms.atom(m[0][0]) if len(m) == 1 and m[0][1] == c == 1 and not more else None
     return _logarithm(found.arg) / 2 if found and found.kind == "root" else _known("ln", {UNITY: NOTHING})(arg)
 

@@ -13,7 +13,7 @@ from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import LETTER, certified
-from rbpsym.ask.forms import sense_at_sample, shortest
+from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest
 from rbpsym.ask.in_time import at_time, time_of_swing
 from rbpsym.ask.moments import BY_NUMBERS, Asked, Moment, NoClosedForm, image_of, moment_of
 from rbpsym.ask.question import Question, When, is_jump
@@ -330,7 +330,7 @@ def _without_speeds(world: ProblemWorld, found: Found) -> Found:
             way = sense(motion, name)
             if not way:
                 push = first_push(motion, name)
-                way = inward(motion, name) or sense_at_sample(world.study, push)
+                way = inward(motion, name) or sense_stated(world.study, push) or sense_at_sample(world.study, push)
                 asked.append(Demand(push * way))
             if not way:
                 return found

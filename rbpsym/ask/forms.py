@@ -15,6 +15,7 @@ from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.pushing import begins
 from rbpsym.mechanics.study import Study
 from rbpsym.quantity.path import even
 
@@ -29,6 +30,12 @@ def shortest(value: Scalar, study: Study) -> Scalar:
     if way and not is_rooted(square.num) and not is_rooted(square.den):
         forms.append(neat(root(square), given) * way)
     return min(forms, key=lambda form: length(present(form, study.style, factor=True)))
+
+
+def sense_stated(study: Study, push: Scalar) -> int:
+    """1 or -1, the sense of a push by what the statement supposes of the start; 0 where that does not tell it."""
+    ratios = (push / demand.value for demand in begins(study) if demand.op != "!=" and demand.value)
+    return next((found for ratio in ratios if (found := sign(short(ratio), study.assumptions).sense)), 0)
 
 
 def sense_at_sample(study: Study, push: Scalar) -> int:

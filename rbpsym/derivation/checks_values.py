@@ -97,8 +97,10 @@ def direction(context: Context, step: Step) -> Verdict:
         if any(compare(NOTHING, x * way / value, context.assumptions).is_proved for value in (UNITY, *said)):
             inner = [node.arg for node in t.walk(right) if isinstance(node, t.Fn) and node.name == "atan"]
             slope = context.value(inner[0]) if inner else y / x
-            told = same(context, context.value(right) - turn, function("atan", slope))
-            return weakest([same(context, slope, y / x), told])
+            told = context.value(right) - turn
+            ends = ((slope * side, function("atan", slope) * side) for side in (1, -1))
+            found = [weakest([same(context, end, y / x), same(context, told, angle)]) for end, angle in ends]
+            return next((verdict for verdict in found if verdict.is_proved), found[0])
     return undecided("on which side the vector points is not decided")
 
 

@@ -43,6 +43,10 @@ class Declared:
         signs, bounds = ({k: v for k, v in of.items() if k not in names} for of in (self.signs, self.bounds))
         return Declared(signs, bounds)
 
+    def positive(self, *names: str) -> Declared:
+        """The same where these are positive."""
+        return Declared({**self.signs, **dict.fromkeys(names, "positive")}, self.bounds)
+
     @property
     def assumptions(self) -> Assumptions:
         """The same for the algebra; a bound without a value is none."""

@@ -109,7 +109,7 @@ def read_text(
         _check_names(node, scope, what, may_use)
         if dimension is not None:
             _check_dimension(node, scope, dimension, what)
-        _check_values(node, scope, what, sign)
+        _check_values(node, scope, what, sign, may_use)
     except RbpsymError as error:
         _explain(error, text, dimension)
         raise relocate(error, item.source, item.path, text_of(item, what), shift) from None
@@ -158,13 +158,16 @@ def _terms(node: Node) -> tuple[Node, ...]:
     return node.terms if isinstance(node, Add) else (node,)
 
 
-def _check_values(node: Node, scope: Scope, what: str, sign: str) -> None:
-    """What has no value, or not the sign that is needed, whatever the declared numbers are."""
+def _check_values(node: Node, scope: Scope, what: str, sign: str, may_use: str) -> None:
+    """What has no value, or not the sign that is needed, whatever the declared numbers are; of a size with speeds and unknown
+    forces, where these are positive."""
+    rests_on_forces = may_use == "forces" and not tree_names(node) & {*scope.coordinates, CLOCK}
     given = scope.given.without(scope.variables)
+    given = given.positive(*scope.variables, *scope.forces) if rests_on_forces else given
     if found := without_value(node, given):
         raise _at(found[0], f"{what} {found[1]}", "write what has a value for the numbers that are declared.")
     found = contradicts(node, sign, given)
-    varies = scope.variables or CLOCK in tree_names(node)  # where in the body, or when, is not known here
+    varies = not rests_on_forces and (scope.variables or CLOCK in tree_names(node))  # where, or when, is not known
     if found and not (found == LEFT_OPEN and varies):
         raise _at(node, f"{what} must be {sign}, but this is {found}", SIGNS_ARE_PREMISES)
 

@@ -14,6 +14,7 @@ from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import value_at
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError
 from rbpsym.mechanics.numbers import number
+from rbpsym.mechanics.pushing import begins as supposed
 from rbpsym.verify.simulation import Bench
 from tests.oracles.compare import _bench
 from tests.oracles.motion import Unfit, declared_start, follow, forces_at
@@ -82,6 +83,8 @@ def _shown(asked: Asked, numbers) -> Iterator[tuple[str, str, Mapping[str, float
         start = declared_start(bench)
         if start is None:
             return
+        if not place and any(number(one.value, numbers) <= 0 for one in supposed(study) if one.op == ">"):
+            raise Unfit("what is supposed of the start does not hold")
         begins = " at the start" if place == 0 else f" when {name} begins"
         first = np.concatenate([start.where, start.speed, np.zeros(len(bench.account) + len(bench.levers)), [0.0]])
         parameters = {n: v for n, v in numbers.items() if n not in bench.placement.names}

@@ -28,9 +28,9 @@ WRONG = [
     ("rod-pendulum", "F_y when rolling begins", "no phase or blow “rolling”"),
     ("rod-pendulum", "F_y right after the blow J", "no phase or blow “J”"),
     ("rod-pendulum", "time", "the time until when?"),
-    ("rod-pendulum", "time until theta = 0", "no closed form was found for the time"),
+    ("rod-pendulum", "time until theta = pi/12", "no closed form was found for the time"),
     ("rod-pendulum", "time until theta = theta_0/2", "no closed form was found for the time"),  # no half of a time
-    ("rod-pendulum", "time until theta = 1/M - 1/m", "must be an angle"),
+    ("rod-pendulum", "time until theta = 1/M - 1/ell", "must have one dimension"),
     ("rod-pendulum", "F_y at the start as a function of theta", "is no function"),
     ("rod-pendulum", "F_y at the start where theta = 0", "twice"),
     ("rod-pendulum", "F_y as a function of t", "no closed form was found for “F_y” as a function of the time"),

@@ -360,7 +360,7 @@ ROWS = [
         "without what is not there",
         "constraints = { N",
         'without = ["P"]\nconstraints = { N',
-        "there is no constraint “P”",
+        "there is no constraint or interaction “P”",
         "N",
     ),
     phase("without a list", "constraints = { N", 'without = "N"\nconstraints = { N', "list"),
