@@ -17,7 +17,7 @@ from rbpsym.equality.domain import divisors
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.at_start import ONLY_THERE
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, existence
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.motion import Work
@@ -163,8 +163,9 @@ def _solutions(study: Study) -> dict[str, list[dict[str, Any]]]:
 
 
 def _course(one: Course, study: Study) -> dict[str, Any]:
+    valid = (*one.valid, *(item for item in existence(one.whole) if not sign(item.value, study.assumptions).is_nonnegative))
     told = {"place": text(one.whole, study), "speed": text(one.speed, study), "case": one.case or None}
-    return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(one.valid, study)}
+    return {**told, "where": one.where and {one.where[0]: text(one.where[1], study)}, "valid_where": _demands(valid, study)}
 
 
 def symbols(study: Study) -> dict[str, dict[str, str]]:

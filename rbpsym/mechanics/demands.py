@@ -67,6 +67,9 @@ def _parted(item: Demand, given: Assumptions) -> list[Demand]:
 
 def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...] | None:
     """Without what follows from the rest."""
+    strict = [item for item in demands if item.op == ">"]
+    weak = {one for one in demands if one.op == ">=" and any(_divided(item, [Demand(one.value)]) != item for item in strict)}
+    demands = [Demand(item.value) if item in weak else item for item in demands]  # a factor of what is positive is not zero
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
     apart = {item.value for item in demands if item.op == "!="}
     demands = [Demand(item.value) if item.op == ">=" and item.value in apart else item for item in demands]

@@ -89,14 +89,14 @@ ROWS = [
     row("drives “O”, a fixed place", "point of a body", rb.prescribed("O", "R"), {"disk": TURNED}),
     row("turns “bob”, a particle", "can turn", rb.prescribed_angle("bob", "sqrt(g/R)*t"), {"bob": BOB}),
     row("must not depend on “x”", "parameters and the time t", rb.prescribed("disk.center", "x + R"), {"disk": TURNED}),
-    row("must not depend on “t”", "made of parameters", rb.string(["O", "disk.center"], "g*t**2"), {"disk": TURNED}),
+    row("must not depend on “x_dot”", "made of", rb.string(["O", "disk.center"], "R*x_dot"), {"disk": TURNED}),
     row(
         "the phase “late” begins with an unknown event “later”",
         "at once",
         rb.rolling("disk", "y = 0"),
         phases=[{"name": "late", "event": "later"}],
     ),
-    row("there is no constraint “P”", "N", rb.rolling("disk", "y = 0"), phases=[{"without": ["P"]}]),
+    row("there is no constraint or interaction “P”", "N", rb.rolling("disk", "y = 0"), phases=[{"without": ["P"]}]),
     row(
         "the phase “late” has no “of”",
         "stops slipping",
