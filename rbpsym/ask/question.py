@@ -83,6 +83,7 @@ OTHERWISE = (
     (r"^(?:the )?change (?:of|in) (.+ (?:from|between) .+)", r"\1"),
     (r"^(?:the )?(.*energy.*) lost (?:in|during|over) (?:the )?(?:phase )?([\w-]+)$",
      r"minus \1 in phase \2 from the start to the end of phase \2"),
+    (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) ([\w-]+)$", r"minus \1 from the start to when \2 begins"),  # in a blow too
     (r"^(?:the )?(.*energy.*) lost (?:until|up to|by) (.+)", r"minus \1 from the start to \2"),
     (r"\bhorizontal (?:component|part) of\b", "x component of"),
     (r"\bvertical (?:component|part) of\b", "y component of"),

@@ -134,3 +134,11 @@ def test_what_a_struck_contact_does_in_the_blow_is_no_part_of_its_work() -> None
     with pytest.raises(StatementError, match="a blow between"):
         answered(asked, "work of P on bullet until theta = pi/6")
     assert answered(asked, "work of P on bullet until theta = pi/6 in phase embedded").verdict.is_proved
+
+
+@pytest.mark.parametrize(("name", "phase"), [("bullet-in-a-rod", "embedded"), ("box-against-ridge", "tipping")])
+def test_what_is_lost_until_a_phase_is_lost_in_the_blow_with_which_it_begins_too(name: str, phase: str) -> None:
+    asked = Asked(load_problem(name))
+    until, then = (answered(asked, f"energy lost {when}") for when in (f"until {phase}", f"when {phase} begins"))
+    assert until.verdict.is_proved and not scalars_equal(until.value, NOTHING, asked.first.assumptions).is_proved
+    assert scalars_equal(until.value, then.value, asked.first.assumptions).is_proved
