@@ -19,6 +19,7 @@ from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.energy import potentials, rotational_energy, translational_energy
 from rbpsym.notation.infix import read_infix
+from rbpsym.quantities import NUMBER
 from rbpsym.quantity.alone import NOUNS, alone
 from rbpsym.quantity.bound import Bound, Phrase, axial, number, plane
 from rbpsym.quantity.moments import PHRASES as MOMENTS
@@ -221,6 +222,21 @@ def _centre(world: ProblemWorld, name: str | None) -> Bound:
     return replace(plane(world.centre(name or "system")), about=(name or "system", None))
 
 
+def _rate_of_centre(world: ProblemWorld, what: str, name: str | None) -> Bound:
+    """How the centre of mass of a body, of several or of all moves: P/M, and its rate."""
+    value = Space(world.centre(name or "system"))
+    for _ in range(1 + (what == "acceleration")):
+        value = space_derivative(value, world.motion.scope)
+    return plane(value)
+
+
+def _spin(world: ProblemWorld, name: str) -> Bound:
+    """Of a body its angular velocity; of a coordinate that is an angle its rate."""
+    is_angle = name not in world.study.system.bodies and any(
+        c.name == name and c.quantity.dimension == NUMBER for c in world.study.problem.coordinates)  # fmt: skip
+    return _of_coordinate(1)(world, name) if is_angle else axial(world.body(name).omega)
+
+
 _B, _P, _F = r"(the system|[\w-]+(?: and [\w-]+)*)", r"([\w.-]+(?:\([^()]*\))?)", r"([\w, ]+?)"
 _ON, _ABOUT = rf"(?: on {_B})", rf"(?: about {_P})?"
 _HALF, _PART = r"(?:, (translational|rotational))?", r"(?:, (orbital|spin))?"
@@ -241,7 +257,7 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"velocity of {_P}", _of_point(1), "velocity of BODY.cm"),
     (rf"speed of {_P}", lambda world, name: _magnitude(world, f"velocity of {name}"), "speed of BODY.cm"),
     (rf"acceleration of {_P}", _of_point(2), "acceleration of BODY.cm"),
-    (rf"angular velocity of {_B}", lambda world, name: axial(world.body(name).omega), "angular velocity of BODY"),
+    (rf"angular velocity of {_B}", _spin, "angular velocity of BODY"),
     (rf"angular acceleration of {_B}", lambda world, name: axial(world.body(name).alpha), "angular acceleration of BODY"),
     (rf"mass of {_B}", lambda world, name: number(sum((s.mass for s in world.bodies(name)), NOTHING)), "mass of BODY"),
     (rf"moment of inertia of {_B}{_ABOUT}", _moment, "moment of inertia of BODY about O"),
@@ -268,6 +284,8 @@ PHRASES: tuple[Phrase, ...] = (
     (rf"total angular momentum{_ABOUT}", lambda world, about: _angular_momentum(world, "system", about, None),
      "total angular momentum about O"),
     (rf"cent(?:re|er) of mass(?: of {_B})?", _centre, "centre of mass of BODY"),
+    (rf"(velocity|acceleration) of (?:the )?cent(?:re|er) of mass(?: of {_B})?", _rate_of_centre,
+     "velocity of the centre of mass"),
     (r"(?:(tension|normal force|friction force|friction|reaction|weight|couple|force|thrust) )?(\w+)", _size, "tension FORCE"),
     (rf"radius of gyration of {_B}{_ABOUT}", _gyration, "radius of gyration of BODY about O"),
     (rf"power of {_F}{_ON}?{_HALF}", _power, "power of FORCE on BODY"),

@@ -20,6 +20,9 @@ from rbpsym.statement.loader import load_problem, load_text
 ANSWERS = [
     ("sliding-ladder", "N_w", "3*M*g*cos(theta)*(3*sin(theta) - 2*sin(theta_0))/4"),
     ("sliding-ladder", "what is N_w at the start?", "3*M*g*sin(theta_0)*cos(theta_0)/4"),
+    ("rod-pendulum", "angular velocity of theta where theta = 0", "-sqrt(3*g*(1 - cos(theta_0))/ell)"),
+    ("rod-pendulum", "y component of acceleration of the centre of mass at the start", "-3*g*sin(theta_0)^2/4"),
+    ("bullet-in-a-rod", "x component of velocity of the centre of mass of the system at the start", "m*v_0/(M + m)"),
     ("sliding-ladder", "angular velocity of ladder", "sqrt(3*g*(sin(theta_0) - sin(theta))/(2*ell))"),
     ("sliding-ladder", "theta where N_w vanishes", "asin(2*sin(theta_0)/3)"),
     ("sliding-ladder", "theta_dot where N_w vanishes", "-sqrt(g*sin(theta_0)/(2*ell))"),
