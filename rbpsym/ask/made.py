@@ -97,5 +97,6 @@ def made(world: Scene, text: str) -> Finding:
     if left := moving(world, (value,)):
         raise StatementError(f"“{text}” still depends on {left[0]}", instead="say where, of each of them.")
     demands = [demand for _, found in world.used for part in found.values for demand in existence(part)]
+    demands += [demand for demand in (*world.standing, *world.lasting) if not moving(world, (demand.value,))]  # of its parts
     left = settle(demands, world.motion.assumptions)
     return Finding(proved("it is made of what is said"), values=(value,), valid=tuple(demands) if left is None else left)

@@ -54,3 +54,10 @@ def test_a_string_does_not_run_through_its_pulley() -> None:
     with pytest.raises(StatementError, match="a string runs out"):
         answered(problem, "speed of x where x = 2*d")
     assert not answered(problem, "speed of x where x = d/2").valid
+
+
+@pytest.mark.parametrize("question", ["ratio of acceleration of phi to acceleration of s", "N / acceleration of s"])
+def test_a_quotient_has_the_conditions_of_its_parts(question: str) -> None:
+    asked_of = Asked(load_problem(find_problem("cylinder-with-rolling-resistance")))
+    parts = _values(map(to_machine, answered(asked_of, "acceleration of s").valid))
+    assert parts and parts <= _values(map(to_machine, answered(asked_of, question).valid))
