@@ -177,6 +177,7 @@ def swing(context: Context, step: Step) -> Verdict:
     square = substitute(context.along(symbol(f"{name}_dot") ** 2), {name: place})
     moved = derivative(place, letter)
     found = [same(context, square, moved * moved * rate * rate * (1 - s * s) * (1 - modulus * s * s))]
+    found.append(compare(NOTHING, value, _given(context, step)))  # the square does not tell a time from its opposite
     if step.data["quarters"] < WHOLE:
         away, end = context.start(symbol(name)) - rest, PI * part / 2
         found.append(same(context, context.start(symbol(f"{name}_dot")), NOTHING))

@@ -111,6 +111,7 @@ def test_another_time_is_not_proved(quarters: int) -> None:
     left, right = step.statement.items
     wrong = replace(step, statement=t.equation(left, t.mul(t.TWO, right)))
     assert not certify(draft.context, wrong).verdict.is_proved
+    assert not certify(draft.context, replace(step, statement=t.equation(left, t.neg(right)))).verdict.is_proved
     other = 2 if quarters == 4 else 4
     assert not certify(draft.context, replace(step, data={**step.data, "quarters": other})).verdict.is_proved
 
