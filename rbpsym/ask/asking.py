@@ -14,6 +14,7 @@ from rbpsym.ask.moments import Asked
 from rbpsym.ask.parameters import WITH, finding, of_parameters, resorted
 from rbpsym.ask.question import MANNERS, read_question
 from rbpsym.ask.seen import scene
+from rbpsym.ask.senses import whichever
 from rbpsym.ask.special import special_problem
 from rbpsym.errors import RbpsymError, ReadError, StatementError, Undecided
 from rbpsym.mechanics.study import Study
@@ -95,6 +96,13 @@ def answered(asked: Asked, text: str, letter: str = LETTER) -> Answer:
     if in_time is not None:
         with suppress(StatementError):
             return answer(asked, in_time, letter)
+    found = _answered(asked, plain, letter)
+    return whichever(asked, found, lambda other: _answered(other, plain, letter))
+
+
+def _answered(asked: Asked, plain: str, letter: str) -> Answer:
+    """The same for one sense of the motion."""
+    said = WITH.fullmatch(plain)
     try:
         made = of_parameters(asked, plain, letter)
         if made and made.verdict.is_refuted:

@@ -12,11 +12,11 @@ from rbpsym.ask.critical import SUPERLATIVES
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.seen import Scene
+from rbpsym.ask.senses import narrowed
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import all_of, undecided
 from rbpsym.mechanics.pushing import asked as asked_of_start
 from rbpsym.mechanics.roots import zeros
-from rbpsym.statement.model import Problem
 
 Part = tuple[Scene, Finding]
 ONE_SENSE = "in the motion of the other sense it may be otherwise"
@@ -35,13 +35,8 @@ def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
         side = {"positive": "upper", "negative": "lower"}.get(sign(derivative(value, name), given).kind)
         if len(ends) == 1 and side and sign(value, given).kind is None and getattr(quantity, side) is None:
             other = replace(quantity, **{side: present(ends[0])})
-            phases = tuple(replace(phase, problem=_with(phase.problem, other)) for phase in problem.phases)
-            return Asked(replace(_with(problem, other), phases=phases)), 1 if side == "lower" else -1
+            return Asked(narrowed(problem, other)), 1 if side == "lower" else -1
     return None
-
-
-def _with(problem: Problem, quantity) -> Problem:
-    return replace(problem, parameters=tuple(quantity if each.name == quantity.name else each for each in problem.parameters))
 
 
 def joined(text: str, here: Part, there: Part, way: int, letter: str) -> Answer:
