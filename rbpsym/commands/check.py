@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from rbpsym.verify.claims_run import Certificates
 
 FINE, DOUBTFUL, BAD_INPUT = 0, 1, 2
-TEXTS = (".tex", ".ltx", ".txt", ".latex")
 Names = tuple[str, ...]
 file_path = click.Path(dir_okay=False, path_type=Path)
 
@@ -55,6 +54,7 @@ class CheckRun:
     type=ShelfName(),
     help="Claims or problems that bind a paper's symbols.",
 )
+@click.option("--all", "every", is_flag=True, help="Judge a paper's formulas that nobody claimed too.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
 @click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
@@ -67,7 +67,7 @@ class CheckRun:
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
-    names: Names, problems: Names, as_json: bool, junit: Path | None, html: Path | None, github: bool, only: str,
+    names: Names, problems: Names, every: bool, as_json: bool, junit: Path | None, html: Path | None, github: bool, only: str,
     failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
@@ -76,12 +76,14 @@ def command(
     Examples:
       rbpsym check                                    all that ships
       rbpsym check my-problem.toml my-claims.toml     problems and claims of your own
+      rbpsym check book.tex notes.md lab.ipynb        papers, with claims beside the formulas (% rbpsym: claim)
       rbpsym check PAPER.tex --problems claims.toml   a paper, with its symbols bound by claims
       rbpsym check PAPER.tex --problems claims.toml --html report.html --junit report.xml --github
 
     A problem is derived, and every step must be proved. A claims file says what the printed
-    symbols mean; a paper (LaTeX) is then walked in order. Where a formula is refuted, the
-    change that would make it true is told if it is a small one.
+    symbols mean, and so do comments in a paper (LaTeX, Markdown, RST, HTML, notebooks), which is
+    walked in order. Where a formula is refuted, the change that would make it true is told if it
+    is a small one.
 
     \b
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
@@ -92,7 +94,7 @@ def command(
 
     certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
     with Progress("check") as progress:
-        found = everything(names, problems, certificates, simulation, progress)
+        found = everything(names, problems, certificates, simulation, progress, every)
     certificates.store()
     found = selected(found, only)
     tell = reports.as_json if as_json else reports.as_table
@@ -123,16 +125,18 @@ def selected(found: CheckRun, word: str) -> CheckRun:
 
 
 def everything(
-    names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress
+    names: Names, problems: Names, certificates: Certificates, simulation: bool, progress: Progress, every: bool = False
 ) -> CheckRun:
     """What all arguments give; without arguments, all that ships."""
+    from rbpsym.verify.paper_formats import TEXTS
+
     texts = [name for name in names if Path(name).suffix.lower() in TEXTS]
     if problems and not texts:
         raise click.UsageError("--problems belongs to a paper: rbpsym check PAPER.tex --problems FILE")
     found = CheckRun()
     for name in texts:
         progress.step(name)
-        one = paper(Path(name), problems, certificates)
+        one = paper(Path(name), problems, certificates, every)
         found.results.extend(one.results)
         found.remarks.extend(one.remarks)
     given = [name for name in names if name not in texts]
@@ -181,16 +185,18 @@ def files_of(name: str) -> list[Path]:
     return [*([problem_files()[name]] if name in problem_files() else []), *claims]
 
 
-def paper(path: Path, problems: Names, certificates: Certificates) -> CheckRun:
-    """A paper, its symbols bound by claims files or, without any, by the names of problems."""
+def paper(path: Path, problems: Names, certificates: Certificates, every: bool = False) -> CheckRun:
+    """A paper, its symbols bound by its comments, by claims files or, without any, by the names of problems."""
     from rbpsym.verify.claims_loader import is_claims, load_claims
     from rbpsym.verify.claims_run import check_paper, names_of_problem
 
-    if not problems:
-        raise click.UsageError(f"which problems is {path.name} about? Add --problems with a claims file or a problem.")
     paths = [one for name in problems for one in files_of(name)[-1:]]
     files = [load_claims(one, binds=True) if is_claims(one) else names_of_problem(one) for one in paths]
-    return CheckRun(*check_paper(path, files, certificates))
+    results, remarks = check_paper(path, files, certificates, everything=every)
+    if not (problems or results):
+        what = f"{path.name} claims nothing: write “% rbpsym: problem = NAME” and “% rbpsym: claim” into it, or add --problems."
+        raise click.UsageError(what)
+    return CheckRun(results, remarks)
 
 
 def derivation(path: Path, certificates: Certificates, simulation: bool) -> Result:

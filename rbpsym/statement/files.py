@@ -25,6 +25,17 @@ def text_in(path: Path, most: int, what: str, instead: str = "", *, of_sheets: b
     raise ReadError(f"can't read {what}: {why}", instead=instead, place=Place(str(path)))
 
 
+def latin_or_utf8_in(path: Path, most: int, what: str) -> tuple[str, bool]:
+    """(the text of a file, whether it is UTF-8): what is not is read as Latin-1. Raises as `text_in`."""
+    try:
+        return text_in(path, most, what), True
+    except ReadError:
+        data = path.read_bytes() if path.is_file() else b""
+        if not data or b"\0" in data:
+            raise
+        return data.decode("latin-1"), False
+
+
 def check_size(size: int, most: int, what: str, file: str) -> None:
     """Raises LimitError if a text has too many bytes."""
     if size > most:

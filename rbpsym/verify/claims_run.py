@@ -152,11 +152,12 @@ THEORIES = ("plane-motion",)
 
 @dataclass(frozen=True)
 class Worlds:
-    """Worlds by name, each made once; `folder` is that of the claims file."""
+    """Worlds by name, each made once; `folder` is that of the claims file. `closed`: no file outside it is read."""
 
     folder: Path = Path()
     problems: dict[str, World] = field(default_factory=dict)
     theories: dict[bool, World] = field(default_factory=dict)
+    closed: bool = False
 
     def __call__(self, setting: Setting) -> World:
         """The world of a setting. Raises ReadError or StatementError."""
@@ -181,6 +182,8 @@ class Worlds:
             from rbpsym.statement.loader import load_problem
 
             path = problem_path(name, self.folder, setting)
+            if self.closed:
+                check_closed(path, self.folder)
             self.problems[name] = ProblemWorld(study_of(load_problem(path)), self.problem, meant_by)
         return self.problems[name]
 
@@ -205,6 +208,14 @@ def problem_path(name: str, folder: Path, setting: Setting | None = None) -> Pat
         return beside if name.endswith(".toml") and beside.is_file() else find_problem(name)
     except ReadError as error:
         raise ReadError(error.what, instead=error.instead, place=setting.place if setting else None) from None
+
+
+def check_closed(path: Path, folder: Path) -> None:
+    """Raises ReadError for the file of a problem that neither ships nor lies in the folder."""
+    from rbpsym.statement.library import problem_files
+
+    if path not in problem_files().values() and not path.resolve().is_relative_to(folder.resolve()):
+        raise ReadError(f"“{path.name}” is outside the folder of the text")
 
 
 @dataclass(frozen=True)
@@ -263,21 +274,33 @@ def check_claims(
         yield own.check_safely(claim)
 
 
-def check_paper(path: Path, files: Iterable[ClaimsFile], cache: Certificates) -> tuple[list[Result], list[tuple[str, int, str]]]:
-    """(the results of a paper in its order, remarks on its labels: file, line, what is to be said)."""
+def check_paper(
+    path: Path, files: Iterable[ClaimsFile], cache: Certificates, *, everything: bool = False
+) -> tuple[list[Result], list[tuple[str, int, str]]]:
+    """(the results of a paper in its order, remarks on it: file, line, what is to be said).
+
+    The claims are those of the files and those beside the formulas; `everything`: formulas without a claim are
+    judged too, in the setting in force where they stand.
+    """
     from rbpsym.verify.paper_check import PaperChecker, Scope, bound
+    from rbpsym.verify.paper_claims import beside
     from rbpsym.verify.paper_walk import read_paper
 
-    paper, files = read_paper(path), list(files)
+    paper, files, folder = read_paper(path), list(files), path.resolve().parent
     own = {file.file: checker(file, cache) for file in files}
+    here = Remembering(Worlds(folder, closed=True), _diagnosed, draws=cache.draws, cache=cache, folder=folder)
+    said = beside(paper, folder)
     checkers = {claim.id: own[file.file] for file in files for claim in file.claims}
+    checkers |= {claim.id: here for _, claim in said.pairs}
     claims = [claim for file in files for claim in file.claims]
-    for file in files:
-        if file.setting is not None:
-            own[file.file].world(file.setting)  # a problem that can't be read is no matter of one formula
+    known = [(own[file.file], file.setting) for file in files] + [(here, scope.setting) for scope in said.scopes]
+    for one, setting in known:
+        if setting is not None:
+            one.world(setting)  # a problem that can't be read is no matter of one formula
     scopes = tuple(Scope(file, own[file.file]) for file in files)
-    found = list(PaperChecker(paper, checkers, scopes).results(bound(paper, claims)))
-    return found, list(paper.remarks)
+    judged = everything or bool(files and not (claims or said.pairs))
+    walker = PaperChecker(paper, checkers, scopes, said, here, judged)
+    return list(walker.results(bound(paper, claims, said.pairs))), [*paper.text.remarks, *paper.remarks]
 
 
 def names_of_problem(path: Path) -> ClaimsFile:

@@ -1,7 +1,8 @@
 """A paper walked in order: each formula decided with the symbols that its claim binds.
 
-A displayed relation without a claim is read with the symbols of its claims file, never with those of another
-claim; where nothing can be computed of it, that is not as expected, unless the claims file expects it.
+A displayed relation without a claim is judged only where that is asked for: read with the symbols of its claims file,
+or with those that comments above it name, never with those of another claim. Where nothing can be computed of it, that is
+not as expected, unless the claims file expects it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,9 @@ from rbpsym.errors import RbpsymError
 from rbpsym.verify.claims_check import Checker, unread
 from rbpsym.verify.claims_model import EXPECTATIONS, Claim, ClaimsFile, Outcome, Printed, Result, Setting
 from rbpsym.verify.claims_run import digest
-from rbpsym.verify.paper_source import expanded, told_at
+from rbpsym.verify.paper_claims import Beside
+from rbpsym.verify.paper_macros import expanded
+from rbpsym.verify.paper_source import told_at
 from rbpsym.verify.paper_walk import Formula, Paper
 
 _WRAPPED = re.compile(r"\s*(?:\\left\s*)?\(([^()]*=[^()]*|[^()]*\\approx[^()]*?)(?:\\right\s*)?\)\s*")
@@ -32,12 +35,12 @@ class Pair:
     claim: Claim | None
 
 
-def bound(paper: Paper, claims: Iterable[Claim]) -> list[Pair]:
-    """Formulas and claims in the order of the paper.
+def bound(paper: Paper, claims: Iterable[Claim], beside: Iterable[tuple[Formula, Claim]] = ()) -> list[Pair]:
+    """Formulas and claims in the order of the paper, those that are `beside` their formulas among them.
 
     Displayed formulas and inline relations all occur; claims in words stand at their line.
     """
-    claims, taken = list(claims), {}
+    claims, taken = list(claims), dict(beside)
     for match in (_labelled, _same, _inline, _numbered, _changed):
         for claim in claims:
             if claim.id not in {c.id for c in taken.values()} and (formula := match(claim, paper, taken)) is not None:
@@ -46,15 +49,16 @@ def bound(paper: Paper, claims: Iterable[Claim]) -> list[Pair]:
     placed = {claim.id for claim in taken.values()}
     found += [Pair(None, claim) for claim in claims if claim.id not in placed]
     order = {claim.id: place for place, claim in enumerate(claims)}
-    return sorted(found, key=lambda pair: (_line(pair), order.get(pair.claim.id, -1) if pair.claim else -1))
+    return sorted(found, key=lambda pair: (_offset(pair, paper), order.get(pair.claim.id, -1) if pair.claim else -1))
 
 
 def _asserting(paper: Paper) -> Iterator[Formula]:
     return (formula for formula in paper.formulas if formula.displayed or formula.is_relation)
 
 
-def _line(pair: Pair) -> int:
-    return pair.formula.line if pair.formula else pair.claim.line
+def _offset(pair: Pair, paper: Paper) -> int:
+    """Where the formula stands in the text, or the line of a claim in words in its first file."""
+    return pair.formula.offset if pair.formula else paper.text.offset(pair.claim.line)
 
 
 def _displayed(claim: Claim, paper: Paper, taken: dict, *tests: Callable[[Formula], bool]) -> Formula | None:
@@ -95,14 +99,14 @@ def _inline(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
 
 
 def _changed(claim: Claim, paper: Paper, taken: dict) -> Formula | None:
-    """A formula near the claim's line that is much like it: it was changed."""
+    """The formula near the claim's line that is most like it, much like it or in that very line: it was changed."""
     if not _is_inline(claim) or claim.says:
         return None
     wanted = plain(claim.printed.latex)
-    near = [f for f in _asserting(paper) if f not in taken and not f.displayed and abs(f.line - claim.line) <= NEAR]
-    ranked = [(SequenceMatcher(None, plain(f.latex), wanted).ratio(), f) for f in near]
-    likeness, formula = max(ranked, key=lambda item: item[0], default=(0.0, None))
-    return formula if likeness >= LIKENESS else None
+    near = [f for f in _asserting(paper) if f not in taken and f.is_relation and abs(f.line - claim.line) <= NEAR]
+    ranked = [(SequenceMatcher(None, plain(f.latex), wanted).ratio(), f.line == claim.line, f) for f in near]
+    likeness, same, formula = max(ranked, key=lambda item: item[:2], default=(0.0, False, None))
+    return formula if likeness >= LIKENESS or same else None
 
 
 def _is_inline(claim: Claim) -> bool:
@@ -143,19 +147,28 @@ class Scope:
 
 @dataclass(frozen=True)
 class PaperChecker:
-    """Decides the pairs of a paper: claims by their checkers, the rest in the scope of their file."""
+    """Decides the pairs of a paper: claims by their checkers; the rest, if `judged`, in the scope of their place or file."""
 
     paper: Paper
     checkers: dict[str, Checker]
     scopes: tuple[Scope, ...]
+    beside: Beside
+    here: Checker
+    judged: bool = False
 
     def results(self, pairs: list[Pair]) -> Iterator[Result]:
         """The results in the paper's order."""
         for pair in pairs:
-            yield self.result(pair) if pair.claim else self._without_claim(pair.formula)
+            if pair.claim:
+                yield self.result(pair)
+            elif self.judged:
+                yield self._without_claim(pair.formula)
 
     def scope(self, formula: Formula) -> Scope | None:
-        """The claims file that names the formula's text, or the only one; None if several may be meant."""
+        """The setting in force, the claims file that names the formula's text, or the only one; None if several may be meant."""
+        setting = self.beside.setting(formula)
+        if setting is not None:
+            return Scope(ClaimsFile("", "", "", "", (), setting=setting), self.here)
         own = [
             scope for scope in self.scopes if scope.file.text and Path(scope.file.text).name == Path(formula.file).name
         ]

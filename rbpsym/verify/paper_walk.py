@@ -14,7 +14,8 @@ from itertools import takewhile
 from pathlib import Path
 
 from rbpsym.errors import ReadError
-from rbpsym.verify.paper_source import Macro, Text, definitions, read_source
+from rbpsym.verify.paper_macros import Macro, definitions
+from rbpsym.verify.paper_source import Text, read_source
 
 LEVELS = ("chapter", "section", "subsection")
 BOOKS = re.compile(r"\\documentclass(?:\[[^\]]*\])?\{(?:book|report|scrbook|scrreprt|memoir)\}")
@@ -152,7 +153,10 @@ _RELATION = re.compile(r"=|<|>|\\(?:leq?|geq?|neq?|approx|simeq|equiv|to|rightar
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """A formula of a text: its LaTeX as it stands, number ("" for none), labels, file and line."""
+    """A formula of a text: its LaTeX as it stands, number ("" for none), labels, file and line.
+
+    block: where the display begins that it is in.
+    """
 
     latex: str
     number: str
@@ -161,6 +165,7 @@ class Formula:
     line: int
     offset: int
     displayed: bool = True
+    block: int = 0
 
     @property
     def is_relation(self) -> bool:
@@ -204,14 +209,14 @@ class _Walker:
 
     def __init__(self, text: Text) -> None:
         self.source, self.text = text, text.text
-        self.counters = Counters.of(self.text)
+        self.counters, self.block = Counters.of(self.text), 0
 
     def walk(self) -> Iterator[Formula]:
         """All formulas in order."""
         position = 0
         while (found := _OPEN.search(self.text, position)) is not None:
             name, star, *openings, sub = found.groups()[:6]
-            position = found.end()
+            self.block, position = found.start(), found.end()
             if found.lastgroup:
                 self.counters.obey(found)
             elif sub:
@@ -274,7 +279,7 @@ class _Walker:
             raw = self.text[whole : max(end, reach)]
             first = whole + len(raw) - len(raw.lstrip())
         latex = _TAG.sub("", _LABEL.sub("", raw))
-        return Formula(latex.strip("\n"), number, labels, file, line, first, displayed)
+        return Formula(latex.strip("\n"), number, labels, file, line, first, displayed, self.block)
 
 
 def _closing(opening: str) -> str:

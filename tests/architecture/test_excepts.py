@@ -40,6 +40,7 @@ ALLOWED = {
     "verify/claims_run.py": READS,
     "verify/claims_theory.py": "moments beyond the second: one look-up in a table, told as Undecided",
     "verify/diagnosis_numbers.py": "a look in floating-point numbers, which chooses and never decides",
+    "verify/paper_formats.py": READS,
     "verify/paper_source.py": READS,
     "verify/lagrange.py": "pow(x, -1, p) at a pole",
 }

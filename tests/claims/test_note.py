@@ -57,6 +57,6 @@ def test_a_sign_turns_it_red(folder, command):
 
 
 def test_numbers_are_those_of_the_sections(folder):
-    found = run("check notes.tex --problems claims.toml")
+    found = run("check notes.tex --problems claims.toml --all")
     for number in ("(1.1)", "(1.4)", "(2.2)", "(2.6)"):
         assert number in found.output

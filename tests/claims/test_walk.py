@@ -5,7 +5,7 @@ import pytest
 
 from rbpsym.errors import RbpsymError
 from rbpsym.verify.paper_check import printed
-from rbpsym.verify.paper_source import definitions, expanded
+from rbpsym.verify.paper_macros import definitions, expanded
 from rbpsym.verify.paper_walk import read_paper
 from tests.effort import at_most
 

@@ -1,0 +1,130 @@
+"""The macros of a paper: found where they are defined, and put in where they are used."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rbpsym.errors import LimitError, ReadError
+
+MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
+COUNTERS = (r"\theequation",)  # left where they stand: numbers of equations depend on the place
+_HEAD = re.compile(
+    r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\])?\s*(?:\[([^\[\]]*)\])?\s*(?=\{)"
+    r"|\\providecommand\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*(?:\[(\d)\])?\s*(?=\{)"
+    r"|\\(?:long\s*\\)?def\s*(\\[A-Za-z]+)((?:#\d)*)\s*(?=\{)"
+    r"|\\DeclareMathOperator\*?\s*\{\s*(\\[A-Za-z]+)\s*\}\s*(?=\{)"
+)
+_COMMAND = re.compile(r"\\[A-Za-z]+")
+_DROPPED = re.compile(r"\\(?:ensuremath|xspace|protect|mathstrut|relax|boxed)(?![A-Za-z])")
+
+
+@dataclass(frozen=True, slots=True)
+class Macro:
+    """The body of a macro with #1 ... #count, the first of which may have a default."""
+
+    body: str
+    count: int = 0
+    default: str | None = None
+
+
+def definitions(text: str) -> tuple[dict[str, Macro], str]:
+    """(macros by command, the text with the definitions blanked out)."""
+    found: dict[str, Macro] = {}
+    position, pieces = 0, []
+    while (head := _HEAD.search(text, position)) is not None:
+        end = closing(text, head.end())
+        name, macro = _macro(head, text[head.end() + 1 : end - 1])
+        if name in COUNTERS:
+            pieces, position = [*pieces, text[position:end]], end
+            continue
+        found[name] = macro
+        pieces += [text[position : head.start()], re.sub(r"[^\n]", " ", text[head.start() : end])]
+        position = end
+    return found, "".join([*pieces, text[position:]])
+
+
+def _macro(head: re.Match[str], body: str) -> tuple[str, Macro]:
+    braced, plain, count, default, provided, provided_count, by_def, parameters, operator = head.groups()
+    if operator:
+        return operator, Macro(rf"\operatorname{{{body}}}")
+    if by_def:
+        return by_def, Macro(body, parameters.count("#"))
+    return braced or plain or provided, Macro(body, int(count or provided_count or 0), default)
+
+
+def closing(text: str, start: int) -> int:
+    """The offset behind the brace that closes the one at `start`. Raises ReadError if none does."""
+    depth, position = 0, start
+    while position < len(text):
+        char = text[position]
+        if char == "\\":
+            position += 2
+            continue
+        depth += (char == "{") - (char == "}")
+        position += 1
+        if depth == 0:
+            return position
+    raise ReadError("a brace is never closed")
+
+
+def expanded(latex: str, macros: Mapping[str, Macro]) -> str:
+    """The formula with all macros put in. Raises LimitError for what does not end."""
+    latex = _DROPPED.sub(" ", latex)
+    for _ in range(DEEPEST):
+        latex, count = _once(latex, macros)
+        if not count:
+            return latex
+        if len(latex) > LONGEST:
+            break
+    raise LimitError("the macros of this formula do not come to an end", instead="a macro must not hold itself.")
+
+
+def _once(latex: str, macros: Mapping[str, Macro]) -> tuple[str, int]:
+    """One pass over the formula: every macro replaced by its body."""
+    pieces, position, count = [], 0, 0
+    for found in _COMMAND.finditer(latex):
+        macro = macros.get(found[0])
+        if macro is None or found.start() < position:
+            continue
+        arguments, end = _arguments(latex, found.end(), macro)
+        pieces += [latex[position : found.start()], _filled(macro, arguments)]
+        position, count = end, count + 1
+        if count > MOST_EXPANSIONS:
+            raise LimitError(f"more than {MOST_EXPANSIONS} macros in one formula")
+    return "".join([*pieces, latex[position:]]), count
+
+
+def _filled(macro: Macro, arguments: list[str]) -> str:
+    """The body with its arguments; a blank keeps a command and a letter apart."""
+    body = re.sub(r"#(\d)", lambda f: arguments[int(f[1]) - 1] if int(f[1]) <= len(arguments) else f[0], macro.body)
+    return f"{body} " if body[-1:].isalpha() else body
+
+
+def _arguments(latex: str, position: int, macro: Macro) -> tuple[list[str], int]:
+    found: list[str] = []
+    for place in range(macro.count):
+        blank = re.compile(r"\s*").match(latex, position).end()
+        if place == 0 and macro.default is not None:
+            value, position = _optional(latex, blank, macro.default)
+        else:
+            value, position = _required(latex, blank)
+        found.append(value)
+    return found, position
+
+
+def _optional(latex: str, position: int, default: str) -> tuple[str, int]:
+    end = latex.find("]", position) if latex[position : position + 1] == "[" else -1
+    return (latex[position + 1 : end], end + 1) if end > 0 else (default, position)
+
+
+def _required(latex: str, position: int) -> tuple[str, int]:
+    if position >= len(latex):
+        raise ReadError("a macro has too few arguments here")
+    if latex[position] == "{":
+        end = closing(latex, position)
+        return latex[position + 1 : end - 1], end
+    command = _COMMAND.match(latex, position)
+    end = command.end() if command else position + 1
+    return latex[position:end], end

@@ -1,0 +1,131 @@
+r"""Claims beside the formulas: a text that carries its claims in comments is checked alone, in every format."""
+
+import json
+
+import pytest
+
+from rbpsym.cli import main
+from rbpsym.errors import RbpsymError
+
+SAID = (r"problem = sliding-ladder", r"\vec V is the velocity of ladder.cm", r"\omega is the speed of theta")
+RIGHT, WRONG = r"V^2 = \ell^2\omega^2", r"V^2 = \ell^2\omega^3"
+TEX = "\n".join(f"% rbpsym: {line}" for line in SAID)
+MD = "<!-- rbpsym: " + "\n".join(SAID) + " -->"
+RST = ".. rbpsym: " + "\n   ".join(SAID)
+DISPLAY = r"\begin{equation}\label{a} %s \end{equation}"
+
+
+def cells(*texts):
+    """A notebook of Markdown cells."""
+    made = [{"cell_type": "markdown", "source": text.splitlines(keepends=True)} for text in texts]
+    return json.dumps({"cells": [*made, {"cell_type": "code", "source": ["x = '$a=b$'"]}]}, indent=1)
+
+
+# the name of a file, its text with % for the formula, and the line of the formula
+TEXTS = [
+    ("a.tex", f"{TEX}\nLet \\[a=b\\] it slide. % rbpsym: claim a\n{DISPLAY}", 5),
+    ("a.tex", f"\\documentclass{{book}}\n{TEX}\n% rbpsym: claim\n\\[ %s \\]", 6),
+    ("a.md", f"{MD}\nIt costs $5 or $6, `$a=b$`.\n<!-- rbpsym: claim -->\n\n$$\n%s\n$$\n", 7),
+    ("a.md", f"{MD}\n$$ %s $$ <!-- rbpsym: claim -->\n", 4),
+    ("a.md", f"{MD}\n```python\n$$a=b$$\n```\n<!-- rbpsym: claim a -->\n```{{math}}\n:label: a\n%s\n```\n", 8),
+    ("a.md", f"{MD}\n:::{{note}}\n<!-- rbpsym: claim a -->\n$$ %s $$ (a)\n:::\n", 6),
+    ("a.md", f"{MD}\n<!-- rbpsym: claim inline -->\nThen $x$ and $%s$.", 5),
+    ("a.rst", f"{RST}\n\n.. code-block:: python\n\n   $a=b$\n\n.. rbpsym: claim\n\n.. math:: %s\n", 11),
+    ("a.rst", f"{RST}\n\n.. math::\n   :label: a\n\n   %s\n\nText of $5.\n\n.. rbpsym: claim a\n", 5),
+    ("a.html", f"<html><!-- rbpsym: {chr(10).join(SAID)} -->\n<!-- rbpsym: claim -->\\[ %s \\]<script>$$a=b$$</script>", 4),
+    ("a.html", f"{MD}\n<!-- rbpsym: claim -->\n<script type='math/tex; mode=display'>%s</script>", 5),
+    ("a.ipynb", cells(f"{MD}\n<!-- rbpsym: claim -->", "Then\n\n$$%s$$"), 0),
+]  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path
+
+
+def checked(folder, capsys, name, text, *more):
+    """(exit code, results) of a text."""
+    (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+    code = main.main(["check", name, "--json", *more], standalone_mode=False)
+    return code, json.loads(capsys.readouterr().out)["results"]
+
+
+@pytest.mark.parametrize("case", range(len(TEXTS)), ids=lambda case: TEXTS[case][0])
+def test_a_text_carries_its_claims(folder, capsys, case):
+    name, text, line = TEXTS[case]
+    escape = json.dumps if name.endswith("ipynb") else lambda latex: f'"{latex}"'
+    code, [row] = checked(folder, capsys, name, text.replace("%s", escape(RIGHT)[1:-1]))
+    assert (code, row["outcome"]) == (0, "PROVED") and row["line"] == (line or row["line"])
+    code, [row] = checked(folder, capsys, name, text.replace("%s", escape(WRONG)[1:-1]))
+    assert (code, row["outcome"]) == (1, "REFUTED") and "exponent" in row["diagnosis"]
+
+
+def test_a_comment_in_front_of_a_display_claims_all_its_numbers(folder, capsys):
+    display = "\\begin{align} V^2 &= \\ell^2\\omega^2 \\\\ a &= b %s \\end{align}"
+    code, rows = checked(folder, capsys, "a.tex", f"{TEX}\n% rbpsym: claim\n{display % ''}")
+    assert [row["outcome"] for row in rows] == ["PROVED", "COULD NOT BE READ"] and code == 2
+    within = f"{TEX}\n\\begin{{align}}\na &= b \\\\ % nothing\n% rbpsym: claim\n{RIGHT} \\end{{align}}"
+    code, rows = checked(folder, capsys, "a.tex", within)
+    assert code == 0 and [row["number"] for row in rows] == ["2"]
+
+
+def test_what_is_said_of_a_claim(folder, capsys):
+    slip = f"{TEX}\n% rbpsym: claim\n\\[ {WRONG} \\]\n% rbpsym: expect = refuted\n% rbpsym: erratum = E1\n"
+    code, [row] = checked(folder, capsys, "a.tex", f"{slip}% rbpsym: right = {RIGHT}\n")
+    assert code == 0 and row["erratum"] == "E1" and row["right"] == "PROVED"
+    given = f"{TEX}\n% rbpsym: claim\n\\[ \\ddot\\theta = 0 \\]\n% rbpsym: given = g = 0\n"
+    assert checked(folder, capsys, "a.tex", given)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("claim", "no problem is named"),
+        ("problem = sliding-ladder\n% rbpsym: claim eq:none", "no formula has the label"),
+        ("problem = sliding-ladder\n% rbpsym: claims", "says nothing here"),
+        ("problem = sliding-ladder\n% rbpsym: claim\n\\[a=b\\]\n% rbpsym: expect = wrong", "can't be"),
+        ("problem = sliding-ladder\n% rbpsym: claim\n\\[a=b\\]\n% rbpsym: right = a=c", "belongs to a claim"),
+        ("problem = ../secret.toml", "outside the folder"),
+        ("problem = link.toml", "outside the folder"),
+        ("problem = none.toml", "no problem"),
+        ("problem = sliding-lader", "sliding-ladder"),
+    ],
+)  # fmt: skip
+def test_what_says_nothing_is_told_in_its_line(tmp_path, folder, capsys, said, told):
+    (folder / "in").mkdir()
+    (folder / "secret.toml").write_text("x = 1")
+    (folder / "in" / "link.toml").symlink_to(folder / "secret.toml")
+    with pytest.raises(RbpsymError, match=told) as caught:
+        checked(folder, capsys, "in/a.tex", f"\n% rbpsym: {said}\n")
+    assert caught.value.place.file.endswith("a.tex") and caught.value.exit_code == 2
+
+
+def test_a_quantity_elsewhere_stays_inside_too(folder, capsys):
+    (folder / "in").mkdir()
+    (folder / "secret.toml").write_text("x = 1")
+    said = f"{TEX}\n% rbpsym: a is the speed of theta in ../secret.toml\n% rbpsym: claim\n\\[ a=1 \\]"
+    code, [row] = checked(folder, capsys, "in/a.tex", said)
+    assert code == 2 and "outside" in row["detail"]
+
+
+def test_only_what_is_claimed_is_judged_and_the_order_is_that_of_reading(folder, capsys):
+    (folder / "part").mkdir()
+    (folder / "part" / "B.tex").write_bytes("\n\n% schön\n\\[ a = b \\]\n% rbpsym: claim\n\\[ V=1 \\]".encode("latin-1"))
+    whole = f"{TEX}\n\\import{{part/}}{{b}}\n% rbpsym: claim\n\\[ {RIGHT} \\]\n"
+    code, rows = checked(folder, capsys, "a.tex", whole)
+    assert [row["outcome"] for row in rows] == ["REFUTED", "PROVED"] and code == 1
+    code, rows = checked(folder, capsys, "a.tex", whole, "--all")
+    assert [row["outcome"] for row in rows] == ["NOT A FORMULA WE COMPUTE", "REFUTED", "PROVED"]
+    main.main(["check", "a.tex", "--github"], standalone_mode=False)
+    told = capsys.readouterr().out
+    assert "read as Latin-1" in told and "in other letters" in told
+
+
+def test_a_changed_display_stays_the_claim_that_it_is(folder, capsys):
+    r"""In a claims file: no number and no label, but its line; one typo is one REFUTED."""
+    said = "problem = 'sliding-ladder'\n[symbols]\n'V' = 'velocity of ladder.cm'\n"
+    (folder / "c.toml").write_text(said + "[[claim]]\nid = 'v'\nline = 2\nlatex = 'V^2=4'")
+    code, rows = checked(folder, capsys, "a.tex", "Text\n\\[ V=1 \\]\n", "--problems", "c.toml")
+    assert code == 1 and [(row["id"], row["outcome"]) for row in rows] == [("v", "REFUTED")]
