@@ -28,7 +28,7 @@ def beyond(world: Scene, name: str) -> tuple[Asked, int] | None:
     problem, given = world.asked.problem, world.asked.first.assumptions
     quantity = next((each for each in problem.parameters if each.name == name), None)
     starts = asked_of_start(world.asked.first) if quantity is not None else ()
-    slips = [value for element, what, value in starts if what == "slip" and element["slip"] == "auto"]
+    slips = [value for element, what, value in starts if what == "slip" and element.values.get("slip") == "auto"]
     moments = [demand.value for demand in world.demands if demand.op == ">"]
     for value in (*slips, *moments) if quantity is not None else ():
         ends = [end for end in zeros(value, name) if sign(end, given).kind == "positive"] if depends_on(value, name) else []

@@ -17,7 +17,7 @@ from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment, value_in
 from rbpsym.ask.question import Question, is_jump
 from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
-from rbpsym.derivation.checks_values import TURNED
+from rbpsym.derivation.checks_values import TURNED, told_as
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
 from rbpsym.derivation.step import Step
@@ -261,7 +261,7 @@ def _said_of(draft: Draft, asked: Scalar) -> tuple[str, str]:
             for left, op, right in t.relations(step.statement):
                 is_name = op == "=" and len(list(t.walk(left))) <= LONGEST_NAME and not draft.context.grows(right)
                 said = draft.context.value(right) if is_name else None
-                if isinstance(said, Scalar) and is_zero(neat(said, known) - value):
+                if isinstance(said, Scalar) and is_zero(neat(told_as(said, turned), known) - value):
                     saying.append((len(_letters(right, value)), step.id))
         if saying:
             return min(saying, key=lambda pair: pair[0])[1], turned

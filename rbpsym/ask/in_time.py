@@ -84,9 +84,10 @@ def reached(asked: Asked, place: int, subject: str, value: Scalar, manner: str =
 
 def time_of_swing(asked: Asked, moment: Moment) -> tuple[Scalar, str] | None:
     """The time of a quarter or a half of a swing of any size in the first phase, and what tells it; None where it is none."""
-    study, [name, *others] = asked.first, asked.first.system.independent
-    if others or moment.place or moment.state.time is not None:
+    study, names = asked.first, asked.first.system.independent
+    if len(names) != 1 or moment.place or moment.state.time is not None:
         return None
+    [name] = names
     with suppress(StatementError):
         quarters = quarters_to(study, name, moment.state.places[name])
         return None if quarters is None else (swing_of(study, name).time(study, quarters), f"swing {name} {quarters}")

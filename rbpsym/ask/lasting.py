@@ -11,11 +11,14 @@ from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.driven import sense_to, tie_to_time
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.endings import State, at_start, value_reached
+from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.pushing import begins, ways_kept
 from rbpsym.mechanics.sides import grips
@@ -167,12 +170,21 @@ def _on_way(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Deman
             yield from found
     for demand in held(study):
         names = names_in(demand.value) & {*study.system.coordinates, *study.system.speeds, "t"}
-        if len(names) > 1 or names - study.squares.keys():
+        if len(names) > 1 or any(name not in study.squares and _driven(study, name, places) is None for name in names):
             raise Undecided("their forces are not known on the way")
         found = _least(study, demand, *names, places=places) if names else [demand]
         if settle(found, study.assumptions) is None:
             raise StatementError("a contact is lost, or friction reaches its limit, before: the motion that is stated ends there")
         yield from found
+
+
+def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tuple[Way, Assumptions] | None:
+    """The way of a coordinate that the time alone ties, to a place; None where that is not known."""
+    begin = study.system.scope.start.get(name)
+    if begin is None or not places or tie_to_time(study.system, name) is None:
+        return None
+    way = Way(name, begin, sense_to(study, name, (begin, places[name])), NOTHING)
+    return (way, way.until(places[name], study.assumptions)) if way.sense else None
 
 
 def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
@@ -182,7 +194,11 @@ def _least(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scal
 
     world, given = Scene(study), study.assumptions
     try:
-        ways = to_and_fro(world, name, given) if places is None else [way_to(world, name, places[name], given)]
+        driven = None if name in study.squares else _driven(study, name, places)
+        if driven is None and places is None:
+            ways = to_and_fro(world, name, given)
+        else:
+            ways = [driven or way_to(world, name, places[name], given)]
         found = [] if places is None else [Demand(way.ahead(places[name])) for way, _ in ways]
         for way, within in ways:
             found += least_values(world, Wanted((demand.value,), within, name, asked=way.asked))

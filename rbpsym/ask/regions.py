@@ -165,7 +165,8 @@ def alone(found: Region, regions: Sequence[Region], sense: int) -> tuple[Demand,
     """What is asked for the upper (1) or lower (-1) bound alone, without the demands of what is no bound otherwise."""
     side = SIDES[sense]
     idle = [one for one in regions if one.otherwise == 1 and getattr(one, side) != getattr(found, side)]
-    return tuple(demand for demand in found.asked if not any(demand in one.asked for one in idle))
+    firm = {demand for one in regions if one not in idle for demand in one.asked}
+    return tuple(demand for demand in found.asked if demand in firm or not any(demand in one.asked for one in idle))
 
 
 def _outermost(found: list[Region], side: str, sense: int, given: Assumptions) -> Region | None:

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.normal import is_zero, normal
 from rbpsym.algebra.poly import generator, inverse
 from rbpsym.algebra.ring import factors
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
@@ -88,10 +88,11 @@ def end_said(value: Scalar, name: str, given: Assumptions) -> Verdict:
 
 
 def _core(value: Scalar, given: Assumptions) -> Scalar:
-    """What has the sign of the value: without factors of known sign, and with the others once where their power is odd."""
+    """What has the sign of the value: without roots and factors of known sign, with the others once where their power is odd."""
     _, powers = value.num.content()
     coefficient, found = factors(value.num.scaled(1, inverse(powers)))
-    parts = [*found, *((generator(index), exponent) for index, exponent in powers), (value.den, -1)]
+    firm = [(index, exponent) for index, exponent in powers if atoms.atom(index).kind != "root"]
+    parts = [*found, *((generator(index), exponent) for index, exponent in firm), (value.den, -1)]
     core, side = UNITY, 1 if coefficient > 0 else -1
     for part, exponent in parts:
         known = SENSES.get(sign(Scalar(part), given).kind or "")
@@ -111,10 +112,21 @@ def slope_said(value: Scalar, name: str, place: Scalar, given: Assumptions, sens
     if there.is_proved and sign(shorter(derivative(core, name)), given).kind == KINDS[-sense]:
         return proved("the slope changes its sign there, and its factor that does is monotone")
     limits = of_symbol(name, given)
-    sides = ((limits.lower, place, sense), (place, limits.upper, -sense))
-    if all(sign(core, given.with_range(name, low, high)).kind == KINDS[way] for low, high, way in sides):
-        return proved("the slope changes its sign there and nowhere else")
+    for value, at in ((core, place), (_counted_from(place, name, core, given), NOTHING)):
+        ends = [None if end is None else end - place + at for end in (limits.lower, limits.upper)]
+        sides = ((ends[0], at, sense), (at, ends[1], -sense))
+        if all(sign(value, given.with_range(name, low, high)).kind == KINDS[way] for low, high, way in sides):
+            return proved("the slope changes its sign there and nowhere else")
     return undecided("that it is the greatest or least value is not seen on a second road")
+
+
+def _counted_from(place: Scalar, name: str, value: Scalar, given: Assumptions) -> Scalar:
+    """The value as a function of how far the quantity is from a place: b sin x + a cos x is k sin u, counted from its zero."""
+    moved = substitute(value, {name: symbol(PLACE) + symbol(name)})
+    return rooted(substitute(Scalar(normal(moved.num)), {PLACE: place}) / substitute(Scalar(moved.den), {PLACE: place}), given)
+
+
+PLACE = "the place"  # a letter that no problem has
 
 
 def bounds_hold(context: Context, step: Step) -> Verdict:

@@ -14,6 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
+from rbpsym.derivation.checks_driven import comes_there, is_driven, is_state, left_then
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
@@ -74,6 +75,8 @@ def first_then(context: Context, step: Step) -> Verdict:
     before = context.assumptions.with_range("t", NOTHING, time)
     with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in demanded(context, step)):
         ahead = compare(NOTHING, time, context.assumptions)
+    if is_driven(context, step.data["ending"].phase):
+        return comes_there(context, step.data["ending"].phase)
     left = _left(context, step)
     kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
     kept = kept or _has_no_other_root(left, time, context.assumptions)
@@ -92,6 +95,8 @@ def _has_no_other_root(left: Scalar, time: Scalar, given: Assumptions) -> bool:
 def _left(context: Context, step: Step) -> Scalar:
     """What is left of the slip, or of the way to the value, as a function of the time."""
     phase, system = step.data["ending"].phase, context.study.system
+    if is_driven(context, phase):
+        return left_then(context, phase)
     if phase.event == "reaches":
         return _course(context, own_place(context, phase.subject))[0] - scalar(phase.value)
     if phase.event == "rests":
@@ -153,13 +158,23 @@ def _rests(context: Context, name: str) -> bool:
 def state_then(context: Context, step: Step) -> Verdict:
     """Places and speeds at the end, from a motion integrated anew (`data`: "ending", "what", "letters")."""
     ending, letters, found = step.data["ending"], step.data["letters"], []
-    see = _uniform if ending.state.time is not None else _placed
+    see = _by_what(context, ending)
     for left, _, right in relations(step.statement):
         name = letters.get(getattr(left, "name", ""))
         if name is None:
             return Verdict(UNDECIDED, reason="the step does not say of what it gives the value")
         found.append(see(context, ending, step.data["what"], name, context.value(right)))
     return weakest(found)
+
+
+def _by_what(context: Context, ending):
+    """What checks a state: the tie to the time, a motion that is integrated twice, or the first integral."""
+    is_tied = ending.phase is not None and is_driven(context, ending.phase)
+    return _driven if is_tied else _uniform if ending.state.time is not None else _placed
+
+
+def _driven(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
+    return is_state(context, ending.phase.subject, ending.state, what, name, stated)
 
 
 def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
@@ -216,8 +231,7 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
         if moment.how == "time" and (said := said_of(context, coordinate)):
             found.append(same(context, _at(state.time, said if what == "place" else derivative(said, "t")), image[name]))
         elif moment.how != "rest":
-            see = _uniform if state.time is not None else _placed
-            found.append(see(context, moment, what, coordinate, image[name]))
+            found.append(_by_what(context, moment)(context, moment, what, coordinate, image[name]))
     for id in ("moment", "place"):
         if id in context.steps and (moment.how == "event" or moment.watched):
             context.use(id)

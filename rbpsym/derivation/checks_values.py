@@ -108,9 +108,15 @@ def direction(context: Context, step: Step) -> Verdict:
 TURNED: Mapping[str, Callable[[Scalar], Scalar]] = {
     "itself": lambda value: value,
     "its opposite": lambda value: -value,
+    "its magnitude": lambda value: value,
     "its square": lambda value: value * value,
     "the square of its frequency": lambda value: (PI * 2 / value) ** 2,
 }
+
+
+def told_as(said: Scalar, turned: str) -> Scalar:
+    """What a step says, as it is compared: its magnitude, where that of it is asked for."""
+    return root(said * said) if turned == "its magnitude" else said
 
 
 def value_told(context: Context, step: Step) -> Verdict:
@@ -125,6 +131,6 @@ def _is_told(context: Context, value: Scalar, id: str, turned: str) -> Verdict:
     if not id:
         return undecided("no step of the derivation says this")
     context.use(id)
-    said = [context.value(row[2]) for row in relations(context.steps[id].statement)]
+    said = [told_as(context.value(row[2]), turned) for row in relations(context.steps[id].statement)]
     found = [same(context, TURNED[turned](value), each) for each in said]
     return next((verdict for verdict in found if verdict.is_proved), found[-1])

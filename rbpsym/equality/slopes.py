@@ -31,7 +31,7 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
     kind = sign(value, given).kind
     if kind in SENSES:
         return SENSES[kind]
-    if depends_on(Scalar(value.den), name):
+    if value.den is not ONE:
         below = SENSES.get(sign(Scalar(value.den), given).kind, 0)
         return below * sign_along(Scalar(value.num), name, given, known, most)
     limits = of_symbol(name, given)

@@ -20,6 +20,7 @@ from rbpsym.mechanics import strings
 from rbpsym.mechanics.arrivals import EDGE, first_met, floating, mover, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.driven import state_reached
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.friction import geometry_of, spare
@@ -93,6 +94,8 @@ def contact_lost(study: Study, phase: Phase) -> State:
 def value_reached(study: Study, phase: Phase) -> State:
     """The moment or the place at which a coordinate has a value."""
     value = scalar(phase.value)
+    if found := state_reached(study, phase.subject, value):
+        return found
     if _are_uniform(study):
         start, gain = at_start(study), _gain(study, phase, phase.subject)
         way = short(value - start.places[phase.subject])
@@ -245,9 +248,12 @@ def _uniform(study: Study, phase: Phase) -> Mapping[str, Scalar]:
 
 
 def _gain(study: Study, phase: Phase, name: str) -> Scalar:
-    """The acceleration of any coordinate."""
+    """The acceleration of any coordinate. Raises NotApplicable where it is no constant, as of what is tied to the time."""
     rate = of_coordinate(study, name)[1]
-    return substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
+    gain = substitute(time_derivative(rate, study.system.scope), _uniform(study, phase))
+    if names_in(gain) & {*study.system.scope.rates, *study.system.speeds, CLOCK}:
+        raise _no_closed_form(f"the moment at which “{name}” has its value: its acceleration is not constant")
+    return gain
 
 
 def _after(study: Study, phase: Phase, start: State, time: Scalar, asked: Iterable[Demand]) -> State:
