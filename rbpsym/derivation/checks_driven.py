@@ -2,44 +2,47 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.checks_places import UNSEEN, own_place
 from rbpsym.derivation.context import Context
 from rbpsym.equality.decide import compare, scalars_equal
+from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict
-from rbpsym.mechanics.driven import sense_to, tie_to_time
-from rbpsym.mechanics.state import State
 from rbpsym.statement.model import Phase
 
 
-def is_driven(context: Context, phase: Phase) -> bool:
+def is_driven(context: Context, phase: Phase | None) -> bool:
     """Whether a phase ends where such a coordinate has a value."""
-    return phase.event == "reaches" and tie_to_time(context.study.system, phase.subject) is not None
+    is_alone = phase is not None and phase.event == "reaches" and not context.study.system.independent
+    return is_alone and any(depends_on(tie.value, phase.subject) for tie in context.study.ties)
 
 
 def left_then(context: Context, phase: Phase) -> Scalar:
     """What vanishes at the moment, as a function of the time."""
-    return substitute(tie_to_time(context.study.system, phase.subject), {phase.subject: scalar(phase.value)})
+    return substitute(_tie(context, phase.subject), {phase.subject: scalar(phase.value)})
+
+
+def _tie(context: Context, name: str) -> Scalar:
+    [found] = [tie.value for tie in context.study.ties if depends_on(tie.value, name)]
+    return found
 
 
 def comes_there(context: Context, phase: Phase) -> Verdict:
-    """The value lies ahead of the start, in the sense in which the coordinate changes all the way."""
-    ends = (context.start(symbol(phase.subject)), scalar(phase.value))
-    way = sense_to(context.study, phase.subject, ends)
-    return compare(NOTHING, (ends[1] - ends[0]) * way, context.assumptions) if way else UNSEEN
+    """The value lies ahead of the start, in the sense of a speed that keeps its sign all the way."""
+    begin, end = context.start(symbol(phase.subject)), scalar(phase.value)
+    speed = context.study.system.scope.rates[phase.subject]
+    between = (context.assumptions.with_range(phase.subject, *ends) for ends in ((begin, end), (end, begin)))
+    ways = {sign(speed, given).sense for given in between}
+    return compare(NOTHING, (end - begin) * ways.pop(), context.assumptions) if len(ways) == 1 and 0 not in ways else UNSEEN
 
 
-def is_state(context: Context, subject: str, state: State, what: str, name: str, stated: Scalar) -> Verdict:
+def state_said(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
     """The stated place, or speed, meets the equation, or its rate, at that time; what depends on it, by its formula."""
-    tie, rates = tie_to_time(context.study.system, subject), {"t": state.time, subject: state.places[subject]}
-    if name != subject:
-        value = own_place(context, name)
-        speed = symbol(f"{subject}_dot")
-        moved = value if what == "place" else derivative(value, subject) * speed + derivative(value, "t")
-        then = {**rates, f"{subject}_dot": state.speeds[subject]}
-        return scalars_equal(substitute(moved, then), stated, context.assumptions)
-    gap = tie if what == "place" else derivative(tie, subject) * stated + derivative(tie, "t")
-    then = {**rates, subject: stated} if what == "place" else rates
-    return scalars_equal(substitute(gap, then), NOTHING, context.assumptions)
+    subject, state = ending.phase.subject, ending.state
+    value = _tie(context, subject) if name == subject else own_place(context, name)
+    speed = stated if name == subject else state.speeds[subject]
+    there = {"t": state.time, subject: stated if (name, what) == (subject, "place") else state.places[subject]}
+    moved = value if what == "place" else derivative(value, subject) * speed + derivative(value, "t")
+    return scalars_equal(substitute(moved, there), NOTHING if name == subject else stated, context.assumptions)

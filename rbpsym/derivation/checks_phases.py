@@ -14,7 +14,7 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
-from rbpsym.derivation.checks_driven import comes_there, is_driven, is_state, left_then
+from rbpsym.derivation.checks_driven import comes_there, is_driven, left_then, state_said
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
@@ -169,12 +169,9 @@ def state_then(context: Context, step: Step) -> Verdict:
 
 def _by_what(context: Context, ending):
     """What checks a state: the tie to the time, a motion that is integrated twice, or the first integral."""
-    is_tied = ending.phase is not None and is_driven(context, ending.phase)
-    return _driven if is_tied else _uniform if ending.state.time is not None else _placed
-
-
-def _driven(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
-    return is_state(context, ending.phase.subject, ending.state, what, name, stated)
+    if is_driven(context, ending.phase):
+        return state_said
+    return _uniform if ending.state.time is not None else _placed
 
 
 def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:

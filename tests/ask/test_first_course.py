@@ -178,7 +178,8 @@ def test_answers_are_those_by_hand(text: str, question: str, value: str, conditi
     [found] = ask(problem, question)
     names = [quantity.name for quantity in problem.parameters]
     told = found.text.partition(" = ")[2] or found.text
-    assert found.verdict.is_proved and equal(*(read_infix(one, names) for one in (told, value)), Study(problem).assumptions).is_proved
+    both = (read_infix(one, names) for one in (told, value))
+    assert found.verdict.is_proved and equal(*both, Study(problem).assumptions).is_proved
     assert [to_machine(node) for node in found.valid] == conditions
 
 
