@@ -64,7 +64,7 @@ class Answer:
 
     Of a parameter: the `symbol` that was asked for, its `relation` to the values, `each` with conditions of its own; a
     sentence, yes or no (`holds_so`), the `equation` that it solves where that has no closed solution; `at`: where an
-    extremum lies."""
+    extremum lies; the `conclusion`, and the `grounds` on which rules have checked it."""
 
     question: Question
     study: Study
@@ -81,6 +81,8 @@ class Answer:
     each: tuple[tuple[t.Node, ...], ...] = ()
     equation: t.Node | None = None
     at: tuple[str, t.Node] | None = None
+    conclusion: Step | None = None
+    grounds: tuple[Step, ...] = ()
 
     @property
     def value(self) -> Scalar:

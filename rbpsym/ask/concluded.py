@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.certified import LETTER, certified
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, ground
 from rbpsym.ask.question import Question
 from rbpsym.ask.seen import Scene
+from rbpsym.derivation.checks import guarded
+from rbpsym.derivation.context import Context
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Certificate, Step
-from rbpsym.equality.verdict import all_of, undecided
+from rbpsym.equality.verdict import Verdict, all_of, undecided
 from rbpsym.mechanics.demands import settle
 from rbpsym.notation import tree as t
 
@@ -25,45 +27,49 @@ OPS = ("=", "<", ">", "<=", ">=")
 def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> Answer:
     """The answer, called by the letter if it is no parameter: PROVED if what was found is, and the quantities in it are
     what is said of them."""
-    draft, quantities = Draft(world.study), {question.text: (question, one) for question, one in world.used}
-    kept = [pair for pair in quantities.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
+    draft, used = Draft(world.study), {(q.text, q.phase): (q, one) for q, one in world.used}
+    kept = [pair for pair in used.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
     stem = f"{letter}_".lower() if "_" not in letter else letter.lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
-    grounds = [certified(world.asked, *pair, name, is_ground=True) for pair, name in zip(kept, names, strict=True)]
+    quantities = [certified(world.asked, *pair, name, is_ground=True) for pair, name in zip(kept, names, strict=True)]
     name = found.symbol or (found.place or ("",))[0]
     more = [] if found.met else [demand for demand in world.demands if not depends_on(demand.value, name)]
     left = settle((*found.valid, *more), world.motion.assumptions)
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
     doubts = [] if found.symbol else map(undecided, world.doubts)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
-    last = tuple(_last(draft, found, nodes, letter))
+    letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used if len(one.values) == 1}
+    letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
+    last = _last(draft, found, nodes, letter, letters)
     return Answer(
         Question(text, found.symbol or text),
         world.study,
         found.values,
         nodes,
-        all_of([found.verdict, *doubts, *(ground.verdict for ground in grounds)]),
+        all_of([last.certificate.verdict, *doubts, *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
-        (*_steps(grounds), *last),
+        (*_steps(quantities), *found.steps, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
         says="; ".join(filter(None, (found.says, LASTING if found.symbol and world.doubts else ""))),
         holds_so=found.holds,
         each=tuple(draft.asked(demands) for demands in found.asked) if any(found.asked) else (),
         equation=None if found.equation is None else draft.show(found.equation, factor=True),
+        conclusion=last,
+        grounds=tuple(map(ground, found.grounds)),
         at=None if found.place is None or found.place[1] is None else (found.place[0], draft.show(found.place[1])),
     )
 
 
-def _steps(grounds: list[Answer]) -> Iterator[Step]:
+def _steps(quantities: list[Answer]) -> Iterator[Step]:
     """The steps of all quantities, each once; what a quantity is, by its own number, if no step says that value already."""
     seen: set[object] = set()
-    for number, ground in enumerate(grounds, 1):
-        for step in ground.steps:
+    for number, told in enumerate(quantities, 1):
+        for step in told.steps:
             if step.id != "answer" and step.statement not in seen:
                 yield step
-            if step.id == "answer" and not any(_value(step) == _value(other) for other in ground.steps[:-1]):
+            if step.id == "answer" and not any(_value(step) == _value(other) for other in told.steps[:-1]):
                 yield replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
             seen.add(step.statement)
 
@@ -73,16 +79,33 @@ def _value(step: Step) -> t.Node:
     return step.statement.items[-1] if isinstance(step.statement, t.Chain) else step.statement
 
 
-def _last(draft: Draft, found: Finding, nodes: tuple[t.Node, ...], name: str) -> Iterator[Step]:
-    """The step that states what was found, if a rule checked it and it is a formula."""
+def _as_letter(draft: Draft, told: Answer) -> t.Node:
+    """The letter of a quantity, with the value that its step states; that itself where it has no letter."""
+    letter, *_, value = told.steps[-1].statement.items
+    return draft.define(letter.name, draft.context.value(value)) if isinstance(letter, t.Sym) else value
+
+
+def _last(draft: Draft, found: Finding, nodes: tuple[t.Node, ...], name: str, letters: Mapping[str, t.Node]) -> Step:
+    """The step that states what was found: it follows by the rules of its grounds, or from a step of a chapter."""
     letter = t.Sym(found.symbol or draft.free(name))
-    if not found.rule or not nodes:
-        return
-    rows = [t.relation(letter, found.relation if found.relation in OPS else "=", node) for node in nodes]
-    if found.relation == "between":
-        rows = [t.relation(letter, op, node) for op, node in zip((">", "<"), nodes, strict=True)]
-    statement = rows[0] if len(rows) == 1 else t.System(tuple(rows))
-    certificate = Certificate(tuple(check.__name__ for check in RULES[found.rule]), found.verdict)
-    obligations = draft.asked(found.valid)
-    yield Step("answer", found.rule, statement, "ask", "ask.found", data=found.data, is_result=True,
-               obligations=obligations, certificate=certificate)  # fmt: skip
+    ops = (">", "<") if found.relation == "between" else (found.relation if found.relation in OPS else "=",) * len(nodes)
+    rows = [t.relation(letter, op, node) for op, node in zip(ops, nodes, strict=True)]
+    if found.form is not None:
+        draft.define(letter.name, found.values[0])
+        rows = [t.equation(letter, t.renamed(found.form, letters), nodes[0])]
+    statement = t.ZERO if not rows else rows[0] if len(rows) == 1 else t.System(tuple(rows))
+    verdict = all_of([*([found.verdict] if found.verdict else []), *_verdicts(draft.context, found, rows)])
+    step = ground(found.grounds[0] if found.grounds else ("identity", {}), statement)
+    checks = tuple(dict.fromkeys(check.__name__ for rule, _ in found.grounds for check in RULES[rule]))
+    return replace(step, is_result=True, obligations=draft.asked(found.valid), certificate=Certificate(checks, verdict))
+
+
+def _verdicts(context: Context, found: Finding, rows: Sequence[t.Chain]) -> Iterator[Verdict]:
+    """What the rules say of each row that is stated; nothing is proved without one."""
+    yield from (step.certificate.verdict for step in found.steps)
+    if not (found.grounds or found.steps):
+        yield undecided("no rule says so")
+    for row in rows if found.grounds else ():
+        checks = ((RULES[one[0]][0], ground(one, row)) for one in found.grounds if one[0] == found.grounds[0][0])
+        said = [guarded(lambda check=check, step=step: check(context, step)) for check, step in checks]
+        yield next((verdict for verdict in said if verdict.is_proved), said[0])

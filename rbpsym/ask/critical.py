@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way
 from rbpsym.ask.seen import Scene, moving, parameter, told, way_to
@@ -17,7 +18,7 @@ from rbpsym.ask.wanted import Wanted, arrives, premises, wanted
 from rbpsym.ask.zeros import Zero, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat, rooted
-from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.stability import essential
@@ -60,7 +61,8 @@ def _opposite(world: Scene, superlative: str | None, name: str, text: str) -> Fi
     found = which(world, turned, name, text)
     relation = FLIPPED.get(found.relation, found.relation)
     says = f"every such {name} does" if superlative and relation != "=" else ""
-    return replace(found, relation=relation, says=says, rule="") if found.values else found
+    grounds = tuple((rule, {**data, "opposite": True}) for rule, data in found.grounds)
+    return replace(found, relation=relation, says=says, grounds=grounds) if found.values else found
 
 
 # --- equalities
@@ -92,12 +94,16 @@ def _values(world: Scene, superlative: str | None, name: str, condition: Wanted,
         )
     if table.zeros.crossings:
         [crossing, *more] = table.zeros.crossings
-        verdict = proved("it is monotone, and its signs at the ends of the range differ")
+        said = checked("one_zero", equation=crossing.equation, name=name, given=given, value=None)
         if more or zeros:
-            verdict = undecided("there are several such values, and no closed form was found for one of them")
-        return Finding(verdict, name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
+            said = {"verdict": undecided("there are several such values, and no closed form was found for one of them")}
+        return Finding(**said, symbol=name, equation=crossing.equation, says=f"{name} is the only zero of this in its range")
     if not zeros:
-        found = checked("vanishes_for", value=value, name=name, places=(), given=given)
+        places = tuple(zero.place for zero in table.zeros.found if not zero.is_pole)
+        found = checked("vanishes_for", value=value, name=name, places=places, given=given)
+        asked_ = [demand.value for demand in (*world.demands, *world.standing)]
+        away = ([substitute(one, {name: place}) for one in asked_] for place in places)  # there it is not the motion that is told
+        found = together(Finding(**found), *(Finding(**kept_said(one, None, (), given, holds=False)) for one in away))
         says = f"{NO_SUCH} {name}: “{text}” holds for none in its range"
         return Finding(symbol=name, says=says, valid=(*asked, *_case(world)), **found)
     if superlative is not None and len(zeros) > 1:
@@ -130,7 +136,8 @@ def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Deman
 def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:
     """What does not depend on the symbol."""
     if is_zero(value):
-        return Finding(proved("it is an identity"), name, says=f"“{text}” holds for every {name}", valid=_case(world))
+        said = checked("no_change", value=value, names=(name,), best=NOTHING, given=given)
+        return Finding(**said, symbol=name, says=f"“{text}” holds for every {name}", valid=_case(world))
     raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, value))
 
 
@@ -172,7 +179,8 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
         if known is not None and not known.asked:
             says = FOR_NONE if known.is_empty else "holds for all values"
             says = f"“{text}” {says} of the parameters in their declared ranges"
-            return Finding(proved("the sign is the same for all parameters"), name, says=says)
+            holds = not known.is_empty
+            return Finding(**kept_said(values, along, known.worst, given, holds=holds), symbol=name, says=says)
         raise StatementError(f"“{text}” does not depend on {name}", instead=on_what(world, cores[0]))
     under = (*(given for _ in own), *(premise for _ in condition.values))
     regions = [region_on_way(value, name, along or "", each) for value, each in zip(values, under, strict=True)]
@@ -194,8 +202,18 @@ def _region(world: Scene, name: str, condition: Wanted, text: str, sense: int) -
         ends = (("<", found.upper, 1), (">", found.lower, -1))
         bare = next(((op, end) for op, end, way in ends if not alone(found, [*regions, *beside], way)), None)
         told_ = replace(told_, says=f"else “{text}” holds for {name} {bare[0]} {told(bare[1])}") if bare else told_
-    own, lost = ({end for one in each if one for end in (one.lower, one.upper)} for each in (regions, beside))
-    return replace(told_, says=condition.there) if lost - own & set(told_.values) else told_
+    if found.otherwise and told_.says:
+        turned = Demand(-found.asked[0].value, ">=" if found.asked[0].op == ">" else ">")
+        else_ = kept_said(parts[0], along, found.worst, where_met(given, [turned]), holds=found.otherwise > 0)
+        told_ = replace(told_, **together(told_, Finding(**else_)))
+    own = {end for one in regions if one for end in (one.lower, one.upper)}
+    for value, one in zip(others, beside, strict=True):
+        for bound in (bound for bound in told_.values if bound in (one.lower, one.upper) and bound not in own):
+            places = [place for place in one.worst[:1] if place is not None]
+            there = substitute(value, {name: bound, **dict(zip((along,), places, strict=False))})
+            vanishes = checked("no_change", value=there, names=(), best=NOTHING, given=given)
+            return replace(told_, says=condition.there, **together(told_, Finding(**vanishes)))
+    return told_
 
 
 def _first(regions: list[Region | None], beside: list[Region | None], given: Assumptions, sense: int) -> Region | None:
@@ -220,8 +238,15 @@ def _said(parts: Parts, name: str, found: Region, given: Assumptions, along: str
     side = sense or (1 if found.lower is None else -1 if found.upper is None else 0)
     values = binding(*parts, found, given, side)
     given = where_met(given, found.asked)
-    if found.is_empty or found.is_whole or found.crossing:
-        return {"verdict": proved("its sign is the same everywhere" if not found.crossing else "it is monotone")}
+    if found.crossing:
+        return checked("one_zero", equation=found.crossing.equation, name=name, given=given, value=None)
+    if found.is_empty and None not in (found.lower, found.upper):
+        beyond = checked("greatest_of", best=found.lower, others=((found.upper, given),), sense=1)
+        parts_ = (given.with_range(name, *ends) for ends in ((None, found.lower), (found.upper, None)))
+        fails = (kept_said(parts[0], along, found.worst, part, holds=False) for part in parts_)
+        return together(*(Finding(**said) for said in (beyond, *fails)))
+    if found.is_empty or found.is_whole:
+        return kept_said(parts[0], along, found.worst, given, holds=not found.is_empty)
     sense = 0 if (found.lower if sense < 0 else found.upper) is None else sense
     ends, way = {1: found.lower, -1: found.upper}, (along, found.worst)
     return checked("holds_for", values=values, name=name, ends=ends, way=way, given=given, sense=sense)
@@ -233,9 +258,18 @@ def _in_cases(name: str, found: Region, parts: Parts, given: Assumptions, along:
     lower = [case.upper is None for case in found.cases]
     if None in bounds or len(set(lower)) > 1 or (sense and lower[0] != (sense < 0)):
         return Finding(undecided("the bounds depend on the parameters in more than one way"), name)
-    verdict = all_of(_said(parts, name, case, given, along)["verdict"] for case in found.cases)
+    said = together(*(Finding(**_said(parts, name, case, given, along)) for case in found.cases))
     relation = "=" if sense else ">=" if lower[0] else "<="
-    return Finding(verdict, name, tuple(bounds), relation, asked=tuple(case.asked for case in found.cases))
+    asked = tuple(case.asked for case in found.cases)
+    return Finding(**said, symbol=name, values=tuple(bounds), relation=relation, asked=asked)
+
+
+def kept_said(
+    values: Iterable[Scalar], along: str | None, places: Sequence[Scalar | None], given: Assumptions, *, holds: bool
+) -> dict[str, Any]:
+    """That all values are nowhere negative, or that one of them is negative at one of the places, checked."""
+    parts = tuple((value, place, value) for value in values for place in places or (None,))
+    return checked("least_on_way", parts=parts, along=along, given=given, holds=holds)
 
 
 def _told(name: str, found: Region, condition: Wanted, text: str, sense: int, said: dict[str, Any]) -> Finding:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from rbpsym.algebra.scalar import Scalar
-from rbpsym.derivation.checks import weakest
+from rbpsym.derivation.checks import guarded, weakest
+from rbpsym.derivation.context import Context
 from rbpsym.derivation.rules import RULES
 from rbpsym.derivation.step import Step
-from rbpsym.equality.verdict import Verdict
+from rbpsym.equality.verdict import Verdict, all_of
 from rbpsym.mechanics.demands import Demand
-from rbpsym.notation.tree import ZERO
+from rbpsym.mechanics.study import Study
+from rbpsym.notation.tree import ZERO, Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +24,12 @@ class Finding:
     relation: how the symbol stands to the one value: "=", "<", ">", "<=", ">=", "between" two, or "approaches". says: a
     sentence instead of a value, or beside it. equation: what vanishes at the symbol where it has no closed form. place: where
     an extremum lies, (name, place). holds: yes or no. met: what the moments
-    ask for stands in `valid` already. rule, data: how it was checked, by a rule of derivations.
+    ask for stands in `valid` already. grounds: how it was checked, rules of derivations with their data, the first of which
+    see what is stated; form: how it is made of other quantities; steps: of a chapter, the last of which says it. Without a
+    verdict, it is what these find; without any of them, nothing is proved.
     """
 
-    verdict: Verdict
+    verdict: Verdict | None = None
     symbol: str = ""
     values: tuple[Scalar, ...] = ()
     relation: str = "="
@@ -36,8 +40,9 @@ class Finding:
     place: tuple[str, Scalar | None] | None = None
     holds: bool | None = None
     met: bool = False
-    rule: str = ""
-    data: Mapping[str, Any] = field(default_factory=dict)
+    grounds: tuple[tuple[str, Mapping[str, Any]], ...] = ()
+    form: Node | None = None
+    steps: tuple[Step, ...] = ()
 
     @property
     def is_none(self) -> bool:
@@ -47,12 +52,18 @@ class Finding:
 
 NO_SUCH, FOR_NONE = "there is no such", "holds for no values"
 
-def checked(rule: str, **data: Any) -> dict[str, Any]:
+def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any]:
     """The verdict of the checks of a rule, with the rule and its data, as parts of a finding."""
-    step = Step("answer", rule, ZERO, "ask", "ask.found", data=data)
-    return {"verdict": weakest([check(None, step) for check in RULES[rule]]), "rule": rule, "data": data}
+    context = None if study is None else Context(study)
+    verdict = weakest(guarded(lambda check=check: check(context, ground((rule, data)))) for check in RULES[rule])
+    return {"verdict": verdict, "grounds": ((rule, data),)}
 
 
-def verdict_of(rule: str, **data: Any) -> Verdict:
-    """The verdict alone."""
-    return checked(rule, **data)["verdict"]
+def ground(of: tuple[str, Mapping[str, Any]], statement: Node = ZERO) -> Step:
+    """A rule and its data as a step."""
+    return Step("answer", of[0], statement, "ask", "ask.found", data=of[1])
+
+
+def together(*parts: Finding) -> dict[str, Any]:
+    """What checked several findings, as parts of one."""
+    return {"verdict": all_of(one.verdict for one in parts), "grounds": tuple(g for one in parts for g in one.grounds)}

@@ -24,11 +24,13 @@ MOST_PRODUCTS = 20_000
 @dataclass(frozen=True, slots=True)
 class Leading:
     """coefficient × ε^order, ε > 0 being the distance from the place, or one over the size of what goes to infinity; `image`:
-    the value as a function of ε (of √ε where the order is no whole number)."""
+    the value as a function of ε where `power` is 1, of √ε where it is 2; `there`: so the quantity itself."""
 
     coefficient: Scalar
     order: Fraction
-    image: Scalar | None = None
+    image: Scalar
+    there: Scalar
+    power: int = 1
 
     @property
     def limit(self) -> Scalar | None:
@@ -45,14 +47,17 @@ def leading(value: Scalar, name: str, to: Scalar | None, side: int = 1) -> Leadi
         with apart(), at_most(MOST_PRODUCTS):
             for power in (1, 2):  # √ε is a power series in δ with ε = δ²
                 step = symbol(SMALL) ** power * side
-                image = substitute(value, {name: 1 / step if to is None else to + step})
+                there = 1 / step if to is None else to + step
+                image = substitute(value, {name: there})
                 found = _series(image)
                 if found is not None:
                     break
     except (LimitError, Undecided, ZeroDivisionError):
         return None
     first = None if found is None else next((k for k, term in enumerate(found.terms) if not is_zero(term)), None)
-    return None if first is None else Leading(short(found.terms[first]), Fraction(found.start + first, power), image)
+    if first is None:
+        return None
+    return Leading(short(found.terms[first]), Fraction(found.start + first, power), image, there, power)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,52 +2,52 @@
 
 from __future__ import annotations
 
-import operator
 import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import PI, Scalar
+from rbpsym.algebra.evaluate import Scope, scalar
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.ask.finding import Finding
-from rbpsym.ask.seen import PLACE, Scene, moving, number_in, seen
+from rbpsym.ask.seen import PLACE, Scene, moving, seen
 from rbpsym.equality.rooted import neat
-from rbpsym.equality.verdict import proved
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.demands import existence, settle
 from rbpsym.mechanics.elimination import short
+from rbpsym.notation import tree as t
+from rbpsym.notation.infix import read_infix
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|just|right|from|begins)\b")
 
 
-def _times(world: Scene, factor: str, text: str) -> Scalar:
-    return number_in(world, factor) * value_of(world, text)
+def _times(world: Scene, factor: str, text: str) -> t.Node:
+    return t.mul(read_infix(factor, world.names), form_of(world, text))
 
 
-def _ratio(world: Scene, above: str, below: str) -> Scalar:
+def _ratio(world: Scene, above: str, below: str) -> t.Node:
     place = PLACE.fullmatch(below)
     above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
-    return short(value_of(world, above) / value_of(world, below))
+    return t.Div(form_of(world, above), form_of(world, below))
 
 
-def _pendulum(world: Scene, name: str | None) -> Scalar:
+def _pendulum(world: Scene, name: str | None) -> t.Node:
     """The length g/ϑ² of the simple pendulum with the same period."""
-    known = {scalar(element["g"]) for element in world.study.problem.interactions if element.kind == "gravity"}
-    if len(known) != 1:
+    [gravity, *more] = {element["g"] for element in world.study.problem.interactions if element.kind == "gravity"} or (None,)
+    if gravity is None or more:
         raise StatementError("a simple pendulum of equal period needs one acceleration of gravity")
-    return short(known.pop() / seen(world, f"frequency of {name or world.study.system.independent[0]}") ** 2)
+    return t.Div(gravity, t.Pow(_leaf(world, f"frequency of {name or world.study.system.independent[0]}"), t.TWO))
 
 
-def _magnitude(world: Scene, force: str, when: str) -> Scalar:
-    return root(short(seen(world, f"impulse of {force}_x{when}") ** 2 + seen(world, f"impulse of {force}_y{when}") ** 2))
+def _magnitude(world: Scene, force: str, when: str) -> t.Node:
+    return t.Sqrt(t.add(*(t.Pow(_leaf(world, f"impulse of {force}_{axis}{when}"), t.TWO) for axis in "xy")))
 
 
-MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
-    (r"damped period of (\w+)", lambda world, name: PI * 2 / seen(world, f"damped frequency of {name}")),
+TURN = t.mul(t.TWO, t.Sym("pi"))
+MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
+    (r"damped period of (\w+)", lambda world, name: t.Div(TURN, _leaf(world, f"damped frequency of {name}"))),
     (r"damping ratio of (\w+)", lambda world, name: _ratio(world, f"decay rate of {name}", f"undamped frequency of {name}")),
     (r"logarithmic decrement of (\w+)",
-     lambda world, name: PI * 2 * _ratio(world, f"decay rate of {name}", f"damped frequency of {name}")),
+     lambda world, name: t.mul(TURN, _ratio(world, f"decay rate of {name}", f"damped frequency of {name}"))),
     (r"(?:length of the simple pendulum with (?:the )?(?:equal|same) period|equivalent length)(?: of (\w+))?", _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
     (r"twice (?:the )?(.+)", lambda world, text: _times(world, "2", text)),
@@ -56,7 +56,7 @@ MADE: tuple[tuple[str, Callable[..., Scalar]], ...] = (
 )  # fmt: skip
 
 
-SIGNS = (("+", operator.add), ("-", operator.sub)), (("*", operator.mul), ("/", operator.truediv))
+SIGNS = (("+", t.add), ("-", lambda first, second: t.add(first, t.neg(second)))), (("*", t.mul), ("/", t.Div))
 VALUED = re.compile(r"=|\b(?:is|equals|reaches|comes to)\b(?! rest)")
 
 
@@ -68,13 +68,13 @@ def _may_cut(first: str, second: str, sign_: str) -> bool:
     return not in_value and (sign_ in "+-" or not any(" - " in part or " + " in part for part in (first, second)))
 
 
-def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
-    """A quantity that is made of others, or one by itself; the magnitude where it is that `of_vectors`. Raises StatementError
-    or ReadError for what means nothing."""
+def form_of(world: Scene, text: str, *, of_vectors: bool = False) -> t.Node:
+    """How a quantity is made of others, each of which stands in it under the text of its question; one alone as itself, or
+    as its magnitude where it is that `of_vectors`. Raises StatementError or ReadError for what means nothing."""
     used, refused = len(world.used), None
     for phrase in (text, f"magnitude of {text}")[: 1 + of_vectors]:
         try:
-            return seen(world, phrase)
+            return _leaf(world, phrase)
         except RbpsymError as error:
             refused = refused or error
     found = next(((make, words) for pattern, make in MADE if (words := re.fullmatch(pattern, text))), None)
@@ -86,17 +86,37 @@ def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
             if not _may_cut(text[:cut], text[cut + 1 :], text[cut]):
                 continue
             with suppress(RbpsymError):
-                first, second = (value_of(world, part.strip()) for part in (text[:cut], text[cut + 1 :]))
+                first, second = (form_of(world, part.strip()) for part in (text[:cut], text[cut + 1 :]))
                 return dict(signs)[text[cut]](first, second)
     raise refused
 
 
+def _leaf(world: Scene, phrase: str) -> t.Sym:
+    seen(world, phrase)
+    return t.Sym(world.used[-1][0].text)
+
+
+def value_of(world: Scene, text: str, *, of_vectors: bool = False) -> Scalar:
+    """The value of such a quantity. Raises as `form_of`, and StatementError where something is divided by zero."""
+    return _valued(world, form_of(world, text, of_vectors=of_vectors), text)
+
+
+def _valued(world: Scene, form: t.Node, text: str) -> Scalar:
+    said = {question.text: neat(found.values[0], world.motion.assumptions) for question, found in world.used}
+    try:
+        found = scalar(form, Scope(said))
+    except ZeroDivisionError:
+        raise StatementError(f"“{text}” has no value: something is divided by zero") from None
+    return found if isinstance(form, t.Sym) else short(found)
+
+
 def made(world: Scene, text: str) -> Finding:
     """What is found for such a quantity: it is what the others in it are said to be."""
-    value = neat(value_of(world, text), world.motion.assumptions)
+    form = form_of(world, text)
+    value = neat(_valued(world, form, text), world.motion.assumptions)
     if left := moving(world, (value,)):
         raise StatementError(f"“{text}” still depends on {left[0]}", instead="say where, of each of them.")
     demands = [demand for _, found in world.used for part in found.values for demand in existence(part)]
     demands += [demand for demand in (*world.standing, *world.lasting) if not moving(world, (demand.value,))]  # of its parts
     left = settle(demands, world.motion.assumptions)
-    return Finding(proved("it is made of what is said"), values=(value,), valid=tuple(demands) if left is None else left)
+    return Finding(values=(value,), valid=tuple(demands) if left is None else left, grounds=(("identity", {}),), form=form)

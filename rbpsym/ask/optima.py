@@ -10,15 +10,17 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
-from rbpsym.ask.finding import Finding, checked, verdict_of
+from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
+from rbpsym.ask.limits import leading
 from rbpsym.ask.regions import region
 from rbpsym.ask.seen import Scene, moving, one_period, parameter, place_in, seen, told, whole_ways
+from rbpsym.ask.special import limit_said
 from rbpsym.ask.zeros import precedes, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle
 
@@ -78,13 +80,15 @@ def extremum(
     found = [_lasting(world, name, one) for one in found]
     if is_turned:
         says = f"“{phrase}” is negative: its magnitude is meant"
+        positive = ("least_on_way", {"parts": ((value, None, value),), "along": None, "given": given, "holds": True})
         found = [replace(one, says=f"{says}; {one.says}" if one.says else says) for one in found]
+        found = [replace(one, grounds=(*one.grounds, positive)) for one in found]
     if any(len(one.values) != 1 for one in found) and len(found) > 1:
         return Finding(undecided("it depends on the sense in which the motion sets out"))
     if any(not is_zero(one.values[0] - found[0].values[0]) for one in found[1:]):
         values, asked = tuple(one.values[0] for one in found), tuple(demands for demands, _ in ways)
-        return replace(found[0], verdict=all_of(one.verdict for one in found), values=values, asked=asked, place=None)
-    return replace(found[0], verdict=all_of(one.verdict for one in found))
+        return replace(found[0], **together(*found), values=values, asked=asked, place=None)
+    return replace(found[0], **together(*found))
 
 
 def _lasting(world: Scene, name: str, found: Finding) -> Finding:
@@ -120,14 +124,16 @@ def _of_extreme(
     if found is None:
         return Finding(undecided("the signs of the slope on the range are not decided"), name if by_place else "")
     if found.where == "everywhere":
-        return Finding(proved("its slope vanishes"), values=(found.value,), says=f"“{phrase}” is the same for every {name}")
+        said = checked("no_change", value=value, names=(name,), best=found.value, given=given)
+        return Finding(**said, values=(found.value,), says=f"“{phrase}” is the same for every {name}")
     if found.crossing is not None:
-        return Finding(
-            proved("the slope is monotone and changes its sign"), name, equation=found.crossing.equation, place=(name, None)
-        )
+        said = checked("one_zero", equation=found.crossing.equation, name=name, given=given, value=value)
+        return Finding(**said, symbol=name, equation=found.crossing.equation, place=(name, None))
     if found.value is None:
         says = f"there is none: “{phrase}” has no bound as {name} goes to {_end(found)}"
-        return Finding(proved("the leading term at the end of the range"), name if by_place else "", says=says)
+        side = 1 if found.where == ENDS[0] else -1
+        near = leading(value, name, found.place, side if found.place is not None else -side)
+        return Finding(**limit_said(near, name, given), symbol=name if by_place else "", says=says)
     under = where_met(given, found.asked)
     data = {"value": value, "name": name, "place": found.place, "best": found.value, "sense": sense}
     said = checked("extreme", **data, given=under, at_end=bool(found.where))
@@ -168,15 +174,17 @@ def with_equal(world: Scene, first: str, second: str, phrase: str) -> Finding:
     table = sign_table(other - value, second, given.with_range(second, *given.range_of(second)))
     zeros = [z for z in table.zeros.found if not z.is_pole and not is_zero(z.place - symbol(first))]
     if not zeros and not table.zeros.open_ and not table.zeros.crossings:
-        return Finding(proved("no other value of it gives the same"), second, says=f"only {second} = {first} has the same")
+        said = checked("vanishes_for", value=other - value, name=second, places=(symbol(first),), given=given)
+        return Finding(**said, symbol=second, says=f"only {second} = {first} has the same")
     if not zeros or table.zeros.open_:
         return Finding(undecided("no closed form was found for it"), second, equation=(table.zeros.open_ or (other - value,))[0])
     gap = neat(other * other - value * value, given)  # both are positive, or zero together
     same = sign(value, given).is_nonnegative
     places = [*(zero.place for zero in zeros), symbol(first)]
     asked = where_met(given, [demand for zero in zeros for demand in zero.asked])
-    verdict = verdict_of("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
-    return Finding(verdict, second, tuple(neat(z.place, given) for z in zeros), asked=tuple(z.asked for z in zeros))
+    said = checked("vanishes_for", value=gap if same else other - value, name=second, places=places, given=asked)
+    places = tuple(neat(zero.place, given) for zero in zeros)
+    return Finding(**said, symbol=second, values=places, asked=tuple(z.asked for z in zeros))
 
 
 def _like(given: Assumptions, first: str, second: str) -> Assumptions:

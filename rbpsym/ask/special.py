@@ -10,7 +10,7 @@ from typing import Any
 from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.ask.finding import Finding, checked
+from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.limits import SMALL, Leading, leading
 from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told
 from rbpsym.equality.assumptions import Assumptions
@@ -18,7 +18,7 @@ from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
-from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.equality.verdict import undecided
 from rbpsym.errors import ReadError, StatementError
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.notation.infix import read_infix
@@ -45,7 +45,8 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
         if valid is None:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
         values = tuple(neat(substitute(part, image), given) for part in parts)
-        return Finding(proved("put in exactly"), values=values, valid=valid, met=True)
+        grounds = tuple(("put_in", {"value": part, "image": image}) for part in parts)
+        return Finding(values=values, valid=valid, met=True, grounds=grounds)
     except ZeroDivisionError:
         instead = f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=instead) from None
@@ -100,7 +101,7 @@ def _together(found: Sequence[Finding], phrase: str) -> Finding:
         return found[0]
     if any(one.relation != "=" or not one.values for one in found):
         raise StatementError(f"the components of “{phrase}” have no limits of one kind", instead="name a component.")
-    return Finding(all_of(one.verdict for one in found), values=tuple(value for one in found for value in one.values))
+    return Finding(**together(*found), values=tuple(value for one in found for value in one.values))
 
 
 def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:
@@ -123,13 +124,13 @@ def _limit(
 ) -> Finding:
     found = leading(value, name, to, side)
     if not depends_on(value, name):
-        return Finding(proved("it does not depend on this"), values=(value,))
+        return Finding(values=(value,), **checked("no_change", value=value, names=(name,), best=value, given=given))
     if found is None and is_zero(value):
-        return _nothing()
+        return _nothing(value, name, given)
     if found is None:
         return Finding(undecided("no leading term of its power series was found"))
     term = _term(found, name, to, side)
-    said = _checked(found, given)
+    said = limit_said(found, name, given)
     if found.order < 0:
         says = f"“{phrase}” grows beyond all bounds, as this"
         return Finding(**said, values=(neat(term, given),), relation="approaches", says=says)
@@ -141,10 +142,10 @@ def _limit(
     return Finding(**said, values=(neat(found.coefficient, given),))
 
 
-def _checked(found: Leading, given: Assumptions) -> dict[str, Any]:
-    order = found.order * (1 if found.order.denominator == 1 else 2)
-    data = {"value": found.image, "name": SMALL, "order": int(order), "coefficient": found.coefficient}
-    return checked("limit", **data, given=given.with_signs({SMALL: "positive"}))
+def limit_said(found: Leading, name: str, given: Assumptions) -> dict[str, Any]:
+    """A leading term, checked."""
+    data = {"value": found.image, "name": SMALL, "order": int(found.order * found.power), "coefficient": found.coefficient}
+    return checked("limit", **data, there={name: found.there}, given=given.with_signs({SMALL: "positive"}))
 
 
 def _term(found: Leading, name: str, to: Scalar | None, side: int) -> Scalar:
@@ -172,12 +173,15 @@ def much(world: Scene, phrase: str, first: str, way: str, second: str) -> Findin
         term = leading(part, name, to)
         if term is None and not is_zero(part):
             return Finding(undecided("no leading term of its power series was found"))
-        found.append(Finding(**_checked(term, given), values=(neat(_term(term, name, to, 1), given),)) if term else _nothing())
+        if term is None:
+            found.append(_nothing(part, name, given))
+        else:
+            found.append(Finding(**limit_said(term, name, given), values=(neat(_term(term, name, to, 1), given),)))
     return _near(world, _together(found, phrase), name, to)
 
 
-def _nothing() -> Finding:
-    return Finding(proved("it vanishes"), values=(NOTHING,))
+def _nothing(value: Scalar, name: str, given: Assumptions) -> Finding:
+    return Finding(values=(NOTHING,), **checked("no_change", value=value, names=(name,), best=NOTHING, given=given))
 
 
 # --- dependence
@@ -187,24 +191,30 @@ def depends(world: Scene, phrase: str, name: str) -> Finding:
     """Whether a quantity depends on a parameter."""
     if name not in world.names:
         raise StatementError(f"“{name}” is no quantity of the problem", instead=did_you_mean(name, world.names, "names"))
-    slopes = [derivative(part, name) for part in parts_seen(world, phrase)]
+    parts, given = parts_seen(world, phrase), world.motion.assumptions
+    slopes = [derivative(part, name) for part in parts]
     if all(map(is_zero, slopes)):
-        says = f"no: “{phrase}” does not depend on {name}"
-        return Finding(proved("its derivative vanishes identically"), says=says, holds=False)
-    given = world.motion.assumptions
-    if any(sign(slope, given).is_nonzero or find_witness(slope, NOTHING, given) is not None for slope in slopes):
-        return Finding(proved("its derivative does not vanish"), says=f"yes: “{phrase}” depends on {name}", holds=True)
+        same = (Finding(**checked("no_change", value=part, names=(name,), best=part, given=given)) for part in parts)
+        return Finding(**together(*same), says=f"no: “{phrase}” does not depend on {name}", holds=False)
+    pairs = zip(parts, slopes, strict=True)
+    moved = (part for part, slope in pairs if sign(slope, given).is_nonzero or find_witness(slope, NOTHING, given) is not None)
+    if (part := next(moved, None)) is not None:
+        said = checked("changes", value=part, name=name, given=given)
+        return Finding(**said, says=f"yes: “{phrase}” depends on {name}", holds=True)
     return Finding(undecided("whether its derivative vanishes is not decided"))
 
 
 def conserved(world: Scene, phrase: str) -> Finding:
     """Whether a quantity stays what it is along the motion."""
-    rates = parts_seen(world, f"rate of {phrase} as a function of the state")
-    if all(map(is_zero, rates)):
-        return Finding(proved("its rate vanishes identically"), says=f"yes: “{phrase}” is conserved", holds=True)
-    if any(find_witness(rate, NOTHING, world.motion.assumptions) is not None for rate in rates):
-        return Finding(proved("its rate does not vanish"), says=f"no: “{phrase}” changes", holds=False)
-    return Finding(undecided("whether its rate vanishes is not decided"))
+    rates, parts = (parts_seen(world, f"{what}{phrase} as a function of the state") for what in ("rate of ", ""))
+    pairs, given = list(zip(rates, parts, strict=True)), world.motion.assumptions
+    moved = next((part for rate, part in pairs if find_witness(rate, NOTHING, given) is not None), None)
+    kept = all(map(is_zero, rates))
+    if not kept and moved is None:
+        return Finding(undecided("whether its rate vanishes is not decided"))
+    told = [Finding(**checked("kept_or_not", world.study, value=part, kept=kept)) for part in (parts if kept else [moved])]
+    says = f"yes: “{phrase}” is conserved" if kept else f"no: “{phrase}” changes"
+    return Finding(**together(*told), says=says, holds=kept)
 
 
 def independent(world: Scene, phrase: str, name: str) -> Finding:

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from rbpsym.ask import optima
 from rbpsym.ask.critical import SUPERLATIVES
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.seen import Scene, moving, seen
 from rbpsym.ask.zeros import settled_sign, where_met
-from rbpsym.equality.verdict import all_of, proved, undecided
+from rbpsym.equality.verdict import undecided
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics.demands import settle
 
@@ -36,12 +36,18 @@ def extremum(
     if best is None:
         return Finding(undecided("in which phase it is depends on the parameters, or is not decided"))
     told = optima.extremum(parts[best], superlative, phrase, over, None, None, by_place=True) if by_place else found[best]
-    world.used.extend(parts[best].used)
+    if without is None:
+        one, known = found[best], world.motion.assumptions
+        others = tuple((o.values[0], where_met(known, [*one.valid, *o.valid])) for o in found if o is not one)
+        beyond = Finding(**checked("greatest_of", best=one.values[0], others=others, sense=SUPERLATIVES[superlative]))
+        told = replace(told, **together(*((told, beyond) if by_place else (beyond, told))))
+    for part in parts:
+        world.used.extend(part.used)
     begun = (d for place in range(world.place + 1, parts[best].place + 1) for d in world.asked.stage(place).began.before.valid)
     valid = (*told.valid, *begun)
     left = settle(valid, world.motion.assumptions)
-    verdict = all_of(one.verdict for one in (told, *found))
-    return replace(told, verdict=verdict, valid=valid if left is None else left)
+    others = (one for k, one in enumerate(found) if k != best)
+    return replace(told, **together(told, *others), valid=valid if left is None else left)
 
 
 def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -> Finding:
@@ -52,7 +58,8 @@ def extreme_for(world: Scene, name: str | None, phrase: str, superlative: str) -
 def _in_phase(part: Scene, superlative: str, phrase: str, over: str | None) -> Finding:
     value = seen(part, phrase)
     if not moving(part, (value,)):
-        return Finding(proved("it is constant in this phase"), values=(value,))
+        names, given = tuple(part.motion.scope.rates), part.motion.assumptions
+        return Finding(values=(value,), **checked("no_change", value=value, names=names, best=value, given=given))
     part.used.clear()
     return optima.extremum(part, superlative, phrase, over, None, None)
 

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 from rbpsym.algebra.calculus import depends_on
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import UNITY
+from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.ask.certified import needed
 from rbpsym.ask.extremes import Extreme, extremes
-from rbpsym.ask.finding import Finding
+from rbpsym.ask.finding import Finding, checked
 from rbpsym.ask.seen import Scene, moving, way_to
 from rbpsym.ask.wanted import Wanted, arrives, free_place, on_way, premises, wanted
 from rbpsym.ask.zeros import sign_at_end, where_met
-from rbpsym.equality.verdict import proved, undecided
+from rbpsym.derivation.chapters import contact
+from rbpsym.derivation.draft import Draft
+from rbpsym.derivation.step import Step
+from rbpsym.equality.bounds import of_symbol
+from rbpsym.equality.verdict import undecided
 from rbpsym.errors import StatementError, Undecided
 from rbpsym.mechanics.demands import Demand, settle
 
@@ -27,7 +33,8 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
     if opposite and not condition.comes:
         return Finding(undecided("whether the motion comes so far depends on the parameters"))
     try:
-        demands = [*least_values(world, condition)]
+        parts = [*_least(world, condition)]
+        demands = [demand for *_, demand in parts]
         still = (Demand(value, ">=") for value in condition.beside if not moving(world, (value,)))
         surely = settle((*condition.asked, *still, *premises(world, condition)), world.motion.assumptions) or ()
     except Undecided as error:
@@ -37,11 +44,19 @@ def does(world: Scene, text: str, *, opposite: bool = False) -> Finding:
         return Finding(undecided("the conditions exclude each other, as it seems"))
     if left is None or not left:
         holds = (left is not None) != opposite
-        verdict = proved("the sign is the same for all parameters")
-        return Finding(verdict, says="yes" if holds else "no", holds=holds, valid=surely)
+        said = _said(parts, condition, holds=left is not None)
+        return Finding(**said, says="yes" if holds else "no", holds=holds, valid=surely)
     says = "no where this is met, else yes" if opposite else "yes where this is met, else no"
     says = says.partition(",")[0] if surely else says  # what is asked of the motion does not tell what is else
-    return Finding(proved("the least values on the way"), valid=(*surely, *left), says=says)
+    return Finding(**_said(parts, condition, holds=None), valid=(*surely, *left), says=says)
+
+
+def _said(parts: Sequence[Part], condition: Wanted, *, holds: bool | None) -> dict[str, Any]:
+    """What is said of the least values on the way, checked."""
+    told = tuple((value, low and low.place, value if low is None else low.value) for value, low, _ in parts)
+    turns = {value: tuple(zero.place for zero in low.table.zeros.found) for value, low, _ in parts if low and low.table}
+    given = where_met(condition.given, condition.asked)
+    return checked("least_on_way", parts=told, along=condition.along, given=given, holds=holds, turns=turns)
 
 
 def does_not(world: Scene, text: str) -> Finding:
@@ -69,31 +84,48 @@ def vanishes(world: Scene, force: str, until: str | None, text: str | None) -> F
         says = "no" if left is None else f"yes where this is met{rest}" if left else "yes"
         holds = None if left else left is not None
         valid = (*surely, *(left or ()))
-        return Finding(proved("it goes through zero there first"), valid=valid, place=(name, place), says=says, holds=holds)
+        steps = _of_contact(world, f"loss.{force}")
+        return Finding(valid=valid, place=(name, place), says=says, holds=holds, steps=steps)
     side = next((side for side in world.study.sides if side.force == force), None)
     if side is not None and side.state == "kept" and not side.until:
-        return Finding(proved("it stays positive on the whole motion"), says="no", holds=False)
+        return Finding(says="no", holds=False, steps=_of_contact(world, f"holds.{force}"))
     rest = f" until {until} = {text}" if until else ""
     return does(world, f"{force} stays positive{rest}", opposite=True)
 
 
+def _of_contact(world: Scene, id: str) -> tuple[Step, ...]:
+    """The step of the chapter on contacts that says so, behind those from which it follows."""
+    draft = Draft(world.study)
+    contact.write(draft)
+    return tuple(part for step in draft.steps if step.id == id for part in needed(draft.steps, step))
+
+
+Part = tuple[Scalar, Extreme | None, Demand]  # a value, one of its least ones, and what has to hold there
+
+
 def least_values(world: Scene, condition: Wanted) -> Iterator[Demand]:
     """What has to hold of the parameters: each least value on the way is positive."""
+    return (demand for *_, demand in _least(world, condition))
+
+
+def _least(world: Scene, condition: Wanted) -> Iterator[Part]:
     op = ">=" if condition.closed else ">"
     given = where_met(condition.given, (*condition.asked, *world.demands))
     for value in condition.values:
         if condition.along is None or not depends_on(value, condition.along):
-            yield Demand(value, op)
+            yield value, None, Demand(value, op)
             continue
-        if -1 in (sign_at_end(value, condition.along, given, upper) for upper in (False, True)):
-            yield Demand(-UNITY)
+        ends = [sign_at_end(value, condition.along, given, upper) for upper in (False, True)]
+        if -1 in ends:
+            limits = of_symbol(condition.along, given)
+            yield value, Extreme((limits.lower, limits.upper)[ends.index(-1)], None), Demand(-UNITY)
             continue
         lows = extremes(value, condition.along, given, -1)
         if lows is None or any(low.crossing is not None or low.asked for low in lows):
             raise Undecided("where it is least on the way is not decided")
         told = (">=" if value is not condition.values[-1] or arrives(condition, low.place) else ">" for low in lows)
         strict = condition.end is not None and op == ">="
-        yield from (_of_low(low, way if strict else op) for low, way in zip(lows, told, strict=True))
+        yield from ((value, low, _of_low(low, way if strict else op)) for low, way in zip(lows, told, strict=True))
 
 
 def _always(condition: Wanted) -> bool:

@@ -5,8 +5,9 @@ They share nothing with what finds it but formulas, signs and ranges: no sign ta
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from itertools import pairwise
 
 from rbpsym.algebra import atoms
@@ -15,6 +16,7 @@ from rbpsym.algebra.normal import is_zero, normal
 from rbpsym.algebra.poly import generator, inverse
 from rbpsym.algebra.ring import factors
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.derivation.checks import relations
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step
 from rbpsym.equality.assumptions import Assumptions
@@ -24,11 +26,51 @@ from rbpsym.equality.rooted import rooted, shorter
 from rbpsym.equality.signs import sign
 from rbpsym.equality.slopes import sign_along
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
+from rbpsym.notation import tree as t
 
 Ends = Mapping[int, Scalar | None]  # the lower (1) and the upper (-1) bound of a region
 KINDS = {1: "positive", -1: "negative"}
 SENSES = {"positive": 1, "negative": -1}
 MOST_DERIVATIVES = 6
+
+
+def _told(context: Context, step: Step, values: Sequence[Scalar | None]) -> Verdict:
+    """Whether each stated value is one of these."""
+    rows = [context.value(right) for _, _, right in relations(step.statement)]
+    known = [value for value in values if value is not None]
+    given = step.data["given"]
+    return all_of(_any_of(scalars_equal(row, value, given) for value in known) for row in rows)
+
+
+def _any_of(verdicts: Iterable[Verdict]) -> Verdict:
+    found = undecided("what is stated is none of the values that were checked")
+    return next((verdict for verdict in verdicts if verdict.is_proved), found)
+
+
+def place_told(context: Context, step: Step) -> Verdict:
+    """What is stated is one of the places at which the value vanishes."""
+    return _told(context, step, step.data["places"])
+
+
+def bound_told(context: Context, step: Step) -> Verdict:
+    """What is stated are bounds, the lower one behind > and the upper one behind <; of the opposite the other way round."""
+    way = -1 if step.data.get("opposite") else 1
+    sides = {">": (way,), "<": (-way,), "=": (1, -1)}
+    rows = [(replace(step, statement=t.relation(*row)), sides[row[1][0]]) for row in relations(step.statement)]
+    return all_of(_told(context, row, [step.data["ends"][side] for side in ways]) for row, ways in rows)
+
+
+def extreme_told(context: Context, step: Step) -> Verdict:
+    """What is stated is the extreme value, or its place."""
+    return _told(context, step, (step.data["best"], step.data["place"]))
+
+
+def limit_told(context: Context, step: Step) -> Verdict:
+    """What is stated is, near the limit, the leading term; or the limit (`data`: "there", the quantity as a function of ε)."""
+    name, order, end = (step.data[key] for key in ("name", "order", "coefficient"))
+    ends = [end * symbol(name) ** order, *([NOTHING] if order > 0 else ())]
+    seen = (substitute(context.value(right), step.data["there"]) for _, _, right in relations(step.statement))
+    return all_of(_any_of(scalars_equal(value, one, step.data["given"]) for one in ends) for value in seen)
 
 
 def vanishes_there(context: Context, step: Step) -> Verdict:
@@ -42,17 +84,29 @@ def vanishes_there(context: Context, step: Step) -> Verdict:
 def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assumptions) -> Verdict:
     """Whether the value vanishes in its range at these places at most."""
     slope = shorter(derivative(value, name))
-    if len(places) < 2 and sign(slope, given).is_nonzero:
+    if len(places) == 1 and sign(slope, given).is_nonzero:
         return proved("it is monotone, so that it vanishes once at most")
-    if not places and sign(value, given).is_nonzero:
+    if not places and side_of(value, name, given):
         return proved("it has one sign")
     if _degree(value, name) == len(places) > 0:
         return proved("it has no more zeros than its degree")
     limits = of_symbol(name, given)
     parts = pairwise([limits.lower, *places, limits.upper])
-    if all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
+    if places and all(_is_free(value, slope, given.with_range(name, *ends)) for ends in parts):
         return proved("between these it has one sign")
     return undecided("that there is no other place is not seen on a second road")
+
+
+def side_of(value: Scalar, name: str | None, given: Assumptions) -> int:
+    """1 or -1 where a value is surely positive or negative in the range of a quantity, as what rises from zero; else 0."""
+    found = SENSES.get(sign(value, given).kind or "") or (0 if name is None else sign_along(value, name, given))
+    way = 0 if found or name is None else SENSES.get(sign(shorter(derivative(value, name)), given).kind or "", 0)
+    limits = of_symbol(name, given) if way else None
+    for side, end, is_in in ((1, limits.lower, limits.lower_in), (-1, limits.upper, limits.upper_in)) if way else ():
+        there = NOTHING if end is None else rooted(substitute(value, {name: end}), given) * side * way
+        if end is not None and not is_in and sign(there, given.without(name)).is_nonnegative:
+            return side * way
+    return found
 
 
 def _is_free(value: Scalar, slope: Scalar, given: Assumptions) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from rbpsym.derivation import checks as c
+from rbpsym.derivation import checks_answers as answers
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_instant as i
 from rbpsym.derivation import checks_oscillations as o
@@ -82,10 +83,17 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "direction": (values.direction,),
     "value_told": (values.value_told,),
     "value_along": (values.value_along,),
-    "vanishes_for": (parameters.vanishes_there,),
-    "holds_for": (parameters.bounds_hold,),
-    "extreme": (parameters.extreme_there,),
-    "limit": (parameters.tends_to,),
+    "vanishes_for": (parameters.place_told, parameters.vanishes_there),
+    "holds_for": (parameters.bound_told, parameters.bounds_hold),
+    "extreme": (parameters.extreme_told, parameters.extreme_there),
+    "limit": (parameters.limit_told, parameters.tends_to),
+    "put_in": (answers.put_in,),
+    "no_change": (answers.no_change,),
+    "changes": (answers.changes,),
+    "kept_or_not": (answers.kept_or_not,),
+    "least_on_way": (answers.least_on_way,),
+    "one_zero": (answers.one_zero,),
+    "greatest_of": (answers.greatest_of,),
     "course": (solved.course,),
     "reached_in_time": (c.identity, solved.reached),
     "speed_along": (solved.speed_along,),

@@ -1,0 +1,28 @@
+"""Every answer that a test of questions is given keeps the law of answers (see tests.ask.law)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+
+import pytest
+
+from rbpsym.ask import asking, parameters
+from rbpsym.ask.answer import Answer
+from tests.ask import law
+
+
+@pytest.fixture(autouse=True)
+def _lawful(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module, name in ((parameters, "concluded"), (asking, "answer")):
+        monkeypatch.setattr(module, name, _kept(getattr(module, name)))
+
+
+def _kept(make: Callable[..., Answer]) -> Callable[..., Answer]:
+    @wraps(make)
+    def lawful(*args, **words):
+        found = make(*args, **words)
+        law.keep(found)
+        return found
+
+    return lawful

@@ -1,0 +1,29 @@
+"""The questions that problems of the library ask themselves keep the law of answers; what no rule says is not proved."""
+
+from __future__ import annotations
+
+import pytest
+
+from rbpsym.algebra.scalar import symbol
+from rbpsym.ask.asking import Refused, own_answers
+from rbpsym.ask.concluded import concluded
+from rbpsym.ask.finding import Finding
+from rbpsym.ask.moments import Asked
+from rbpsym.ask.seen import scene
+from rbpsym.equality.verdict import proved
+from rbpsym.mechanics.at_start import study_of
+from rbpsym.statement.library import find_problem, problem_files
+from rbpsym.statement.loader import load_problem
+
+ASKING = [name for name in problem_files() if "question = " in problem_files()[name].read_text(encoding="utf-8")]
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_what_a_problem_asks_is_answered_by_law(name: str) -> None:
+    assert not [one for one in own_answers(study_of(load_problem(find_problem(name)))) if isinstance(one, Refused)]
+
+
+def test_what_no_rule_says_is_not_proved() -> None:
+    world = scene(Asked(load_problem("rod-pendulum")))
+    for found in (Finding(proved("so it seems"), values=(symbol("M"),)), Finding(proved("so it seems"), says="yes", holds=True)):
+        assert not concluded(world, "M", found).verdict.is_proved
