@@ -38,8 +38,10 @@ def concluded(world: Scene, text: str, found: Finding, letter: str = LETTER) -> 
     found = replace(found, valid=(*found.valid, *more) if left is None else left) if more else found
     doubts = [] if found.symbol else map(undecided, world.doubts)
     nodes = tuple(draft.show(value, factor=True, met=found.valid) for value in found.values)
-    letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used if len(one.values) == 1}
-    letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
+    letters = {}
+    if found.form is not None:
+        letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used}
+        letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
     last = _last(draft, found, nodes, letter, letters)
     return Answer(
         Question(text, found.symbol or text),
@@ -105,7 +107,9 @@ def _verdicts(context: Context, found: Finding, rows: Sequence[t.Chain]) -> Iter
     yield from (step.certificate.verdict for step in found.steps)
     if not (found.grounds or found.steps):
         yield undecided("no rule says so")
-    for row in rows if found.grounds else ():
-        checks = ((RULES[one[0]][0], ground(one, row)) for one in found.grounds if one[0] == found.grounds[0][0])
+    seeing = [one for one in found.grounds if one[0] == found.rule]
+    seen_by = [(one,) for one in found.grounds] if found.parted else [seeing] * len(rows)
+    for row, grounds in zip(rows, seen_by, strict=True) if found.grounds else ():
+        checks = ((RULES[one[0]][0], ground(one, row)) for one in grounds)
         said = [guarded(lambda check=check, step=step: check(context, step)) for check, step in checks]
         yield next((verdict for verdict in said if verdict.is_proved), said[0])

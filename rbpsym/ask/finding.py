@@ -25,8 +25,8 @@ class Finding:
     sentence instead of a value, or beside it. equation: what vanishes at the symbol where it has no closed form. place: where
     an extremum lies, (name, place). holds: yes or no. met: what the moments
     ask for stands in `valid` already. grounds: how it was checked, rules of derivations with their data, the first of which
-    see what is stated; form: how it is made of other quantities; steps: of a chapter, the last of which says it. Without a
-    verdict, it is what these find; without any of them, nothing is proved.
+    see what is stated; parted: each value is stated by its own ground; form: how it is made of other quantities; steps: of a
+    chapter, the last of which says it. Without a verdict, it is what these find; without any of them, nothing is proved.
     """
 
     verdict: Verdict | None = None
@@ -41,8 +41,14 @@ class Finding:
     holds: bool | None = None
     met: bool = False
     grounds: tuple[tuple[str, Mapping[str, Any]], ...] = ()
+    parted: bool = False
     form: Node | None = None
     steps: tuple[Step, ...] = ()
+
+    @property
+    def rule(self) -> str:
+        """The rule that sees what is stated; "" without one."""
+        return self.grounds[0][0] if self.grounds else ""
 
     @property
     def is_none(self) -> bool:
@@ -51,6 +57,7 @@ class Finding:
 
 
 NO_SUCH, FOR_NONE = "there is no such", "holds for no values"
+
 
 def checked(rule: str, study: Study | None = None, **data: Any) -> dict[str, Any]:
     """The verdict of the checks of a rule, with the rule and its data, as parts of a finding."""

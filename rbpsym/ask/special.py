@@ -46,7 +46,7 @@ def with_values(world: Scene, phrase: str, text: str) -> Finding:
             raise StatementError("with these values the motion never comes there", instead="choose other values.")
         values = tuple(neat(substitute(part, image), given) for part in parts)
         grounds = tuple(("put_in", {"value": part, "image": image}) for part in parts)
-        return Finding(values=values, valid=valid, met=True, grounds=grounds)
+        return Finding(values=values, valid=valid, met=True, grounds=grounds, parted=True)
     except ZeroDivisionError:
         instead = f"ask for “{phrase} in the limit {next(iter(image))} -> …”."
         raise StatementError(f"“{phrase}” has no value there: a denominator vanishes", instead=instead) from None
@@ -101,7 +101,7 @@ def _together(found: Sequence[Finding], phrase: str) -> Finding:
         return found[0]
     if any(one.relation != "=" or not one.values for one in found):
         raise StatementError(f"the components of “{phrase}” have no limits of one kind", instead="name a component.")
-    return Finding(**together(*found), values=tuple(value for one in found for value in one.values))
+    return Finding(**together(*found), values=tuple(value for one in found for value in one.values), parted=True)
 
 
 def _near(world: Scene, found: Finding, name: str, to: Scalar | None, side: int = 1) -> Finding:

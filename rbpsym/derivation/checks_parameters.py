@@ -88,7 +88,7 @@ def nowhere_else(value: Scalar, name: str, places: Sequence[Scalar], given: Assu
         return proved("it is monotone, so that it vanishes once at most")
     if not places and side_of(value, name, given):
         return proved("it has one sign")
-    if _degree(value, name) == len(places) > 0:
+    if _degree(value, name) == len(set(places)) > 0:
         return proved("it has no more zeros than its degree")
     limits = of_symbol(name, given)
     parts = pairwise([limits.lower, *places, limits.upper])

@@ -1,4 +1,4 @@
-"""Limits and greatest values, as their checkers see them: what is so is proved, and nothing else."""
+"""Limits, zeros and greatest values, as their checkers see them: what is so is proved, and nothing else."""
 
 from fractions import Fraction
 
@@ -7,7 +7,9 @@ import pytest
 from rbpsym.algebra.calculus import root
 from rbpsym.algebra.scalar import UNITY, lift, symbol
 from rbpsym.algebra.trig import cosine, sine
-from rbpsym.derivation.checks_parameters import _goes_to, slope_said
+from rbpsym.ask.finding import ground
+from rbpsym.derivation.checks_parameters import _goes_to, slope_said, vanishes_there
+from rbpsym.derivation.rules import RULES
 from rbpsym.equality.assumptions import Assumptions
 
 x, a, small = symbol("x"), symbol("a"), symbol("epsilon")
@@ -38,3 +40,33 @@ def test_a_value_is_greatest_where_its_slope_changes_its_sign_and_nowhere_else(s
     assert not slope_said(value, "x", a, GIVEN, -sense).is_proved
     for wrong in (a / 2, a * Fraction(3, 2), 2 * a):
         assert not slope_said(value, "x", wrong, GIVEN, sense).is_proved
+
+
+@pytest.mark.parametrize(
+    ("value", "places"), [(x - a, ()), (x - symbol("b"), ()), (x - a, (a / 2,)), (x * x - a * a / 4, ()), (x * (x - a), (x,))]
+)
+def test_that_there_is_no_other_zero_is_not_seen_where_there_is_one(value, places):
+    data = {"value": value, "name": "x", "places": places, "given": GIVEN}
+    assert not vanishes_there(None, ground(("vanishes_for", data))).is_proved
+
+
+@pytest.mark.parametrize(("value", "places"), [(x + a, ()), (x * x + a * x, ()), (x - 3 * a, ()), (x - a, (a,))])
+def test_that_there_is_no_other_zero_is_seen_where_its_sign_is_known(value, places):
+    data = {"value": value, "name": "x", "places": places, "given": GIVEN}
+    assert vanishes_there(None, ground(("vanishes_for", data))).is_proved
+
+
+SAID = {  # a rule, with data with which it passes, and with which it does not
+    "greatest_of": ({"best": 2 * a, "others": ((a, GIVEN),), "sense": 1}, {"best": a, "others": ((2 * a, GIVEN),), "sense": 1}),
+    "one_zero": ({"equation": x - a}, {"equation": x + a}),
+    "changes": ({"value": a * x}, {"value": a * a}),
+    "no_change": ({"value": a + x - x, "best": a}, {"value": a + x, "best": a}),
+    "least_on_way": ({"holds": True}, {"holds": False}),
+}
+
+
+@pytest.mark.parametrize("rule", SAID)
+def test_a_rule_of_answers_passes_what_is_so_and_nothing_else(rule):
+    always = {"name": "x", "names": ("x",), "given": GIVEN, "value": None, "along": "x", "parts": ((x + a, None, a),)}
+    for data, is_so in zip(SAID[rule], (True, False), strict=True):
+        assert RULES[rule][0](None, ground((rule, {**always, **data}))).is_proved == is_so
