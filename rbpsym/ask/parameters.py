@@ -92,7 +92,7 @@ def resorted(asked: Asked, text: str, letter: str = LETTER) -> Answer | None:
     for row in RESORTS:
         with suppress(RbpsymError):
             found = finding(asked, text, (row,))
-            if found and (found[1].values or found[1].verdict.is_proved):
+            if found and (found[1].values or (found[1].verdict and found[1].verdict.is_proved)):
                 return concluded(found[0], text, found[1], letter)
     return None
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from rbpsym.algebra.scalar import symbol
@@ -9,11 +11,13 @@ from rbpsym.ask.asking import Refused, own_answers
 from rbpsym.ask.concluded import concluded
 from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
+from rbpsym.ask.parameters import finding
 from rbpsym.ask.seen import scene
 from rbpsym.equality.verdict import proved
 from rbpsym.mechanics.at_start import study_of
 from rbpsym.statement.library import find_problem, problem_files
 from rbpsym.statement.loader import load_problem
+from tests.ask.test_unseen import HERE
 
 ASKING = [name for name in problem_files() if "question = " in problem_files()[name].read_text(encoding="utf-8")]
 
@@ -27,3 +31,11 @@ def test_what_no_rule_says_is_not_proved() -> None:
     world = scene(Asked(load_problem("rod-pendulum")))
     for found in (Finding(proved("so it seems"), values=(symbol("M"),)), Finding(proved("so it seems"), says="yes", holds=True)):
         assert not concluded(world, "M", found).verdict.is_proved
+
+
+@pytest.mark.parametrize("how", ["for b << c", "with c = b"])
+def test_each_component_is_stated_by_its_own_ground(how: str) -> None:
+    text = f"force A on plate when swinging begins {how}"
+    world, found = finding(Asked(load_problem(HERE / "plate-pins.toml")), text)
+    assert concluded(world, text, found).verdict.is_proved
+    assert not concluded(world, text, replace(found, values=found.values[::-1])).verdict.is_proved
