@@ -16,7 +16,7 @@ from rbpsym.ask import in_time
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment, value_in
 from rbpsym.ask.question import Question, is_jump
-from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, oscillations
+from rbpsym.derivation.chapters import contact, course, endings, instant, moments, momentum, orbit, oscillations
 from rbpsym.derivation.checks_values import TURNED, told_as
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.phases import hand_over
@@ -29,6 +29,7 @@ from rbpsym.mechanics import solutions
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import determinant
 from rbpsym.mechanics.numbers import number, sample
+from rbpsym.mechanics.orbit import orbits
 from rbpsym.mechanics.stability import essential
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
@@ -219,7 +220,10 @@ def _told_by(asked: Asked, found: Found) -> Draft:
         k = int(place)
         return hand_over(k, asked.problem.phases[k - 1], asked.stage(k - 1), asked.stage(k))
     draft = Draft(found.study)
-    if kind == "swing":
+    if kind == "orbit":
+        name, _, number_ = place.partition(" ")
+        orbit.write(draft, name, orbits(found.study, name)[int(number_)])
+    elif kind == "swing":
         name, _, quarters = place.partition(" ")
         course.swing(draft, name, int(quarters))
     elif kind == "course":

@@ -12,6 +12,7 @@ from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_answers as answers
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_instant as i
+from rbpsym.derivation import checks_orbit as orbit
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
@@ -99,6 +100,8 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "speed_along": (solved.speed_along,),
     "swing": (c.identity, solved.swing),
     "kept_speed": (values.kept_speed,),
+    "steady_place": (orbit.steady_place,),
+    "steady_frequency": (c.identity, orbit.steady_frequency),
     "feature": (c.identity, solved.feature),
     "inequality": (c.identity,),
     "slip": (c.identity, p.slip),

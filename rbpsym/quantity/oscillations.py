@@ -11,7 +11,7 @@ from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
-from rbpsym.mechanics import solutions, solved
+from rbpsym.mechanics import orbit, solutions, solved
 from rbpsym.mechanics.elimination import determinant, short
 from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, decaying, where_stable
 from rbpsym.mechanics.swing import swing_of
@@ -26,6 +26,11 @@ ORDINALS = {None: None, "lowest": 0, "second": 1, "third": 2, "highest": -1, "lo
 
 def _equilibria(world: ProblemWorld, name: str, stable: bool) -> list[Equilibrium]:
     """Those that are (un)stable; else those that are stable under a condition on the parameters."""
+    if orbit.turns(world.study, name):
+        raise StatementError(
+            f"“{name}” has no rest in this motion: a speed that is kept going drives it, and no steady motion was found",
+            instead="give values: “… with NAME = VALUE”; or let the motion start without that speed.",
+        )
     known = [item for item in world.study.equilibria if name in item.at]
     found = [item for item in known if bool(item.stable) is stable and (stable or item.where is None)]
     found = found or [item for item in map(where_stable, known) if stable and item.stable]
@@ -80,6 +85,8 @@ def _damped(name: str) -> StatementError:
 
 def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | None = None, about: str | None = None) -> Bound:
     """An angular frequency of small oscillations about the stable equilibrium; of what is driven, that without the drive."""
+    if found := _orbit(world, name, about):
+        return number(function("sqrt", found[1].square), f"orbit {name} {found[0]}")
     try:
         item = _about(world, name, about)
     except StatementError:
@@ -89,6 +96,15 @@ def frequency(world: ProblemWorld, ordinal: str | None, name: str, mode: str | N
             raise _damped(name) from None
         return of_mode(world, "undamped frequency", name)
     return number(function("sqrt", _mode(world, item, mode or ordinal, name)), "oscillations")
+
+
+def _orbit(world: ProblemWorld, name: str, about: str | None) -> tuple[int, orbit.Orbit] | None:
+    """The steady motion about which a coordinate swings, with its number among them; None if there is none, or several."""
+    if name not in world.study.system.independent or world.study.system.has_clock or not orbit.turns(world.study, name):
+        return None
+    place = None if about is None else scalar(read_infix(about, world.names))
+    found = [(k, one) for k, one in enumerate(orbit.orbits(world.study, name)) if place is None or is_zero(one.place - place)]
+    return found[0] if len(found) == 1 else None
 
 
 def frequencies(world: ProblemWorld, name: str | None) -> Bound:
@@ -166,6 +182,8 @@ def whole_period(world: ProblemWorld, name: str | None, other: str | None = None
 
 def equilibrium(world: ProblemWorld, unstable: str | None, name: str) -> Bound:
     """The places of the stable (unstable) equilibria."""
+    if not unstable and (found := _orbit(world, name, None)):
+        return number(found[1].place, f"orbit {name} {found[0]}")
     places = tuple(item.at[name] for item in _equilibria(world, name, not unstable))
     return number(*places, "oscillations") if len(places) == 1 else Bound(told="oscillations", values=places)
 

@@ -1,0 +1,61 @@
+"""Steady motions of what keeps a momentum from its start, as a circular orbit, and the small oscillations about them.
+
+With the speeds that the momenta give, q̈ is a function of the one coordinate that is left: it is steady where that vanishes,
+and swings about there with ϑ² = -dq̈/dq (Goldstein, Classical Mechanics, 3.6; Kleppner & Kolenkow, 10.5).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import derivative, names_in, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.roots import without_even_roots
+from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.equality.rooted import neat
+from rbpsym.mechanics.demands import Demand, existence, settle
+from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.roots import zeros
+from rbpsym.mechanics.study import Study
+
+
+@dataclass(frozen=True, slots=True)
+class Orbit:
+    """Where a coordinate stays on a steady motion, the square of the frequency about it, and what that asks for."""
+
+    place: Scalar
+    square: Scalar
+    valid: tuple[Demand, ...]
+
+
+def turns(study: Study, name: str) -> bool:
+    """Whether the speed that another coordinate has at the start drives this one, so that it is no motion about a rest: a
+    coordinate on which no force depends, as the angle of an orbit, keeps going."""
+    start, gains = study.system.scope.start, study.dynamics.accelerations or {}
+    at_rest = {name, *(each for item in study.equilibria for each in item.at)}
+    is_known = study.equilibria or study.kept_speeds
+    going = [n for n in study.system.independent if is_known and n not in at_rest and start.get(f"{n}_dot", NOTHING)]
+    still = {f"{n}_dot": NOTHING for n in study.system.independent if n not in going}
+    gained = short(substitute(gains.get(f"{name}_ddot", NOTHING), still))
+    return any(not is_zero(derivative(gained, f"{n}_dot")) for n in going)
+
+
+def gain(study: Study, name: str) -> Scalar | None:
+    """The acceleration at rest of the coordinate that kept momenta leave, as a function of its place; None if there is none."""
+    if list(study.squares) != [name] or not study.kept_speeds:
+        return None
+    found = substitute(study.dynamics.accelerations[f"{name}_ddot"], study.kept_speeds)
+    found = short(without_even_roots(substitute(found, {f"{name}_dot": NOTHING})))
+    return None if names_in(found) & {*study.system.scope.rates, *study.system.speeds} - {name} else found
+
+
+def orbits(study: Study, name: str) -> list[Orbit]:
+    """The steady motions about which it swings, as far as they have a closed form."""
+    found, gained, given = [], gain(study, name), study.assumptions
+    for place in zeros(gained, name) if gained is not None else ():
+        lower, upper = given.range_of(name)
+        within = [Demand((place - end) * side) for end, side in ((lower, 1), (upper, -1)) if end is not None]
+        square = neat(-substitute(derivative(gained, name), {name: place}), given)
+        valid = settle([*existence(place), *within, Demand(square)], given)
+        found += [] if valid is None else [Orbit(neat(place, given), square, valid)]
+    return found
