@@ -15,6 +15,7 @@ from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.rooted import neat
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short
+from rbpsym.mechanics.oscillation import Equilibrium, where_stable
 from rbpsym.mechanics.roots import zeros
 from rbpsym.mechanics.study import Study
 
@@ -38,6 +39,13 @@ def turns(study: Study, name: str) -> bool:
     still = {f"{n}_dot": NOTHING for n in study.system.independent if n not in going}
     gained = short(substitute(gains.get(f"{name}_ddot", NOTHING), still))
     return any(not is_zero(derivative(gained, f"{n}_dot")) for n in going)
+
+
+def swinging(study: Study) -> Equilibrium | None:
+    """The one place of rest that is stable, or is so for some parameters; None where there are several, or it turns."""
+    known = () if study.at_start or study.system.has_clock else study.equilibria
+    found = [item for item in known if item.stable] or [item for item in map(where_stable, known) if item.stable]
+    return found[0] if len(found) == 1 and not any(turns(study, name) for name in found[0].at) else None
 
 
 def gain(study: Study, name: str) -> Scalar | None:

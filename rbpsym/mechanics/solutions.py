@@ -24,8 +24,8 @@ from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.elimination import short
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.numbers import number, sample
-from rbpsym.mechanics.orbit import turns
-from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio, where_stable
+from rbpsym.mechanics.orbit import swinging
+from rbpsym.mechanics.oscillation import Equilibrium, amplitude_ratio
 from rbpsym.mechanics.study import Study
 
 TIME = symbol("t")
@@ -168,13 +168,6 @@ def _driven(form: Form) -> Form | None:
     if not is_zero(derivative(constant, "t")):
         return None
     return replace(form, constant=substitute(constant, {"t": NOTHING}), drive=drive, frequency=frequency)
-
-
-def swinging(study: Study) -> Equilibrium | None:
-    """The one place of rest that is stable, or is so for some parameters; None where there are several."""
-    known = () if study.at_start or study.system.has_clock else study.equilibria
-    found = [item for item in known if item.stable] or [item for item in map(where_stable, known) if item.stable]
-    return found[0] if len(found) == 1 and not any(turns(study, name) for name in found[0].at) else None
 
 
 def _small(study: Study, name: str, item: Equilibrium | None) -> Form | None:
