@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_functions import operand, relation
 from rbpsym.notation.latex_grammar import argument, between, expression, multiplied
@@ -16,26 +17,48 @@ Limits = tuple[t.Node | str | None, t.Node | None]
 def _fraction(reader: LatexReader) -> t.Node:
     """A fraction, or a derivative if d stands above and below."""
     start = reader.take().start
-    derivative = _derivative(reader, start)
+    num = _with_differential(reader)
+    derivative = _derivative(reader, start) if num is None else None
     if derivative:
         return derivative
-    num = argument(reader)
+    num = argument(reader) if num is None else num
     return reader.spanned(t.Div(num, argument(reader)), start)
+
+
+def _with_differential(reader: LatexReader) -> t.Node | None:
+    """The numerator {f dx} of an integrand, the differential kept aside; None (and nothing passed) if it is another one."""
+    begin, found = reader.position, t.ONE
+    if not reader.integrals or reader.path is not None or not reader.pass_sign("{"):
+        return None
+    try:
+        found = t.ONE if reader.sees_differential() else multiplied(reader)
+        path = _differential(reader) if reader.sees_differential() else None
+    except RbpsymError:
+        path = None
+    if path is None or not reader.pass_sign("}") or (found is t.ONE and reader.sees_sign("{") and reader.sees_differential(1)):
+        reader.position = begin
+        return None
+    reader.path = path
+    return found
 
 
 def _derivative(reader: LatexReader, start: int) -> t.Node | None:
     """A derivative, if the fraction is one; else nothing is passed."""
     if not (reader.sees_sign("{") and reader.sees_differential(1)):
         return None
-    opening = reader.take()
+    begin, opening = reader.position, reader.take()
     partial = reader.take().text == "∂"
     order = _order(reader)
-    of = None if reader.sees_sign("}") else _whole_name(reader)
+    of = None if reader.sees_sign("}") else expression(reader)
     reader.expect("}", opening)
-    wrt = _below(reader, order)
-    if of is None:
-        of = operand(reader)
-    return reader.spanned(t.Deriv(of, wrt, order, partial), start)
+    if of is None and not reader.sees_differential(1):
+        reader.position = begin  # the fraction of a length d
+        return None
+    parts = _below(reader, order)
+    of = operand(reader) if of is None else of
+    for wrt, times in reversed(parts):
+        of = reader.spanned(t.Deriv(of, wrt, times, partial), start)
+    return of
 
 
 @begins("d/")
@@ -65,25 +88,21 @@ def _order(reader: LatexReader) -> int:
     raise reader.error("the order of a derivative is a number from 1 to 9", "", token)
 
 
-def _whole_name(reader: LatexReader) -> t.Node:
-    if begins_name(reader.token):
-        return read_name(reader)
-    raise reader.error(r"a symbol is expected after d", r"Write \frac{d}{dt}(...) instead.")
-
-
-def _below(reader: LatexReader, order: int) -> str:
-    """The denominator d t^n. Raises ReadError if it doesn't fit the numerator."""
-    opening = reader.token
+def _below(reader: LatexReader, order: int) -> list[tuple[str, int]]:
+    """What stands in the denominator dx^m dy^n. Raises ReadError if it doesn't fit the numerator."""
+    opening, found = reader.token, []
     reader.expect("{")
-    if not reader.sees_differential():
-        raise reader.error("a d is expected here, as in the numerator")
-    reader.take()
-    token = reader.token
-    wrt = "t" if _is_time(reader, "}", "^") else read_symbol(reader)
-    if _order(reader) != order:
+    while not found or not reader.sees_sign("}"):
+        if not reader.sees_differential():
+            raise reader.error("a d is expected here, as in the numerator")
+        reader.take()
+        token = reader.token
+        wrt = "t" if _is_time(reader, "}", "^") else read_symbol(reader)
+        found.append((wrt, _order(reader)))
+    if sum(times for _, times in found) != order:
         raise reader.error("the orders above and below are different", "", token)
     reader.expect("}", opening)
-    return wrt
+    return found
 
 
 def _is_time(reader: LatexReader, *behind: str) -> bool:
@@ -105,13 +124,18 @@ def _integral(reader: LatexReader) -> t.Node:
             sign = reader.take().text
         whole = multiplied(reader) if _has_integrand(reader) else t.ONE
         return reader.spanned(_integrated(reader, start, whole, sign, path, limits), start.start)
+    begin, around, reader.path = reader.position, reader.path, None
     reader.integrals += 1
     integrand = expression(reader) if reader.sees_sign("-") else multiplied(reader)
+    if reader.path is None and reader.sees_sign("+", "-"):
+        reader.position = begin
+        integrand = expression(reader)
     reader.integrals -= 1
     sign = reader.take().text if reader.sees_sign(r"\cdot", r"\times") else ""
-    if not reader.sees_differential():
+    path, reader.path = reader.path, around
+    if path is None and not reader.sees_differential():
         raise reader.error("the integral has no differential", "Write dθ at its end.", start)
-    path = _differential(reader)
+    path = _differential(reader) if path is None else path
     return reader.spanned(_integrated(reader, start, integrand, sign, path, limits), start.start)
 
 
@@ -202,7 +226,7 @@ def _integrated(reader: LatexReader, start: Token, integrand: t.Node, sign: str,
             raise reader.error("the lower limit is missing", "", start)
         return t.PathIntegral(integrand, path, product)
     if upper is None or not isinstance(path, (t.Sym, t.Vec)):
-        raise reader.error("the limits do not fit the differential", "", start)
+        raise reader.error("the limits do not fit the differential", r"Over a body, write \int_{body} f dm.", start)
     if isinstance(path, t.Vec):
         integrand = t.Dot(integrand, t.Unit("z"))
     return t.Integral(integrand, path.name, lower, upper)
@@ -221,15 +245,21 @@ def _over_body(integrand: t.Node, product: str, path: t.Node, body: str) -> t.No
 
 @begins(r"\sum")
 def _sum(reader: LatexReader) -> t.Node:
-    start = reader.take().start
-    reader.expect("_")
-    braces = reader.pass_sign("{")
-    index = reader.take()
-    if index.kind != "letter":
-        raise reader.error("the index of the sum is expected here", "", index)
-    if braces:
-        reader.expect("}")
-    return reader.spanned(t.Sum(multiplied(reader), index.text), start)
+    """A sum over an index; without one, ΣF is a name."""
+    first, sign = reader.position, reader.take()
+    if not reader.sees_sign("_"):
+        reader.position = first
+        return reader.spanned(read_name(reader), sign.start)
+    reader.take()
+    braces, index = reader.pass_sign("{"), reader.take()
+    whole = not (braces and reader.pass_sign("=")) or reader.take().text == "1"
+    if braces and whole and not reader.pass_sign("}"):
+        whole = False
+    upper = argument(reader) if whole and reader.pass_sign("^") else None
+    if index.kind != "letter" or not whole or not isinstance(upper, (t.Sym, type(None))):
+        hint = r"Write its terms, or \sum_i for a sum over all."
+        raise reader.error("only a sum over all values of one index can be computed", hint, sign)
+    return reader.spanned(t.Sum(multiplied(reader), index.text), sign.start)
 
 
 @begins(r"\lim")

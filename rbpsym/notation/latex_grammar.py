@@ -10,10 +10,12 @@ from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.latex_names import begins_name
 from rbpsym.notation.latex_rows import OPEN
+from rbpsym.notation.latex_tokens import COLUMN, END_COLUMN, NEXT
 from rbpsym.notation.limits import number_of
 from rbpsym.notation.symbol_table import COMMANDS, LatexReader, begins
 
 SPACING = re.compile(r"\\[,;:> ]|\\q?quad(?![A-Za-z])|~")
+DEGREE = t.Div(t.Sym("pi"), t.Num(180))
 BELOW = "is this factor above or below the slash?"
 _PLAIN_BARS = frozenset({"|", r"\Vert"})
 
@@ -143,6 +145,9 @@ def _is_below(reader: LatexReader, num: t.Node, below: list[t.Node]) -> bool:
     return reader.decide(question, hint, no=int(coefficient and close))
 
 
+UNKNOWN_COMMAND = r"Define it in the text with \newcommand, or write the formula without it."
+
+
 def begins_factor(reader: LatexReader) -> bool:
     """Does something that can be multiplied follow?"""
     token = reader.token
@@ -201,6 +206,8 @@ def atom(reader: LatexReader) -> t.Node:
     with reader.deeper():
         if reader.sees_differential() and (derivative := COMMANDS["d/"](reader)):
             return derivative
+        if reader.sees_differential():
+            raise _missing(reader)
         if token.text in COMMANDS and token.kind in ("sign", "command"):
             return COMMANDS[token.text](reader)
         if (power := _exponential(reader)) is not None:
@@ -227,8 +234,10 @@ def _missing(reader: LatexReader) -> RbpsymError:
     token = reader.token
     if token.kind == "end":
         return reader.error("the formula ends too early", "A number or symbol is missing here.")
+    if token.kind == "differential" or token.text == "d":
+        return reader.error("a differential alone has no value", r"Write rates: \frac{dW}{dt} = ...")
     if token.kind == "command":
-        return reader.error(f"the command “{token.text}” is not known here")
+        return reader.error(f"the command “{token.text}” is not known here", UNKNOWN_COMMAND)
     return reader.error(f"“{token.text}” stands where a number or symbol is expected")
 
 
@@ -246,7 +255,8 @@ def number(reader: LatexReader) -> t.Node:
         what = "a number of more than 30 digits" if len(digits) > 30 else "two decimal marks"
         raise reader.source.limit(what, start, reader.previous_end)
     value = Rational(digits)
-    return reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
+    found = reader.spanned(t.Num(int(value) if value.denominator == 1 else value), start)
+    return reader.spanned(t.mul(found, DEGREE), start) if reader.pass_sign("°") else found
 
 
 def _in_number(reader: LatexReader) -> bool:
@@ -271,7 +281,41 @@ def braced(reader: LatexReader) -> t.Node:
 
 @begins("(")
 def _parenthesis(reader: LatexReader) -> t.Node:
+    """(expression), or a vector by its components where none can be multiplied with what is before."""
+    before = reader.tokens[reader.position - 1] if reader.position else None
+    start = reader.token.start
+    if before is None or before.kind == "row" or before.text in _BEFORE_VECTOR:
+        return reader.spanned(_components(reader, ")", ","), start)
     return between(reader, ")")
+
+
+_NO_MATRIX = "the environment of a matrix can't be read", "Write the equation of each row."
+_BEFORE_VECTOR = frozenset(("=", r"\approx", "+", "-"))
+
+
+@begins(COLUMN)
+def _column(reader: LatexReader) -> t.Node:
+    """A column or row of two or three components."""
+    opening = reader.token
+    found = _components(reader, END_COLUMN, NEXT, "&")
+    if not isinstance(found, t.Add) or not is_vector(found):
+        raise reader.error(*_NO_MATRIX, opening)
+    return reader.spanned(found, opening.start)
+
+
+def _components(reader: LatexReader, closing: str, *signs: str) -> t.Node:
+    """What stands in parentheses: an expression, or the vector of several."""
+    opening, waiting = reader.take(), (reader.integrals, reader.bars)
+    reader.integrals, reader.bars, used, found = 0, False, set(), [expression(reader)]
+    while reader.sees_sign(*signs):
+        used.add(reader.take().text)
+        found.append(expression(reader))
+    reader.integrals, reader.bars = waiting
+    if len(used) > 1 or len(found) > 3:
+        raise reader.error(*_NO_MATRIX, opening)
+    reader.expect(closing, opening)
+    along = (t.mul(part, t.Unit(axis)) for part, axis in zip(found, "xyz", strict=False))
+    return found[0] if len(found) == 1 else t.Add(tuple(along))
 
 
 @begins(r"\{")
@@ -285,6 +329,11 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     waiting = reader.integrals, reader.bars
     reader.integrals, reader.bars = 0, closing in _PLAIN_BARS
     node = expression(reader)
+    if closing == "}" and reader.pass_sign(r"\over"):
+        node = t.Div(node, expression(reader))
     reader.integrals, reader.bars = waiting
+    if reader.sees_sign(",", ";"):
+        what = "what do several things in parentheses mean here?"
+        raise reader.error(what, "Give all of it a symbol, or write its components.")
     reader.expect(closing, opening)
     return node

@@ -20,6 +20,9 @@ _UNITS = {"ı": "x", "i": "x", "ȷ": "y", "j": "y", "k": "z"}
 _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
+_MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
+_NAMES = "max min perp parallel infty dagger star odot oplus to times"
+_NAMED = frozenset(rf"\{word}" for word in _NAMES.split(" "))
 
 
 def begins_name(token: Token) -> bool:
@@ -35,7 +38,7 @@ def read_name(reader: LatexReader) -> t.Node:
         return reader.spanned(spelled, start)
     word = reader.token if reader.token.kind == "text" else None
     first = reader.position
-    drawn, vector = _scripted(reader)
+    drawn, vector = _summed(reader)
     if drawn.prefix or drawn.base != "Δ":
         return reader.spanned(_known(reader, drawn, vector, word, first), start)
     return _change(reader, drawn, start, first)
@@ -67,6 +70,16 @@ def _spelled(reader: LatexReader) -> t.Node | None:
     return None
 
 
+def _summed(reader: LatexReader) -> tuple[Drawn, bool]:
+    """A letter with what is around it, and perhaps a sum sign in front: ΣF_x is one name."""
+    if not reader.pass_sign(r"\sum"):
+        return _scripted(reader)
+    if not begins_name(reader.token):
+        raise reader.error("a symbol is expected behind the sum", "Say over which index it goes.")
+    drawn, vector = _scripted(reader)
+    return replace(drawn, prefix="Σ"), vector
+
+
 def _scripted(reader: LatexReader) -> tuple[Drawn, bool]:
     """(a letter with its accents, primes and subscripts; has it a vector arrow?)"""
     drawn, vector = _accented(reader)
@@ -78,6 +91,8 @@ def _scripted(reader: LatexReader) -> tuple[Drawn, bool]:
             drawn = replace(drawn, label=drawn.label + label_after(reader))
         elif reader.sees_sign("^") and (count := _primes_ahead(reader)):
             drawn = replace(drawn, primes=drawn.primes + count)
+        elif reader.sees_sign("^") and (label := _label_above(reader)):
+            drawn = replace(drawn, label=f"{drawn.label}^{label}")
         elif reader.sees_sign("^") and (end := _power_before_subscript(reader)):
             drawn = replace(drawn, label=drawn.label + _label_behind(reader, end))
         else:
@@ -96,6 +111,8 @@ def _accented(reader: LatexReader) -> tuple[Drawn, bool]:
         raise reader.error(f"“{token.text}” stands before something that is no letter")
     with reader.deeper():
         drawn, vector = _scripted(reader) if inside else _accented(reader)
+    while inside and token.text in _VECTORS and drawn == Drawn(drawn.base) and reader.token.kind == "letter":
+        drawn = Drawn(drawn.base + reader.take().text)  # the vector from A to B
     if inside:
         reader.expect("}", opening)
     return _with_accent(drawn, token.text), vector or token.text in _VECTORS
@@ -139,9 +156,26 @@ def _label_part(reader: LatexReader) -> str:
         return "'"
     if token.text in (",", "_", "{,}", r"\rm", r"\it", *_PLAIN):
         return ""
+    if token.text in _MARKED or token.text in _NAMED:
+        return token.text.lstrip("\\")
     if token.text[1:] in FUNCTION_WORDS and token.end - token.start > len(token.text):
         return token.text[1:]  # an upright word that is also a function: I_{\mathrm{sec}}
     raise reader.error(f"“{token.text}” can't be part of a subscript", "", token)
+
+
+def _label_above(reader: LatexReader) -> str:
+    """Pass ^{ext}, ^{(1)}, ^*, ^\\perp, which name and raise nothing; "" if the superscript is something else."""
+    tokens = reader.tokens[reader.position + 1 : reader.position + 6]
+    braces = tokens[0].text == "{"
+    inner = tokens[braces:]
+    bracketed = inner[0].text == "(" and inner[1].kind in ("letter", "digit") and inner[2].text == ")"
+    marked = inner[0].text in ("*", "+", "-", *_NAMED)
+    named = marked or (inner[0].kind == "text" and Drawn(inner[0].text) not in reader.table.names)
+    length = 3 if bracketed and braces else int(named)
+    if not length or (braces and inner[length].text != "}"):
+        return ""
+    reader.position += 1 + length + 2 * braces
+    return "".join(token.text.lstrip("\\") for token in inner[:length])
 
 
 def _primes_ahead(reader: LatexReader) -> int:
@@ -242,10 +276,10 @@ def drawn_name(text: str) -> tuple[Drawn, bool] | None:
     """(what a reader sees of a printed name such as `\\vec{R}_{cm}`; has it an arrow?), None if it is no name."""
     source = Source(text)
     reader = LatexReader(source, tokenize(source), table=SymbolTable({}))
-    if not begins_name(reader.token):
+    if not (begins_name(reader.token) or reader.sees_sign(r"\sum")):
         return None
     try:
-        drawn, vector = _scripted(reader)
+        drawn, vector = _summed(reader)
         if drawn == Drawn("Δ") and begins_name(reader.token):
             inner, vector = _scripted(reader)
             drawn = replace(inner, prefix="Δ")

@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rbpsym.errors import Place, RbpsymError
-from rbpsym.notation import latex_calculus, latex_functions
+from rbpsym.notation import latex_calculus, latex_functions, latex_packages
 from rbpsym.notation import tree as t
 from rbpsym.notation.glyphs import DEFAULT, Notation
 from rbpsym.notation.infix import Ways
 from rbpsym.notation.latex_functions import relation
-from rbpsym.notation.latex_grammar import BELOW
+from rbpsym.notation.latex_grammar import BELOW, UNKNOWN_COMMAND
 from rbpsym.notation.latex_rows import GAP, laid_out
-from rbpsym.notation.latex_tokens import CONDITION, Token, tokenize
+from rbpsym.notation.latex_tokens import CONDITION, CONDITIONS, Token, tokenize
 from rbpsym.notation.source import Source
 from rbpsym.notation.symbol_table import LatexReader, Question, SymbolTable, equally, symbol_table
 
@@ -113,7 +113,7 @@ def _parting(one: Reading, other: Reading) -> Question:
     return one.met[place]
 
 
-GRAMMAR = (latex_calculus, latex_functions)  # enter their commands into the table when they are imported
+GRAMMAR = (latex_calculus, latex_functions, latex_packages)  # enter their commands into the table when they are imported
 
 
 def read_latex(
@@ -158,10 +158,20 @@ def _parted(reading: Reading) -> tuple[bool, ...]:
 _FRAME = re.compile(r"\s*\\(?:boxed|fbox|shrunk)\s*\{")
 
 
+def _closed_at(text: str, start: int) -> int:
+    """Where the brace is closed behind which the text begins; -1 if nowhere."""
+    depth = 1
+    for found in re.compile(r"\\.|[{}]", re.S).finditer(text, start):
+        depth += (found[0] == "{") - (found[0] == "}")
+        if not depth:
+            return found.start()
+    return -1
+
+
 def _formula_tokens(text: str, source: Source) -> tuple[Token, ...]:
     """The tokens of the relations; a frame round all of it is made blank, so that places are kept."""
     frame, end = _FRAME.match(text), len(text.rstrip()) - 1
-    while frame and text[end] == "}":
+    while frame and _closed_at(text, frame.end()) == end:
         text = " " * frame.end() + text[frame.end() : end] + " " * (len(text) - end)
         frame, end = _FRAME.match(text), len(text.rstrip()) - 1
     return laid_out(source, tokenize(Source(text, source.place), gaps=True))
@@ -175,7 +185,9 @@ def _rows(reader: LatexReader) -> t.Node:
         row = relation(reader)
         (conditions if _is_condition(row, parting, rows, conditions) else rows).append(row)
     if reader.token.kind != "end":
-        raise reader.error(f"“{reader.token.text}” is not expected here")
+        hint = UNKNOWN_COMMAND if reader.token.kind == "command" else ""
+        raise reader.error(f"“{reader.token.text}” is not expected here", hint)
+    rows = [row for row in rows if not _is_text(row, reader)] or rows
     if len(rows) == 1 and not conditions:
         return rows[0]
     alone = next((row for row in (*rows, *conditions) if not isinstance(row, t.Chain)), None)
@@ -183,6 +195,17 @@ def _rows(reader: LatexReader) -> t.Node:
         hint = "Begin it with the sign by which it goes on, or write a whole relation."
         raise reader.source.error("this is no relation, and nothing says how it goes on", *alone.span, hint)
     return t.System(tuple(rows), tuple(conditions), span=(0, reader.previous_end))
+
+
+def _is_text(row: t.Node, reader: LatexReader) -> bool:
+    """Is it a remark in words? Raises ReadError for words that may be a condition."""
+    words = [part for part in t.walk(row) if not isinstance(part, (t.Mul, t.Group))]
+    if not all(isinstance(part, t.Word) for part in words):
+        return False
+    if any(CONDITIONS.search(part.text) for part in words):
+        hint = r"Write it as \text{for } x > 0, or as “given” in the claim."
+        raise reader.source.error("are these words a condition?", *(row.span or (0, 1)), hint)
+    return True
 
 
 def _is_condition(row: t.Node, parting: str, rows: list[t.Node], conditions: list[t.Node]) -> bool:

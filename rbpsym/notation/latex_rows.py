@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
-from rbpsym.notation.latex_tokens import CONDITION, PUNCTUATION, Token
+from rbpsym.notation.latex_tokens import COLUMN, CONDITION, END_COLUMN, NEXT, PUNCTUATION, Token
 from rbpsym.notation.source import Source
 
 OPEN = "?"  # the text of a row token where a sum or product may go on
@@ -20,7 +20,7 @@ _JOINING = frozenset(("+", r"\cdot", r"\times", "*", "/"))  # signs with which n
 _SIGNS = frozenset((*RELATIONS, *_JOINING, "-"))
 _CUT = (r"\left.", r"\right.")
 _HELD = frozenset(("^", "_", "'", ")", "]", "}", r"\}", r"\rvert"))  # what belongs to the thing before it
-_DEEPER, _HIGHER = frozenset("([{") | {r"\{"}, frozenset(")]}") | {r"\}"}
+_DEEPER, _HIGHER = frozenset("([{") | {r"\{", COLUMN}, frozenset(")]}") | {r"\}", END_COLUMN}
 _CELLED = frozenset(("array", "cases"))  # whose rows may be no sum, but the values of a vector or by cases
 
 
@@ -35,6 +35,7 @@ class _Layout:
     def __init__(self, source: Source, tokens: tuple[Token, ...]) -> None:
         self.source, self.all = source, tokens
         self.depth = self.cut = 0
+        self.columns: list[int] = []  # how deep the columns stand that are open
         self.related = False  # was there a relation sign since the last parting?
         self.parted = 0  # relations side by side in this row
 
@@ -43,6 +44,8 @@ class _Layout:
         found: list[Token] = []
         for k, token in enumerate(self.all):
             self.depth += (token.text in _DEEPER) - (token.text in _HIGHER) if token.kind == "sign" else 0
+            if token.text in (COLUMN, END_COLUMN):
+                self.columns = [*self.columns, self.depth] if token.text == COLUMN else self.columns[:-1]
             self.related |= self.depth == 0 and _is_relation(token)
             kept = self._kept(k, token)
             if kept is None or (kept.kind == "row" and kept.text != CONDITION and not found):
@@ -98,6 +101,8 @@ class _Layout:
     def _row(self, k: int, token: Token) -> Token | None:
         """The end of a row, or a word that joins relations."""
         before, behind = self._near(k, -1), self._near(k, 1)
+        if self.columns and self.depth == self.columns[-1]:
+            return None if behind and behind.text == END_COLUMN else replace(token, kind="sign", text=NEXT)
         if not token.text.startswith("\\"):
             return self._part(token, token.text if token.text == CONDITION else "")
         several, self.parted = self.parted, 0

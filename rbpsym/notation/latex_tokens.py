@@ -26,26 +26,41 @@ FUNCTION_WORDS = {
 _SILENT = (
     r"\\(?:,|:|!|>)"
     r"|\\(?:nonumber|notag|displaystyle|textstyle|limits|nolimits|thinspace"
-    r"|left|right|bigl|bigr|Bigl|Bigr|big|Big|middle)(?![A-Za-z])"
-    r"|\\label\s*\{[^{}]*\}"
+    r"|left|right|[bB]igg?[lrm]?|middle|mathstrut|strut|allowbreak|nobreak|hfill|mathop|mathord|mathrel|mathbin"
+    r"|scriptstyle|boxed|fbox|Aboxed|[pb]qty|smash|break)(?![A-Za-z])"
+    r"|\\qty(?![A-Za-z]|\s*\{[^{}]*\}\s*\{)"
+    r"|\\(?:label|tag|vspace|color|textcolor|[hv]?phantom)\*?\s*\{(?:[^{}]|\{[^{}]*\})*\}|\\m?kern\s*-?[\d.]+\s*[a-z]{2}"
 )
-_GAP = r"(?<=[-+=&])\{\}|\{\}(?=\s*[-+=<>&])|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\s*\{[^{}]*\}"
+_SO = r"\\(?:therefore|because|implies|impliedby|iff|Rightarrow|Longrightarrow|Leftrightarrow|Longleftrightarrow)(?![A-Za-z])"
+_INDEX = r"(?:[A-Za-z]|\\[a-z]+)"
+_EACH = (  # (i = 1, 2, ..., n) behind a formula: for each value of an index
+    rf"(?<=[\s,~(])\(?\s*{_INDEX}(?:\s*,\s*{_INDEX})*\s*=\s*\d+\s*(?:,\s*(?:\d+|\\[cl]?dots[bc]?(?![A-Za-z])|{_INDEX})\s*)+\)?"
+    r"(?=\s*(?:[.,;]\s*)?(?:\Z|\\\\|\\end))"
+)
+_ZERO = r"\\(?:vec|mathbf|boldsymbol|bm|vb|va|mathrm)\s*(?:\{\s*0\s*\}|0)"
+_DEGREE = r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|\\(?:degree|textdegree)(?![A-Za-z])|°"
+_GAP = (
+    r"(?<=[-+=&])\{\}|\{\}(?=\s*[-+=<>&])|\\(?:;| |\n)|~|\\(?:quad|qquad|enspace|space|hfil)(?![A-Za-z])"
+    r"|\\hspace\*?\s*\{[^{}]*\}"
+)
 PUNCTUATION = (",", ".", ";")
 CONDITION = "if"  # the text of a row token behind which a condition stands
 _PATTERNS = re.compile(
     r"(?P<blank>\s+)"
     r"|(?P<empty>\\(?:left|right)\s*\.)"
-    r"|(?P<bar>\\(?:left|right|bigl|bigr|big|Big)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
+    r"|(?P<bar>\\(?:left|right|[bB]igg?[lrm]?)\s*(?:\\\||\\[lr]?[vV]ert(?![A-Za-z])|\|))"
     rf"|(?P<silent>{_SILENT})"
     rf"|(?P<gap>{_GAP})"
+    rf"|(?P<each>{_EACH})|(?P<zero>{_ZERO})"
     r"|(?P<differential>\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\partial(?![A-Za-z]))"
     r"|(?P<text>\\(?:text|textrm|mbox|mathrm|operatorname\*?|rm)\s*\{[^{}]*\}"
     rf"|\{{\s*\\rm\s+(?:{'|'.join(FUNCTION_WORDS)})\s*\}})"
     r"|(?P<begin>\\(?:begin|end)\s*\{[^{}]*\}(?:\[[tbc]\])?(?:\{(?:[lcr|]*|\d+)\})?)"
-    r"|(?P<row>\\\\(?:\[[^\]]*\])?)"
+    rf"|(?P<row>\\\\\*?(?:\[[^\]]*\])?|{_SO}|\\(?:short)?intertext\s*\{{[^{{}}]*\}})"
+    rf"|(?P<degree>{_DEGREE})"
     r"|(?P<command>\\(?:[A-Za-z]+|[|{}]))"
     r"|(?P<digit>[0-9])|(?P<mark>\{,\})|(?P<letter>[A-Za-z])"
-    r"|(?P<sign>[-+*/=<>()\[\]{}|_^',.;&])"
+    r"|(?P<sign>:=|[-+*/=<>()\[\]{}|_^',.;&])"
 )
 _ALIASES = {
     r"\leq": r"\le", r"\geq": r"\ge", r"\neq": r"\ne", r"\lbrack": "[", r"\rbrack": "]",
@@ -54,7 +69,12 @@ _ALIASES = {
     r"\hslash": r"\hbar", r"\leqslant": r"\le", r"\geqslant": r"\ge",
     r"\mathbf": r"\boldsymbol", r"\bm": r"\boldsymbol", r"\overline": r"\bar",
     r"\mathscr": r"\mathcal", r"\cal": r"\mathcal", r"\widehat": r"\hat",
-    r"\overrightarrow": r"\vec", "−": "-",
+    r"\overrightarrow": r"\vec", "−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "≤": r"\le", "≥": r"\ge",
+    "≠": r"\ne", "≈": r"\approx", "→": r"\to", "′": "'", r"\simeq": r"\approx", r"\cong": r"\approx", r"\equiv": "=",
+    r"\triangleq": "=", r"\coloneqq": "=", r"\doteq": "=", ":=": "=", r"\bf": r"\boldsymbol", r"\vb": r"\boldsymbol",
+    r"\va": r"\vec", r"\vu": r"\hat", r"\boldmath": r"\boldsymbol", r"\bold": r"\boldsymbol", r"\vdot": r"\cdot",
+    r"\cross": r"\times", r"\longrightarrow": r"\to", r"\mathsf": r"\mathit", r"\partialderivative": r"\pdv",
+    r"\derivative": r"\dv", r"\odv": r"\dv", r"\ast": "*", r"\lbrace": r"\{", r"\rbrace": r"\}", r"\mid": "|",
 }  # fmt: skip
 JOINING = frozenset({
     "and", "so that", "so", "hence", "thus", "therefore", "with", "where", "or", "i.e", "that is", "then", "also",
@@ -63,9 +83,15 @@ JOINING = frozenset({
 CONDITIONAL = frozenset({
     "for", "if", "when", "as long as", "provided", "provided that", "para", "si", "cuando", "mientras", "siempre que",
 })  # fmt: skip
+CONDITIONS = re.compile(
+    r"\b(for|if|when|where|while|until|only|unless|except|provided|small|large|near|assum\w*|approx\w*|at|on|in|since|initial\w*"
+    r"|para|si|cuando|donde|solo|pequeñ\w*|en)\b", re.I
+)  # words of a remark by which a formula may hold only sometimes
+COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
+_COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
 _ENVIRONMENTS = frozenset({
     "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
-    "gathered", "gather", "gather*", "array", "cases", "alignedat",
+    "gathered", "gather", "gather*", "array", "cases", "alignedat", "multlined", "dcases", "rcases", "multline", "flalign",
 })  # fmt: skip
 
 
@@ -86,8 +112,25 @@ def tokenize(source: Source, *, gaps: bool = False) -> tuple[Token, ...]:
             f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are read",
             instead="Split it into smaller parts.",
         )
-    found = (token for token in _tokens(source) if gaps or token.kind != "gap")
+    found = _unbraced([token for token in _tokens(source) if gaps or token.kind != "gap"])
     return (*found, Token("end", "", len(source.text), len(source.text)))
+
+
+_TAKING = ("command", "text", "begin", "differential")
+
+
+def _unbraced(tokens: list[Token]) -> list[Token]:
+    """The tokens without braces round a letter that has a subscript or prime behind them, {v}_1."""
+    dropped: set[int] = set()
+    for k, token in enumerate(tokens):
+        texts = [found.text for found in tokens[k : k + 5]]
+        for size in (2, 3):
+            inner = tokens[k + 1 : k + size]
+            alone = bool(inner) and inner[-1].kind == "letter" and (size == 2 or inner[0].kind == "command")
+            free = k == 0 or (tokens[k - 1].kind not in _TAKING and tokens[k - 1].text not in ("^", "_", "}", "]"))
+            if token.text == "{" and alone and free and texts[size:][:2] in (["}", "_"], ["}", "'"]):
+                dropped |= {k, k + size}
+    return [token for k, token in enumerate(tokens) if k not in dropped]
 
 
 def _tokens(source: Source) -> Iterator[Token]:
@@ -98,7 +141,7 @@ def _tokens(source: Source) -> Iterator[Token]:
             yield _single(source, position)
             position += 1
             continue
-        if found.lastgroup not in ("blank", "silent"):
+        if found.lastgroup not in ("blank", "silent", "each"):
             yield _token(source, found)
         position = found.end()
 
@@ -119,7 +162,7 @@ def _token(source: Source, found: re.Match[str]) -> Token:
 
 
 def _plain(source: Source, kind: str, text: str, start: int, end: int) -> Token:
-    return Token("sign" if kind == "mark" else kind, text, start, end)
+    return Token("sign" if kind == "mark" else kind, _ALIASES.get(text, text), start, end)
 
 
 def _text(source: Source, kind: str, text: str, start: int, end: int) -> Token:
@@ -142,13 +185,27 @@ def _bar(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("sign", r"\rvert" if right else r"\lvert", start, end)
 
 
+def _row(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The end of a row, or an arrow or words between two relations."""
+    return Token(kind, text if text.startswith("\\\\") else "so", start, end)
+
+
+def _zero(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    """The vector zero is printed as a bold number."""
+    return Token("digit", "0", start, end)
+
+
+def _degree(source: Source, kind: str, text: str, start: int, end: int) -> Token:
+    return Token("sign", "°", start, end)
+
+
 def _empty(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     return Token("sign", re.sub(r"\s", "", text), start, end)
 
 
 def _command(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     text = _ALIASES.get(text, text)
-    letter = LETTERS.get(text[1:])
+    letter = LETTERS.get(text[1:]) or (LETTERS.get(text[4:]) if text.startswith(r"\var") else None)
     if letter:
         return Token("letter", letter, start, end)
     return Token("command" if text.startswith("\\") else "sign", text, start, end)
@@ -156,6 +213,8 @@ def _command(source: Source, kind: str, text: str, start: int, end: int) -> Toke
 
 def _environment(source: Source, kind: str, text: str, start: int, end: int) -> Token:
     name = re.search(r"\{([^{}]*)\}", text)[1]
+    if name.removesuffix("*") in _COLUMNS:
+        return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
     if name not in _ENVIRONMENTS:
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
@@ -164,5 +223,5 @@ def _environment(source: Source, kind: str, text: str, start: int, end: int) -> 
 
 _MAKERS = {
     "text": _text, "differential": _differential, "begin": _environment, "command": _command,
-    "bar": _bar, "empty": _empty,
+    "bar": _bar, "zero": _zero, "empty": _empty, "row": _row, "degree": _degree,
 }  # fmt: skip

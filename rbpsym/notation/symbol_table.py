@@ -120,7 +120,8 @@ Question = tuple[str, str, Token]  # what is asked, what to write instead, at wh
 
 @dataclass(slots=True)
 class LatexReader(Cursor[Token]):
-    """A cursor with the symbols; `integrals` counts the integrals that wait for their dx.
+    """A cursor with the symbols; `integrals` counts the integrals that wait for their dx; `path` is what
+    stood behind the d in a numerator.
 
     `bars` tells if a plain | would close. `script` says what to choose at the places that can be read in
     two ways (False at those behind its end), `met` their errors, `cost` how unusual what was chosen is.
@@ -132,6 +133,7 @@ class LatexReader(Cursor[Token]):
     script: tuple[bool, ...] = ()
     met: list[Question] = field(default_factory=list)
     cost: int = 0
+    path: Node | None = None
 
     def decide(self, what: str, instead: str, *, yes: int = 0, no: int = 0) -> bool:
         """Which of two readings to take here; each costs what it is unusual.
@@ -157,8 +159,9 @@ class LatexReader(Cursor[Token]):
 
     def sees_differential(self, ahead: int = 0) -> bool:
         """Is the token (`ahead` places on) the d of a differential?"""
-        token = self.ahead(ahead)
-        italic = token.kind == "letter" and token.text == "d" and not self.table.has_d
+        token, behind = self.ahead(ahead), self.ahead(ahead + 1)
+        goes_on = behind.kind in ("letter", "text") or behind.text in _DIFFERENTIATED
+        italic = token.kind == "letter" and token.text == "d" and goes_on and not self.table.has_d
         return italic or token.kind == "differential"
 
     def expect(self, text: str, opening: Token | None = None) -> None:
@@ -170,6 +173,8 @@ class LatexReader(Cursor[Token]):
         raise self.error(f"“{self.token.text or 'the end'}” stands where “{text}” is expected")
 
 
+_ACCENTED = (r"\vec", r"\boldsymbol", r"\dot", r"\ddot", r"\hat", r"\bar", r"\tilde", r"\mathcal")
+_DIFFERENTIATED = frozenset(("(", "^", "{", "}", *_ACCENTED))  # what a differential d may stand before
 Read = Callable[[LatexReader], t.Node]
 COMMANDS: dict[str, Read] = {}
 

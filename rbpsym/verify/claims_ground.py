@@ -103,12 +103,15 @@ def name_of(drawn: Drawn) -> str:
     parts = [*(["cal"] if drawn.script else []), base]
     parts += {1: ["dot"], 2: ["ddot"], 3: ["dddot"]}.get(drawn.dots, [])
     parts += [drawn.accent] * bool(drawn.accent) + ["prime"] * drawn.primes + _label_parts(drawn.label)
-    return "_".join([*(["Delta"] if drawn.prefix else []), *parts])
+    return "_".join([*filter(None, [{"Δ": "Delta", "Σ": "sum"}.get(drawn.prefix)]), *parts])
+
+
+_MARKS = {"'": "_prime", "+": "plus", "-": "minus", "*": "star", "^": "_", "(": "of", "/": "per", "=": "is"}
 
 
 def _label_parts(label: str) -> list[str]:
-    plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else char for char in label)
-    return [part for part in plain.replace("'", "_prime").split("_") if part]
+    plain = "".join(NAME_OF_LETTER.get(char, char) if not char.isascii() else _MARKS.get(char, char) for char in label)
+    return [part for part in re.sub(r"[^\w]", "", plain).split("_") if part]
 
 
 def _spelled_name(latex: str) -> str:

@@ -9,9 +9,12 @@ from dataclasses import dataclass
 from rbpsym.errors import LimitError, ReadError
 
 MOST_EXPANSIONS, LONGEST, DEEPEST = 2000, 20_000, 40
+LET = 7  # the group of _HEAD that holds what is let be another
 COUNTERS = (r"\theequation",)  # left where they stand: numbers of equations depend on the place
 _HEAD = re.compile(
     r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\])?\s*(?:\[([^\[\]]*)\])?\s*(?=\{)"
+    r"|\\(?:New|Renew|Provide|Declare)(?:Expandable)?DocumentCommand\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*\{([\smoO{}]*)\}\s*(?=\{)"
+    r"|\\let\s*(\\[A-Za-z]+)\s*=?\s*(\\[A-Za-z]+)()"
     r"|\\providecommand\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*(?:\[(\d)\])?\s*(?=\{)"
     r"|\\(?:long\s*\\)?def\s*(\\[A-Za-z]+)((?:#\d)*)\s*(?=\{)"
     r"|\\DeclareMathOperator\*?\s*\{\s*(\\[A-Za-z]+)\s*\}\s*(?=\{)"
@@ -34,7 +37,7 @@ def definitions(text: str) -> tuple[dict[str, Macro], str]:
     found: dict[str, Macro] = {}
     position, pieces = 0, []
     while (head := _HEAD.search(text, position)) is not None:
-        end = closing(text, head.end())
+        end = head.end() if head[LET] else closing(text, head.end())
         name, macro = _macro(head, text[head.end() + 1 : end - 1])
         if name in COUNTERS:
             pieces, position = [*pieces, text[position:end]], end
@@ -46,7 +49,13 @@ def definitions(text: str) -> tuple[dict[str, Macro], str]:
 
 
 def _macro(head: re.Match[str], body: str) -> tuple[str, Macro]:
-    braced, plain, count, default, provided, provided_count, by_def, parameters, operator = head.groups()
+    braced, plain, count, default, document, arguments, let, same, _, *others = head.groups()
+    if let:
+        return let, Macro(same)
+    if document:
+        first = re.match(r"\s*[oO]\s*(?:\{([^{}]*)\})?", arguments)
+        return document, Macro(body, len(re.findall(r"[moO]", re.sub(r"\{[^{}]*\}", "", arguments))), first and (first[1] or ""))
+    provided, provided_count, by_def, parameters, operator = others
     if operator:
         return operator, Macro(rf"\operatorname{{{body}}}")
     if by_def:

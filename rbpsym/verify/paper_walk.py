@@ -131,15 +131,17 @@ class Counters:
         return STYLES["Alph"](value) if level == self.lettered else str(value)
 
 
-SINGLE = ("equation", "multline", "displaymath", "math")
-ROWED = ("align", "eqnarray", "gather", "alignat", "flalign")
+SINGLE = ("equation", "multline", "displaymath", "math", "dmath", "empheq")
+ROWED = ("align", "eqnarray", "gather", "alignat", "flalign", "IEEEeqnarray", "dgroup")
 UNNUMBERED = ("displaymath", "math")
 _NAMES = "|".join((*SINGLE, *ROWED))
 _OPEN = re.compile(
-    rf"\\begin\s*\{{({_NAMES})(\*?)\}}(?:\{{\d+\}})?|(\\\[)|(\\\()|(?<!\\)(\$\$?)"
+    rf"\\begin\s*\{{({_NAMES})(\*?)\}}|(\\\[)|(\\\()|(?<!\\)(\$\$?)"
     r"|\\(begin|end)\s*\{subequations\}|\\\\|\\\$"
     rf"|(?:{COMMANDS.pattern})"
 )
+ARGUED = ("alignat", "IEEEeqnarray", "empheq")
+_ARGUMENTS = re.compile(r"(?:\[[^\]]*\])?(?:\{[^{}]*\})?")
 _CLOSE = {r"\[": r"\]", r"\(": r"\)", "$": "$", "$$": "$$"}
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -222,6 +224,7 @@ class _Walker:
             elif sub:
                 self.counters.group(sub == "begin")
             elif name:
+                position = _ARGUMENTS.match(self.text, position).end() if name in ARGUED else position
                 end, behind = self._end(found, rf"\\end\s*\{{{name}{re.escape(star)}\}}")
                 yield from self._environment(name, bool(star), position, end)
                 position = behind

@@ -1,0 +1,93 @@
+r"""What physicists write: forms and packages are read as what they mean, or refused with what to write instead."""
+
+import pytest
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation.latex_reader import read_latex
+from rbpsym.notation.text import to_text
+
+NAMES = {
+    **{name: name for name in ("x", "v", "m", "g", "F", "a", "b", "k", "T", "t", "N", "R", "I")},
+    r"\theta": "theta", r"\omega": "omega", r"\vec r": "r", r"\vec F": "F_v", r"\sum F_x": "sum_F_x", r"v_{+}": "v_plus",
+    r"F_{\max}": "F_max", r"F^{\text{ext}}": "F_ext", r"v^-": "v_minus", r"x_{i+1}": "x_next", r"v_1": "v_1",
+    r"I_\perp": "I_perp",    r"\vec{AB}": "AB", r"x^{(1)}": "x_first",
+}  # fmt: skip
+
+SAME = [
+    (r"\bigg( a + b \bigg) = \Biggl\{ k \Biggr\}", "(a+b) = k"),
+    (r"\therefore a = b \Rightarrow k = g", "a=b, k=g"),
+    (r"a = b \implies -k = g", r"a=b, \quad -k = g"),
+    (r"a = b \intertext{so that} k = g", "a=b, k=g"),
+    (r"\boxed{a} = \textcolor{red}{b}", "a=b"),
+    (r"\theta = 30^\circ", r"\theta = 30\frac{\pi}{180}"),
+    (r"\theta = \ang{45} + 30°", r"\theta = 45\frac{\pi}{180} + 30\frac{\pi}{180}"),
+    (r"\theta = 30^{\circ}", r"\theta = 30\frac{\pi}{180}"),
+    (r"\dv{x}{t} = \dv[2]{x}{t}", r"\frac{dx}{dt} = \frac{d^2x}{dt^2}"),
+    (r"\dv{t} \qty(m v) = \derivative{x}{t}", r"\frac{d}{dt}(m v) = \frac{dx}{dt}"),
+    (r"\pdv{T}{v} = \partialderivative{T}{x}", r"\frac{\partial T}{\partial v} = \frac{\partial T}{\partial x}"),
+    (r"\frac{\partial^2 T}{\partial x \partial v} = a", r"\frac{\partial}{\partial x}\frac{\partial T}{\partial v} = a"),
+    (r"\frac{d (m v)}{dt} = \frac{d m v}{dt}", r"\frac{d}{dt}(m v) = \frac{d}{dt}(m v)"),
+    (r"\abs{x} = \left\lvert a \right\rvert", "|x| = |a|"),
+    (r"a \equiv b := k", "a = b = k"),
+    (r"a \simeq b", r"a \approx b"),
+    (r"{v}_{1} = v_1", "v_1 = v_1"),
+    (r"a = {b \over k}", r"a = \frac{b}{k}"),
+    (r"a = \underbrace{m g}_{\text{weight}}", "a = m g"),
+    (r"\vec F = \mathbf{0}", r"\vec F = 0"),
+    (r"\vec r = (a, b)", r"\vec r = a\hat{i} + b\hat{j}"),
+    (r"\vec r = \begin{pmatrix} a \\ b \end{pmatrix}", r"\vec r = a\hat{i} + b\hat{j}"),
+    (r"\int_0^T \frac{dt}{x} = \int_0^T \frac{1}{x} dt", r"\int_0^T \frac{1}{x} dt = \int_0^T \frac{1}{x} dt"),
+    (r"\int_0^T a + t~dt = k", r"\int_0^T (a + t) dt = k"),
+    (r"a = b \quad (i = 1, 2, \ldots, N)", "a = b"),
+    (r"a = b, \qquad i=1,2", "a = b"),
+    (r"a = b \qquad \text{(Newton's second law)}", "a = b"),
+    (r"a = x × b · k", r"a = x \times b \cdot k"),
+]  # fmt: skip
+
+
+def read(latex):
+    """The text of the tree."""
+    return to_text(read_latex(latex, NAMES))
+
+
+@pytest.mark.parametrize(("written", "meant"), SAME)
+def test_it_is_read_as_what_it_means(written, meant):
+    assert read(written) == read(meant)
+
+
+@pytest.mark.parametrize("symbol", [s for s, name in NAMES.items() if len(name) > 1])
+def test_every_subscript_and_superscript_names(symbol):
+    assert read(f"{symbol} = a") == read("a = a").replace("a", to_text(read_latex(symbol, NAMES)), 1)
+
+
+REFUSED = [
+    (r"x = \pm a", "two formulas"),
+    (r"x = a + \cdots + b", "dots stand for"),
+    (r"x \propto a", "nothing that can be computed"),
+    (r"x = \SI{9.8}{m/s^2}", "unit"),
+    (r"x = \qty{9.8}{\metre}", "unit"),
+    (r"dx = v dt", "Write rates"),
+    (r"x = \begin{pmatrix} a & b \\ k & g \end{pmatrix}", "each row"),
+    (r"x = k(a, b + g)", "several things"),
+    (r"T = \sum_{i=1}^3 m", "only a sum over all"),
+    (r"a = b \quad \text{(for small angles)}", "a condition"),
+    (r"a = b \quad \text{at the start}", "a condition"),
+    (r"x = \foo", "newcommand"),
+    (r"x \to \infty", "no value"),
+    (r"\oint a dx = 0", "one integral"),
+]
+
+
+@pytest.mark.parametrize(("latex", "told"), REFUSED)
+def test_it_is_refused_with_what_to_write(latex, told):
+    with pytest.raises(RbpsymError, match=told) as caught:
+        read(latex)
+    assert caught.value.instead
+
+
+@pytest.mark.parametrize("latex", [r"m d = a", r"m d \sin\theta = a", r"\frac{d}{2} = a", r"d^2 = a", r"k d_1 = a"])
+def test_a_distance_d_is_no_differential(latex):
+    """It is unknown here, and said to be so; bound, it is read."""
+    with pytest.raises(RbpsymError, match="unknown symbol|a differential alone"):
+        read(latex)
+    assert "d" in to_text(read_latex(latex, {**NAMES, "d": "d", "d_1": "d_1"}))
