@@ -24,7 +24,11 @@ def derive_course(
 
     `derived` gives the derivation of a problem file, if not every one is to be made anew.
     """
+    from rbpsym.document.own_texts import check_unbound
+    from rbpsym.verify.course_claims import decided
+
     derivations: dict[str, Derivation] = {}
+    check_unbound(course)
     paths = _paths(course)
     made = derived or (lambda path: derive(load_problem(path), simulation=simulation))
 
@@ -37,7 +41,7 @@ def derive_course(
     for name in paths:
         problem(name)
     lessons = {part: LESSONS[part.kind](part, problem) for part in course.parts if part.kind in LESSONS}
-    return DerivedCourse(course, derivations, lessons)
+    return DerivedCourse(course, derivations, lessons, decided(course, derivations))
 
 
 def sources(course: Course) -> list[Path]:

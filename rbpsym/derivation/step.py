@@ -194,8 +194,12 @@ class Lesson(Shown):
 
 @dataclass(frozen=True)
 class DerivedCourse(Shown):
-    """A course with the derivations of its problems by name, and its lessons part by part."""
+    """A course with the derivations of its problems by name, and its lessons part by part.
+
+    formulas: those of its own texts, all of them proved, by the id of the claim and the LaTeX text ("" for the claim's own).
+    """
 
     course: Course
     derivations: Mapping[str, Derivation]
     lessons: Mapping[CoursePart, Lesson]
+    formulas: Mapping[tuple[str, str], Node] = field(default_factory=dict)

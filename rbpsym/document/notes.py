@@ -18,11 +18,13 @@ from rbpsym.document.notes_phases import new_steps, phase_results, phase_section
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_question import answer_section, question_section
 from rbpsym.document.notes_statement import statement_section
+from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.course import CoursePart
 from rbpsym.statement.model import Problem
+from rbpsym.statement.own_text import OwnParagraph
 
 # --- notes as short as in a book: few headings, what leads to the results, and no step between
 
@@ -182,9 +184,12 @@ def course_notes(
     for place, part in enumerate(course.parts, 1):
         prefix = f"p{place}."
         if part.kind == "remark" and not part.title and sections:
-            sections[-1] = replace(sections[-1], blocks=(*sections[-1].blocks, *_own(part, said)))
+            sections[-1] = replace(sections[-1], blocks=(*sections[-1].blocks, *_own(part.text, derived, said)))
             continue
         sections += _part_sections(part, derived, said, prefix, detail, plots=plots)
+        if part.discussion:
+            blocks = _own(part.discussion, derived, said)
+            sections.append(Section(said.say("section.discussion"), blocks, prefix + "section.discussion", 2))
         if part.kind == "problem":
             problems += live(derived.derivations[part.name].study.problem, prefix)
     sections.append(course_checks_section(derived, said, CHECKS))
@@ -204,7 +209,7 @@ def _part_sections(
     part: CoursePart, derived: DerivedCourse, said: Words, prefix: str, detail: str, *, plots: bool
 ) -> list[Section]:
     """One part: its heading, the author's words, then what is derived."""
-    own = _own(part, said)
+    own = _own(part.text, derived, said)
     if part.kind == "problem":
         derivation = derived.derivations[part.name]
         title = said.title(part.title or derivation.study.problem.title)
@@ -219,9 +224,9 @@ def _part_sections(
     return [replace(first, title=title, blocks=(*own, *first.blocks)), *rest]
 
 
-def _own(part: CoursePart, said: Words) -> tuple[Paragraph, ...]:
+def _own(text: Mapping[str, tuple[OwnParagraph, ...]], derived: DerivedCourse, said: Words) -> tuple[Block, ...]:
     """The author's words."""
-    return tuple(Paragraph(words(text)) for text in said.told(part.text))
+    return tuple(own_blocks(said.told(text), derived.formulas))
 
 
 def _about(derived: DerivedCourse, lesson: Lesson) -> Derivation | None:

@@ -119,7 +119,7 @@ class Words:
         """A text given by language, English or any if there is none in this one."""
         return titles.get(self.language) or titles.get("en") or next(iter(titles.values()), "")
 
-    def told(self, texts: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    def told(self, texts: Mapping[str, tuple[Any, ...]]) -> tuple[Any, ...]:
         """The author's paragraphs in this language, in English or in any if there are none in this one."""
         return texts.get(self.language) or texts.get("en") or next(iter(texts.values()), ())
 

@@ -5,7 +5,7 @@ The grammar, with examples, is docs/courses.md.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -14,6 +14,7 @@ from rbpsym.errors import Place, ReadError, StatementError
 from rbpsym.statement.checks import check_marks
 from rbpsym.statement.library import course_files
 from rbpsym.statement.loader import load_table
+from rbpsym.statement.own_text import OwnParagraph, Sentence, own_paragraphs
 from rbpsym.statement.source import Table, kind_of
 from rbpsym.statement.translations import strings, worded
 
@@ -29,7 +30,7 @@ class CoursePart:
     problem, what of them is compared, the coordinate, and the parameter that goes to zero in the
     limit; "" for what is not said) or "remark" (its text alone). title: the heading, by language,
     empty for that of the theory or problem; text: paragraphs of the author's words before it, by
-    language; detail: "" for that of the whole.
+    language, discussion: those behind it; detail: "" for that of the whole.
     """
 
     kind: str
@@ -41,8 +42,15 @@ class CoursePart:
     limit: str = ""
     detail: str = ""
     title: Mapping[str, str] = field(default_factory=dict, hash=False)
-    text: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+    text: Mapping[str, tuple[OwnParagraph, ...]] = field(default_factory=dict, hash=False)
+    discussion: Mapping[str, tuple[OwnParagraph, ...]] = field(default_factory=dict, hash=False)
     places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
+
+    @property
+    def sentences(self) -> Iterator[tuple[str, Sentence]]:
+        """All that the author says in it, each with its language."""
+        for told in (self.text, self.discussion):
+            yield from ((language, one) for language, found in told.items() for part in found for one in part)
 
     def error(self, key: str, what: str, instead: str) -> StatementError:
         """An error about what the part says under a key."""
@@ -51,7 +59,7 @@ class CoursePart:
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """A course: titles by language, source, notation, and parts in order."""
+    """A course: titles by language, source, notation, and parts in order; `claims`: what its own texts are bound to."""
 
     name: str
     title: Mapping[str, str]
@@ -60,6 +68,7 @@ class Course:
     source: str = ""
     notation: Mapping[str, str] = field(default_factory=dict)
     file: str = ""
+    claims: Table | None = field(default=None, compare=False, repr=False)
 
 
 PART_KEYS = {
@@ -68,11 +77,9 @@ PART_KEYS = {
     "comparison": ("comparison", "of", "coordinate", "limit"),
     "remark": (),
 }
-COMMON = ("title", "text")
-KEYS = ("title", "subtitle", "source", "notation", "part")
-OWN_WORDS = (
-    "a text holds words alone: every formula of the notes is derived. Tell it in words, or leave it to the steps."
-)
+COMMON = ("title", "text", "discussion")
+CLAIMS = ("settings", "claim")  # as in a claims file
+KEYS = ("title", "subtitle", "source", "notation", "part", *CLAIMS)
 
 
 def load_course(file: Path) -> Course:
@@ -92,6 +99,7 @@ def load_course(file: Path) -> Course:
         table.string("source"),
         notation,
         str(file),
+        table,
     )
 
 
@@ -115,7 +123,8 @@ def _part(row: Table) -> CoursePart:
         row.string("limit"),
         row.choice("detail", DETAILS),
         _heading(row),
-        _paragraphs(row),
+        _paragraphs(row, "text"),
+        _paragraphs(row, "discussion"),
         {key: row.source.value((*row.path, key)) for key in row.names()},
     )
 
@@ -146,11 +155,7 @@ def _heading(row: Table) -> Mapping[str, str]:
     return worded(row, "title") if "title" in row else {}
 
 
-def _paragraphs(row: Table) -> Mapping[str, tuple[str, ...]]:
+def _paragraphs(row: Table, key: str) -> Mapping[str, tuple[OwnParagraph, ...]]:
     """The author's words, cut at empty lines."""
-    found = {}
-    for language, text in (worded(row, "text") if "text" in row else {}).items():
-        if any(mark in text for mark in ("$", "\\")):
-            raise row.value_error("text", "a text of a course holds no formula", OWN_WORDS)
-        found[language] = tuple(" ".join(part.split()) for part in text.split("\n\n") if part.strip())
-    return found
+    place = row.source.value((*row.path, key)) if key in row else None
+    return {language: own_paragraphs(text, place) for language, text in (worded(row, key) if key in row else {}).items()}

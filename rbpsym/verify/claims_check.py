@@ -192,6 +192,11 @@ class Checker:
         outcome = worst([link.outcome for link in links])
         return replace(blank, outcome=outcome, links=links, right=right, right_latex=form)
 
+    def tree(self, claim: Claim, printed: Printed | None = None) -> t.Node:
+        """The formula of a claim, or another one in its symbols, as it is read. Raises ReadError with its place."""
+        setting = with_own_symbols(claim.setting, self.world(claim.setting))
+        return read(printed or claim.printed, self.reading(glossary(setting.symbols), setting))
+
     def reading(self, words: Glossary, setting: Setting) -> Glossary:
         """The glossary with the dimensions of its symbols, by which an ambiguous formula is read."""
         return replace(words, table=with_dimensions(words, setting, self.world(setting)))

@@ -54,6 +54,14 @@ def _claims_of(root: Table, file: str, name: str, *, binds: bool) -> ClaimsFile:
     return ClaimsFile(name, *words, claims, file, root.source.index.text, own, unclaimed=unclaimed)
 
 
+def claims_within(root: Table, file: str, name: str) -> ClaimsFile | None:
+    """The claims in the tables [settings] and [[claim]] of another kind of file, a course; None if it has none."""
+    settings, rows = _settings(root), root.rows("claim", "claim")
+    claims = tuple(_claim(row, settings) for row in rows)
+    _check_ids(claims)
+    return ClaimsFile(name, "", "", "", claims, file, root.source.index.text) if claims else None
+
+
 def is_claims(path: Path) -> bool:
     """Does the file hold claims, or settings for them? (A file that can't be read is left to its loader.)"""
     try:
