@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 
-from rbpsym.document.model import Block, Display, Inlines, Math, Paragraph, Text
+from rbpsym.document.model import Block, Display, Inlines, Paragraph
 from rbpsym.document.phrases import filled, languages, merged, phrases
 from rbpsym.notation import tree as t
 from rbpsym.statement.course import Course
@@ -26,7 +26,7 @@ def check_unbound(course: Course) -> None:
         for language, sentence in part.sentences:
             found = "" if sentence.claims else asserting(sentence, language)
             if found:
-                raise sentence.error(f"“{sentence.words.strip()}” is bound to no claim, but holds {found}", BIND)
+                raise sentence.error(f"“{sentence.told}” is bound to no claim, but holds {found}", BIND)
 
 
 def asserting(sentence: Sentence, language: str) -> str:

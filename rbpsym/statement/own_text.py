@@ -34,16 +34,23 @@ class Sentence:
         """What is said in words."""
         return "".join(piece for piece in self.pieces if isinstance(piece, str))
 
+    @property
+    def told(self) -> str:
+        """The beginning of it, with its formulas as they are written."""
+        told = "".join(piece if isinstance(piece, str) else f"${piece.latex}$" for piece in self.pieces).strip()
+        return told if len(told) <= MOST else told[:MOST].rsplit(" ", 1)[0] + " …"
+
     def error(self, what: str, instead: str) -> StatementError:
         """An error about the sentence."""
         return StatementError(what, instead=instead, place=self.place)
 
 
+MOST = 90  # characters
 OwnParagraph = tuple[Sentence, ...]
 
 TOKEN = re.compile(r"\{([^{}]*)\}|\$([^$]*)\$|([{}$])")
 MARK, FORMULA = "\ue000", "\ue001"  # stand for a mark and for a formula while a text is cut into sentences
-SENTENCE = re.compile(rf".+?(?:[.!?…][”»\"')]*\s*{MARK}*(?=\s*$|\s+[^\W\d_a-záéíóúñü]|\s+[¿¡“«{FORMULA}])|$)", re.DOTALL)
+SENTENCE = re.compile(rf".+?(?:[.!?…][”»\"')]*(?:\s*{MARK})*(?=\s*$|\s+[^\W\d_a-záéíóúñü]|\s+[¿¡“«{FORMULA}])|$)", re.DOTALL)
 HOW = "write {claim:ID} in a sentence, or {display:ID} as a paragraph of its own; ID is that of a [[claim]]."
 
 

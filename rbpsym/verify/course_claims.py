@@ -16,7 +16,7 @@ from rbpsym.statement.own_text import OwnFormula, Sentence
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_check import Checker
 from rbpsym.verify.claims_loader import claims_within
-from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Printed, Result
+from rbpsym.verify.claims_model import EXPECTATIONS, Claim, Printed
 from rbpsym.verify.claims_run import Worlds
 
 Formulas = Mapping[tuple[str, str], t.Node]
@@ -39,7 +39,10 @@ def decided(course: Course, derivations: Mapping[str, Derivation]) -> Formulas:
         if claim.id not in used:
             what = f"no text of the course is bound to the claim “{claim.id}”"
             raise StatementError(what, instead=f"write {{claim:{claim.id}}} in a sentence, or drop the claim.", place=claim.place)
-        found[claim.id, ""] = _proved(checker, claim, claim.printed, used[claim.id])
+        found[claim.id, ""] = node = _proved(checker, claim, claim.printed, used[claim.id])
+        if not isinstance(node, RELATIONS):
+            what = f"the claim “{claim.id}” asserts nothing: {claim.printed.latex.strip()} is no relation"
+            raise StatementError(what, instead="write a relation.", place=claim.place)
     for sentence, claim, formula in _formulas(sentences, claims):
         if (claim.id, formula.latex) not in found:
             found[claim.id, formula.latex] = _proved(checker, claim, Printed(formula.latex, sentence.place), sentence)
@@ -76,19 +79,7 @@ def _proved(checker: Checker, claim: Claim, printed: Printed, sentence: Sentence
         result = checker.check(replace(claim, printed=printed))
         if result.outcome not in EXPECTATIONS["proved"]:
             why = "; ".join(filter(None, (result.detail, *(link.detail for link in result.links))))
-            told = f"“{_shortly(sentence)}” stands by the claim “{claim.id}”, and {printed.latex.strip()} is {_outcome(result)}"
+            told = f"“{sentence.told}” stands by the claim “{claim.id}”, and {printed.latex.strip()} is {result.outcome}"
             instead = "say what is true, or leave the sentence out."
             raise StatementError(f"{told}{': ' if why else ''}{why}", instead=instead, place=claim.place or sentence.place)
     return node
-
-
-def _outcome(result: Result) -> str:
-    return str(result.outcome)
-
-
-def _shortly(sentence: Sentence) -> str:
-    words = " ".join(sentence.words.split())
-    return words if len(words) <= MOST else words[:MOST].rsplit(" ", 1)[0] + " …"
-
-
-MOST = 80

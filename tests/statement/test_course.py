@@ -14,7 +14,7 @@ from rbpsym.statement.course import load_course
 from rbpsym.statement.library import find_problem
 
 PAGE = (Path(__file__).parents[2] / "docs/courses.md").read_text(encoding="utf-8")
-[EXAMPLE] = re.findall(r"```toml\n(.*?)```", PAGE, re.S)
+EXAMPLE = re.findall(r"```toml\n(.*?)```", PAGE, re.S)[0]
 
 
 @pytest.fixture
@@ -93,7 +93,7 @@ WRONG = {
     PAIR + 'of = "weight"\n': "4:6: “weight” is not a value of “of”",
     PAIR + 'of = "oscillation"\n': "4:6: “disk-on-incline” and",
     PAIR + 'limit = "Q"\n': "4:9: no parameter is called “Q”",
-    'title = "x"\n[[part]]\ntext = "It holds that $E = m c^2$."\n': "3:8: a text of a course holds no formula",
+    'title = "x"\n[[part]]\ntext = "Say $E = m c^2$."\n': "3:8: “Say $E = m c^2$.” is bound to no claim, but holds a formula",
     'title = 3\n[[part]]\ntext = "x"\n': "1:9: “title” must be a text in quotes",
     'title = "x"\n[notation]\nvectors = "wavy"\n[[part]]\ntext = "x"\n': "vectors cannot be “wavy”",
     'title = "x"\npart = "yo-yo"\n': "2:8: part must be a list of tables",
