@@ -153,13 +153,14 @@ ASSERTIONS: Mapping[str, Entry] = {**STEPS, **PAGES}
 NARRATIVE = """
 block bodies body callout caption checked checks.lagrange checks.open checks.simulation_differs checks.some
 dimension explorer figure forces functions grammar growth header index it latex library line list method notation
-notebook number obligation own_text question part plain plots point ref results section shape skipped spoken statement symbols verdict
+notebook number obligation own_text question part plain plots point ref results section shape skipped spoken statement
+symbols verdict
 kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.speed_of_centre inertia.intro
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
 work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
 phases.clock phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
-oscillations.place comparison.intro comparison.title comparison.because theory.intro
+oscillations.place comparison.figure comparison.intro comparison.title comparison.because theory.figure theory.intro
 theory.heading
 """  # names things, says what is done next, or repeats the statement
 NARRATION = frozenset(NARRATIVE.split())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from rbpsym.ask.asking import own_answers
@@ -13,7 +13,7 @@ from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref
 from rbpsym.document.needless import needless, owed_by
 from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
-from rbpsym.document.notes_lessons import lesson_sections
+from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
 from rbpsym.document.notes_plots import plots_section
 from rbpsym.document.notes_question import answer_section, question_section
@@ -210,6 +210,7 @@ def _part_sections(
 ) -> list[Section]:
     """One part: its heading, the author's words, then what is derived."""
     own = _own(part.text, derived, said)
+    plots = plots and part.plots
     if part.kind == "problem":
         derivation = derived.derivations[part.name]
         title = said.title(part.title or derivation.study.problem.title)
@@ -221,7 +222,12 @@ def _part_sections(
     lesson = derived.lessons[part]
     first, *rest = lesson_sections(lesson, _about(derived, lesson), said.language, prefix)
     title = words(said.title(part.title)) if part.title else first.title
-    return [replace(first, title=title, blocks=(*own, *first.blocks)), *rest]
+    drawn: Iterable[Block] = ()
+    if part.kind == "comparison" and plots:
+        pair = (derived.derivations[name] for name in (part.first, part.second))
+        speech = Words(said.language, _about(derived, lesson).study.problem, prefix)
+        drawn = compared_figure(*pair, part.coordinate, speech)
+    return [replace(first, title=title, blocks=(*own, *first.blocks, *drawn)), *rest]
 
 
 def _own(text: Mapping[str, tuple[OwnParagraph, ...]], derived: DerivedCourse, said: Words) -> tuple[Block, ...]:

@@ -54,15 +54,16 @@ def checks_section(derivation: Derivation, said: Words, level: int, table: str |
     counts = {name: summary[name] for name in ("steps", "proved", "refuted", "undecided")}
     own, ground = checks_table(derivation.all_steps, said), Said(steps=derivation.all_steps, summary=summary)
     key = "checks.some" if not whole else "checks.short" if table is None else "checks.all"
-    intro = said.say(key, ground=ground, table=Ref(table or own.label), **counts)
+    is_told = whole and bool(table)  # at the end of the document, for all problems at once
+    intro = () if is_told else said.say(key, ground=ground, table=Ref(table or own.label), **counts)
     items = [
         *_methods(summary, said, ground),
         *(() if is_still(derivation) else _oracles(summary, said, ground)),
     ]
     lead = said.say("checks.roads", ground=ground)
     skipped = [left_out(found, said) for found in derivation.skipped if not is_still(derivation)]
-    if said.is_brief:
-        told = (Paragraph(sentences([intro, *items])), *(() if whole else (own,)))
+    if said.is_brief or is_told:
+        told = (Paragraph(sentences([part for part in (intro, *items, *skipped) if part])), *(() if whole else (own,)))
         return Section(said.say("section.checks"), told, said.prefix + "section.checks", level)
     blocks: tuple[Block, ...] = (
         Paragraph(intro),

@@ -5,9 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rbpsym.derivation.step import Derivation, Lesson, Step
-from rbpsym.document.model import Block, Inlines, Paragraph, Section
+from rbpsym.document.figures.plane_motion import FIGURES
+from rbpsym.document.model import Block, FigureBlock, Inlines, Paragraph, Section
+from rbpsym.document.notes_plots import numbers, panels_figure
+from rbpsym.document.phrases import plain
+from rbpsym.document.plots.compared import beside, motions
 from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
+from rbpsym.errors import NotApplicable
+from rbpsym.verify.comparison import common_coordinate
 
 
 def lesson_sections(lesson: Lesson, about: Derivation | None, language: str, prefix: str) -> list[Section]:
@@ -17,8 +23,30 @@ def lesson_sections(lesson: Lesson, about: Derivation | None, language: str, pre
     intro = (Paragraph(said.say(f"{lesson.kind}.intro")),) if said.has(f"{lesson.kind}.intro") else ()
     first, *parts = _parts(lesson, said)
     teller = Teller(said)
-    top = Section(_title(lesson, said), (*intro, *teller.steps(first)), f"{prefix}section.{lesson.kind}", 1)
+    blocks = (*intro, *_drawn(lesson, said), *teller.steps(first))
+    top = Section(_title(lesson, said), blocks, f"{prefix}section.{lesson.kind}", 1)
     return [top, *(_part(steps, lesson, teller, said) for steps in parts)]
+
+
+def _drawn(lesson: Lesson, said: Words) -> Iterator[Block]:
+    """The figure of a theory."""
+    if lesson.name in FIGURES:
+        scene = FIGURES[lesson.name](said.notation)
+        alt = plain("theory.figure.alt", said.language)
+        yield FigureBlock((scene,), said.say("theory.figure.caption"), alt, f"{said.prefix}figure.{lesson.name}")
+
+
+def compared_figure(first: Derivation, second: Derivation, coordinate: str, said: Words) -> Iterator[Block]:
+    """Both motions in one plot, where both can be followed."""
+    name = common_coordinate((first.study, second.study), coordinate)
+    try:
+        pair = motions(first, second)
+        panels = list(beside(pair, name))
+    except NotApplicable:
+        return
+    titles = {key: said.title(one.study.problem.title) for key, one in (("first", first), ("second", second))}
+    yield panels_figure("compared", panels, said.say("comparison.figure", **titles), pair[0], said)
+    yield Paragraph(numbers(pair[0], said))
 
 
 def _title(lesson: Lesson, said: Words) -> Inlines:

@@ -138,7 +138,7 @@ def plot_figures(moving: PlottedMotion, said: Words) -> Iterator[FigureBlock]:
     groups += shared(("forces", list(forces(moving))), ("positions", placed))
     for number, (name, panels) in enumerate(groups):
         words = caption(moving, name, panels, said, is_first=number == 0)
-        yield figure(label_of(name, groups, number), panels, words, moving, said)
+        yield panels_figure(label_of(name, groups, number), panels, words, moving, said)
 
 
 def label_of(name: str, groups: Sequence[tuple[str, Panels]], number: int) -> str:
@@ -189,7 +189,7 @@ def kind_of_loss(moving: PlottedMotion) -> str:
     return "slack" if element.kind == "string" else "lost"
 
 
-def figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: PlottedMotion, said: Words) -> FigureBlock:
+def panels_figure(name: str, panels: Sequence[Panel], caption: Inlines, moving: PlottedMotion, said: Words) -> FigureBlock:
     """Panels side by side."""
     notation = said.notation
     alt = " ".join(described(panel, notation, said) for panel in panels)

@@ -30,7 +30,7 @@ class CoursePart:
     problem, what of them is compared, the coordinate, and the parameter that goes to zero in the
     limit; "" for what is not said) or "remark" (its text alone). title: the heading, by language,
     empty for that of the theory or problem; text: paragraphs of the author's words before it, by
-    language, discussion: those behind it; detail: "" for that of the whole.
+    language, discussion: those behind it; detail: "" for that of the whole; plots: whether its motion is drawn.
     """
 
     kind: str
@@ -41,6 +41,7 @@ class CoursePart:
     coordinate: str = ""
     limit: str = ""
     detail: str = ""
+    plots: bool = True
     title: Mapping[str, str] = field(default_factory=dict, hash=False)
     text: Mapping[str, tuple[OwnParagraph, ...]] = field(default_factory=dict, hash=False)
     discussion: Mapping[str, tuple[OwnParagraph, ...]] = field(default_factory=dict, hash=False)
@@ -73,8 +74,8 @@ class Course:
 
 PART_KEYS = {
     "theory": ("theory",),
-    "problem": ("problem", "detail"),
-    "comparison": ("comparison", "of", "coordinate", "limit"),
+    "problem": ("problem", "detail", "plots"),
+    "comparison": ("comparison", "of", "coordinate", "limit", "plots"),
     "remark": (),
 }
 COMMON = ("title", "text", "discussion")
@@ -122,6 +123,7 @@ def _part(row: Table) -> CoursePart:
         row.string("coordinate"),
         row.string("limit"),
         row.choice("detail", DETAILS),
+        row.flag("plots", True),
         _heading(row),
         _paragraphs(row, "text"),
         _paragraphs(row, "discussion"),

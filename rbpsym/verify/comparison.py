@@ -93,7 +93,7 @@ def _quotient(study: Study, place: Equilibrium, square: Scalar) -> t.Node:
 
 def _acceleration(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
     """Accelerations that are functions of position alone."""
-    name = _coordinate(studies, part)
+    name = common_coordinate(studies, part.coordinate)
     found = [(study.dynamics.accelerations or {}).get(f"{name}_ddot") for study in studies]
     speeds = {speed for study in studies for speed in study.system.speeds}
     if not all(found) or any(depends_on(value, speed) for value in found for speed in speeds):
@@ -103,7 +103,7 @@ def _acceleration(studies: tuple[Study, Study], part: CoursePart) -> Compared | 
 
 def _speed(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
     """Squares of speeds as functions of position, from the start."""
-    name = _coordinate(studies, part)
+    name = common_coordinate(studies, part.coordinate)
     found = [study.squares.get(name) for study in studies]
     return _along("speed", f"{name}_dot", 2, studies, found) if all(found) else None
 
@@ -111,21 +111,21 @@ def _speed(studies: tuple[Study, Study], part: CoursePart) -> Compared | None:
 def _along(of: str, name: str, power: int, studies: tuple[Study, Study], found: list[Scalar]) -> Compared:
     values = tuple(short(value) for value in found)
     shown = tuple(present(value, study.style, factor=True) for study, value in zip(studies, values, strict=True))
-    return Compared(of, tuple(_indexed(name, studies[0], k) for k in (1, 2)), power, values, shown)
+    return Compared(of, tuple(indexed(name, studies[0], k) for k in (1, 2)), power, values, shown)
 
 
-def _indexed(name: str, study: Study, k: int) -> str:
+def indexed(name: str, study: Study, k: int) -> str:
     """The quantity with the number of the problem: a_1 where the notation says a, else x_1_ddot."""
     if drawn := study.problem.notation.get(name):
         return f"{drawn}_{k}"
     base, _, rate = name.rpartition("_")
-    return f"{base}_{k}_{rate}"
+    return f"{base}_{k}_{rate}" if rate in ("dot", "ddot") else f"{name}_{k}"
 
 
-def _coordinate(studies: tuple[Study, Study], part: CoursePart) -> str:
+def common_coordinate(studies: tuple[Study, Study], named: str) -> str:
     """The coordinate that is named, else the first that both problems have."""
     first, second = ([c.name for c in study.problem.coordinates] for study in studies)
-    return part.coordinate or next((name for name in first if name in second), "")
+    return named or next((name for name in first if name in second), "")
 
 
 QUANTITIES: Mapping[str, Callable[[tuple[Study, Study], CoursePart], Compared | None]] = {
