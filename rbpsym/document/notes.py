@@ -214,7 +214,8 @@ def _part_sections(
     if part.kind == "problem":
         derivation = derived.derivations[part.name]
         title = said.title(part.title or derivation.study.problem.title)
-        found = problem_sections(derivation, said.language, part.detail or detail, prefix, 2, CHECKS, plots=plots)
+        level = part.detail or detail if detail == "standard" else detail
+        found = problem_sections(derivation, said.language, level, prefix, 2, CHECKS, plots=plots)
         return [Section(words(title), own, prefix + "part", 1), *found]
     if part.kind == "remark":
         title = words(said.title(part.title)) if part.title else said.say("section.introduction")

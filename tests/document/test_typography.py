@@ -27,7 +27,7 @@ from tests.notation.paper import NAMES, SPELLINGS, equations
 
 TABLE = symbol_table(NAMES, spellings=SPELLINGS)
 
-THEORY, FIXED, FREE, COMPARISON, LADDER, SPRING = (f"p{number}" for number in (1, 2, 3, 4, 5, 6))
+THEORY, FIXED, FREE, COMPARISON, LADDER, SPRING = (f"p{number}" for number in (2, 3, 4, 5, 6, 7))
 PARTS = {
     THEORY: (*range(1, 10), *range(38, 42)),
     FIXED: range(10, 16),
