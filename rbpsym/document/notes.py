@@ -150,7 +150,7 @@ def problem_sections(
         *phase_sections(derivation, said, level, speaker),
         *([drawn] if drawn else []),
         *([answered] if answered else []),
-        *(() if is_brief else [results_section(derivation, said, level, later)]),
+        *(() if is_brief else [results_section(derivation, said, level, later, detail)]),
         checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]
 

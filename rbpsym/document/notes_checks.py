@@ -11,36 +11,51 @@ from rbpsym.derivation.assertions import Said
 from rbpsym.derivation.step import Derivation, DerivedCourse, Skipped, Step
 from rbpsym.document.model import Block, Callout, Display, Inlines, ItemList, Paragraph, Ref, Section, Table, words
 from rbpsym.document.needless import is_still
-from rbpsym.document.words import Words, sentences
+from rbpsym.document.words import Words, capital, sentences
 from rbpsym.methods.registry import METHODS
 from rbpsym.notation.tree import Node, Num, Pow
+from rbpsym.remarks.choosing import remarks
 
 Told = tuple[Words, tuple[Step, ...]]
 
 
-def results_section(derivation: Derivation, said: Words, level: int, later: Iterable[Told] = ()) -> Section:
-    """The boxed results once more, each with the number under which it was found; `later` of further phases."""
+def results_section(
+    derivation: Derivation, said: Words, level: int, later: Iterable[Told] = (), detail: str = "brief"
+) -> Section:
+    """The boxed results once more, each with the number under which it was found and, as the detail asks for it, with what
+    is to be said of it; `later` of further phases."""
+    parts = [derivation, *(phase.derivation for phase in derivation.phases)]
+    about = {id(part.steps): found for part, found in zip(parts, remarks(derivation, detail), strict=True)}
     told = [(said, derivation.steps), *later]
-    found = [(speech, step) for speech, steps in told for step in steps if step.is_result and step.id in speech.shown]
-    blocks: tuple[Block, ...] = tuple(_once_more(step, speech) for speech, step in _distinct(found))
+    found = [
+        (speech, step, about.get(id(steps), {}).get(step.id, ()))
+        for speech, steps in told
+        for step in steps
+        if step.is_result and step.id in speech.shown
+    ]
+    blocks: tuple[Block, ...] = tuple(block for row in _distinct(found) for block in _once_more(*row))
     box = Callout("result", said.say("results.intro"), blocks)
     return Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
 
 
-def _once_more(step: Step, speech: Words) -> Display:
-    """The formula with the number under which it stands on the page already."""
+def _once_more(step: Step, speech: Words, about: Iterable[Step]) -> Iterator[Block]:
+    """The formula with the number under which it stands on the page already, and what is to be said of it."""
     (first, *_) = where = speech.step(step.id)
     if isinstance(first, Ref):
-        return Display(step.statement, numbered=False, repeats=first)
-    return Display(step.statement, numbered=False, reason=where)
+        yield Display(step.statement, numbered=False, repeats=first)
+    else:
+        yield Display(step.statement, numbered=False, reason=where)
+    told = [capital(speech.say(remark.phrase, **remark.slots)) for remark in about]
+    if told:
+        yield Paragraph(sentences(told))
 
 
-def _distinct(found: list[tuple[Words, Step]]) -> Iterator[tuple[Words, Step]]:
+def _distinct(found: list[tuple[Words, Step, Iterable[Step]]]) -> Iterator[tuple[Step, Words, Iterable[Step]]]:
     seen = []
-    for speech, step in found:
+    for speech, step, about in found:
         if step.statement not in seen:
             seen.append(step.statement)
-            yield speech, step
+            yield step, speech, about
 
 
 def checks_section(derivation: Derivation, said: Words, level: int, table: str | None = "") -> Section:

@@ -97,7 +97,7 @@ class Samples:
         """A name at all points."""
         if name not in self.names:
             self.names[name] = (math.nan,) * len(self.points)  # a range that holds the name itself
-            self.names[name] = tuple(_tried(_chosen, self, name, k) for k in range(len(self.points)))
+            self.names[name] = tuple(_tried(chosen, self, name, k) for k in range(len(self.points)))
         return self.names[name]
 
     def fits(self, name: str, k: int) -> bool:
@@ -122,7 +122,7 @@ def _tried(rule: Callable[[Samples, T, int], float], samples: Samples, arg: T, k
         return math.nan
 
 
-def _chosen(samples: Samples, name: str, k: int) -> float:
+def chosen(samples: Samples, name: str, k: int) -> float:
     """A number in the range of a name, scattered by the name and the point."""
     part = (crc32(f"{name} {samples.points[k]}".encode()) % 997 + 1) / 999
     lower, upper = (None if end is None else samples.scalar(end, k) for end in samples.assumptions.range_of(name))

@@ -1,0 +1,1 @@
+"""What is worth saying of a result, each remark decided before it is said."""

@@ -1,0 +1,88 @@
+"""On what a result does not depend, why, and which way it goes with what it depends on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.equality.signs import sign
+from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
+from rbpsym.mechanics.elimination import short
+from rbpsym.notation import tree as t
+from rbpsym.quantities import MASS, NUMBER, Dimension
+from rbpsym.remarks.made import Made
+from rbpsym.remarks.result import Result
+
+
+def free_of(result: Result) -> Iterator[Made]:
+    """The declared parameters that do not stand in it: by their dimensions where these leave no choice."""
+    absent = [name for name in result.declared if not depends_on(result.value, name)]
+    verdict = all_of(_is_free(result.value, name) for name in absent)
+    sized = [name for name in absent if result.declared[name].dimension != NUMBER]
+    is_number = len(sized) > 1 and _makes_no_number(sized, result)
+    alone = sized if is_number else [name for name in absent if _is_only_mass(name, result)]
+    rest = [name for name in absent if name not in alone]
+    reason = "no_number" if is_number else "only_mass"
+    for key, names in ((reason, alone), ("free_of", rest)):
+        if names:
+            slots = {"quantity": result.name, "names": [t.Sym(name) for name in names]}
+            yield Made(f"remark.{key}", slots, verdict, ("free", *names))
+
+
+def _is_free(value: Scalar, name: str) -> Verdict:
+    """Its derivative vanishes, and twice the parameter leaves it what it was."""
+    stays = is_zero(substitute(value, {name: symbol(name) * 2}) - value)
+    return proved("its derivative vanishes") if is_zero(derivative(value, name)) and stays else undecided("it is not free of it")
+
+
+def _is_only_mass(name: str, result: Result) -> bool:
+    """Is it a mass, while the dimension of no other quantity that is given or moves holds one?"""
+    problem = result.study.problem
+    known = [*problem.parameters, *(coordinate.quantity for coordinate in problem.coordinates)]
+    return result.declared[name].dimension == MASS and not any(q.dimension.mass for q in known if q.name != name)
+
+
+def _makes_no_number(names: Sequence[str], result: Result) -> bool:
+    """Are these all that have a dimension, so that no pure number can be made of them, and the result is one?"""
+    problem = result.study.problem
+    known = [*problem.parameters, *(coordinate.quantity for coordinate in problem.coordinates)]
+    rest = [q for q in known if q.name not in names]
+    found = [result.declared[name].dimension for name in names]
+    return all(q.dimension == NUMBER for q in rest) and _rank(found) == len(found)
+
+
+def _rank(dimensions: Sequence[Dimension]) -> int:
+    """The number of independent ones, by elimination."""
+    rows, rank = [[d.mass, d.length, d.time] for d in dimensions], 0
+    for column in range(3):
+        pivot = next((row for row in rows[rank:] if row[column]), None)
+        if pivot is None:
+            continue
+        rows.remove(pivot)
+        rows.insert(rank, pivot)
+        rank += 1
+        for k in range(rank, len(rows)):
+            share = rows[k][column] / pivot[column]
+            rows[k] = [a - share * b for a, b in zip(rows[k], pivot, strict=True)]
+    return rank
+
+
+def monotone(result: Result) -> Iterator[Made]:
+    """With which parameters its size grows for all their values, and with which it falls."""
+    ways = {name: _way(result, name) for name, q in result.declared.items() if q.sign == "positive"}
+    grow, fall = ([t.Sym(name) for name, way in ways.items() if way == wanted] for wanted in ("positive", "negative"))
+    key = {(True, True): "both", (True, False): "grows", (False, True): "falls"}.get((bool(grow), bool(fall)))
+    if key:
+        slots = {"quantity": result.name, "grow": grow, "fall": fall}
+        told = ("monotone", *(f"{name}{way}" for name, way in ways.items() if way))
+        yield Made(f"remark.{key}", slots, proved("the sign of its logarithmic derivative"), told)
+
+
+def _way(result: Result, name: str) -> str:
+    """The sign of the logarithmic derivative, "" where it is none for all values."""
+    if not depends_on(result.value, name):
+        return ""
+    kind = sign(short(derivative(result.value, name) / result.value), result.given).kind
+    return kind if kind in ("positive", "negative") else ""

@@ -1,0 +1,69 @@
+"""A result of a derivation as a quantity with its value, for what is to be said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.step import Derivation, Step
+from rbpsym.equality.assumptions import Assumptions
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.quantities import Quantity
+
+BALANCES = ("conservation", "work", "asked")  # rules of results that relate quantities, and give none
+CAUSED = ("solution", "first_integral")  # those of how the system moves
+
+
+@dataclass(frozen=True)
+class Result:
+    """A boxed step that gives a quantity: its name as it is printed, its value."""
+
+    step: Step
+    study: Study
+    name: t.Node
+    value: Scalar
+
+    @property
+    def given(self) -> Assumptions:
+        """What is declared of the letters."""
+        return self.study.assumptions
+
+    @property
+    def declared(self) -> Mapping[str, Quantity]:
+        """The parameters that the author declares, by name; starts are none of them."""
+        problem = self.study.problem
+        starts = self.study.system.scope.start.values()
+        begun = {name for value in starts for name in names_in(value)}
+        return {q.name: q for q in problem.parameters if q.name not in {*problem.implicit, *begun}}
+
+
+def results(derivation: Derivation) -> Iterator[Result]:
+    """The results of a derivation that give a quantity which is not zero, as a function of the place or of the state."""
+    for step in derivation.steps:
+        found = result_of(step, derivation)
+        if found is not None:
+            yield found
+
+
+def result_of(step: Step, derivation: Derivation) -> Result | None:
+    """A step as a result; None for what is none."""
+    row = step.statement
+    if not step.is_result or step.rule in BALANCES or not isinstance(row, t.Chain) or set(row.ops) != {"="}:
+        return None
+    try:
+        value = derivation.letters.value(row.items[-1])
+    except RbpsymError:
+        return None
+    if not isinstance(value, Scalar) or is_zero(value):
+        return None
+    names, system = names_in(value), derivation.study.system
+    known = system.scope.rates.keys() if step.rule == "solution" else set(system.coordinates)
+    if names & set(system.unknowns) or names & (system.scope.rates.keys() - known):
+        return None  # what stands in them may depend on anything
+    found = Result(step, derivation.study, row.items[0], value)
+    return None if step.rule == "first_integral" and not names & {*found.declared, *known} else found

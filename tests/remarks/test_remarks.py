@@ -1,0 +1,127 @@
+"""What is said of results: the right things of the paper's problems, and nothing false of any."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.derive import derive
+from rbpsym.document.model import Math
+from rbpsym.document.notes import words_of
+from rbpsym.document.plots.following import at
+from rbpsym.equality.samples import chosen, samples_of
+from rbpsym.equality.verdict import proved, undecided
+from rbpsym.notation.text import to_text
+from rbpsym.remarks.choosing import KINDS, guarded, remarks
+from rbpsym.remarks.made import Made
+from rbpsym.remarks.result import results
+from rbpsym.statement.library import problem_files
+from rbpsym.statement.loader import load_problem
+
+
+@cache
+def derived(name):
+    return derive(load_problem(problem_files()[name]), simulation=False)
+
+
+def said(name, detail="standard", language="en"):
+    found = derived(name)
+    speech = words_of(found, frozenset(), language)
+    rows = remarks(found, detail)[0]
+    return {id: [plain(speech.say(step.phrase, **step.slots)) for step in steps] for id, steps in rows.items()}
+
+
+def plain(inlines):
+    return "".join(to_text(one.node) if isinstance(one, Math) else one.text for one in inlines)
+
+
+def test_what_drops_out_is_told_with_its_pair():
+    begins = "τ does not enter: it and its opposite act on the disk and the rod"
+    assert said("rod-and-disk-fixed")["motion.theta"][0].startswith(begins)
+    assert said("rod-and-disk-free")["motion.theta"][1] == "θ̈ is independent of R."
+    assert "the body moves across it only" in said("sliding-ladder")["motion.theta"][0]
+
+
+def test_dimensions_tell_why():
+    ladder = said("sliding-ladder")
+    assert ladder["motion.theta"][1].startswith("θ̈ is independent of M: nothing else")
+    assert ladder["loss.N_w"] == ["sin θ is a pure number, and none can be made from M, ℓ and g: it is independent of them."]
+
+
+def test_what_would_be_without_an_interaction():
+    assert "Without Fₛ, when k tends to zero, θ̈ becomes −(3g/(4ℓ)) cos θ." in said("sliding-ladder-with-spring")["motion.theta"]
+
+
+def test_a_size_is_taken_before_a_mass():
+    assert any(one.startswith("When R tends to zero") for one in said("rod-and-disk-fixed")["motion.theta"])
+
+
+def test_a_force_by_which_friction_goes_is_needed():
+    assert not any("does not enter" in one for told in said("bowling-with-overspin", "full").values() for one in told)
+
+
+def test_brief_notes_say_nothing_and_full_ones_all():
+    assert not any(said("sliding-ladder", "brief").values())
+    numbers = [sum(map(len, said("rod-and-disk-fixed", detail).values())) for detail in ("standard", "full")]
+    assert numbers[0] < numbers[1]
+    assert all(len(told) <= 3 for told in said("rod-and-disk-fixed").values())
+
+
+@pytest.mark.parametrize(("verdict", "phrase"), [(proved("x"), "remark.free_of"), (undecided("x"), "")])
+def test_only_what_is_proved_is_said(verdict, phrase):
+    assert Made("remark.free_of", {}, verdict, ()).said().phrase == phrase
+
+
+NAMES = [name for k, name in enumerate(sorted(problem_files())) if k % 12 == 5]
+POINTS = 4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_numbers_agree_with_what_is_said(name):
+    for result in results(derived(name)):
+        for made in (made for kind in KINDS for made in guarded(kind, result)):
+            is_seen = SEEN.get(made.key, lambda *_: True)
+            assert not made.verdict.is_proved or is_seen(result, made), (made.key, to_text(result.name))
+
+
+def numbers(result, **changed):
+    """Numbers of all letters that agree with what is declared, at some points."""
+    samples = samples_of(result.given)
+    for k in range(min(POINTS, len(samples.points))):
+        yield {name: chosen(samples, name, k) for name in names_in(result.value)} | changed
+
+
+def _is_free(result, made):
+    for node in made.slots["names"]:
+        one, other = ([at(result.value, place) for place in numbers(result, **{node.name: size})] for size in (0.4, 0.9))
+        if one != pytest.approx(other, nan_ok=True):
+            return False
+    return True
+
+
+def _goes_so(result, made):
+    for node, sense in [(node, way) for key, way in (("grow", 1), ("fall", -1)) for node in made.slots[key]]:
+        for place in numbers(result):
+            before, after = (abs(at(result.value, {**place, node.name: place[node.name] * share})) for share in (1, 1.0001))
+            if sense * (after - before) < -1e-12:
+                return False
+    return True
+
+
+def _tends_so(result, made):
+    name = made.slots["name"].name
+    for place in numbers(result, **{name: 1e-9}):
+        there, near = at(scalar(made.slots["value"]), place), at(result.value, place)
+        if near != pytest.approx(there, rel=1e-3, abs=1e-6, nan_ok=True):
+            return False
+    return True
+
+
+SEEN = {
+    **dict.fromkeys(("remark.free_of", "remark.only_mass", "remark.no_number"), _is_free),
+    **dict.fromkeys(("remark.grows", "remark.falls", "remark.both"), _goes_so),
+    **dict.fromkeys(("remark.small", "remark.much", "remark.without"), _tends_so),
+}
