@@ -31,7 +31,8 @@ FAST   := $(patsubst %,tests/%.py,\
           kernel/test_certify letters/test_letters library/test_printed_forms mechanics/test_balance \
           mechanics/test_numbers mutants/test_mutants notation/test_formats notation/test_infix notation/test_laws \
           oracles/test_eigenvalues solve/test_contract statement/test_broken statement/test_build statement/test_loader \
-          teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks verify/test_simulation_steps remarks/test_remarks)
+          teaching/test_grading_formulas teaching/test_sheet_errors teaching/test_tasks verify/test_simulation_steps \
+          remarks/test_remarks)
 
 BIN      := $(VENV)/bin
 PIP      := $(BIN)/python -m pip --quiet --disable-pip-version-check
