@@ -55,6 +55,8 @@ class CheckRun:
     help="Claims or problems that bind a paper's symbols.",
 )
 @click.option("--all", "every", is_flag=True, help="Judge a paper's formulas that nobody claimed too.")
+@click.option("--init", is_flag=True, help="Print a first draft of a paper's comments, as a diff.")
+@click.option("--fix", metavar="FILE", type=file_path, help="Write a diff that repairs the formulas whose one fault is known.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.option("--junit", metavar="FILE", type=file_path, help="Write a JUnit report.")
 @click.option("--html", metavar="FILE", type=file_path, help="Write a page for people.")
@@ -67,7 +69,8 @@ class CheckRun:
 @click.option("--no-cache", is_flag=True, help="Decide everything anew.")
 @click.option("--simulation/--no-simulation", default=False, help="Run the numerical oracle of derivations too.")
 def command(
-    names: Names, problems: Names, every: bool, as_json: bool, junit: Path | None, html: Path | None, github: bool, only: str,
+    names: Names, problems: Names, every: bool, init: bool, fix: Path | None, as_json: bool, junit: Path | None,
+    html: Path | None, github: bool, only: str,
     failures: bool, cache: Path | None, no_cache: bool, simulation: bool,
 ) -> int:  # fmt: skip
     """Decide formulas: PROVED, REFUTED with a witness, UNDECIDED, or not a formula we compute.
@@ -77,6 +80,8 @@ def command(
       rbpsym check                                    all that ships
       rbpsym check my-problem.toml my-claims.toml     problems and claims of your own
       rbpsym check book.tex notes.md lab.ipynb        papers, with claims beside the formulas (% rbpsym: claim)
+      rbpsym check --init book.tex                    a first draft of these comments
+      rbpsym check book.tex --fix repairs.patch       what would make refuted formulas true
       rbpsym check PAPER.tex --problems claims.toml   a paper, with its symbols bound by claims
       rbpsym check PAPER.tex --problems claims.toml --html report.html --junit report.xml --github
 
@@ -89,9 +94,12 @@ def command(
     Exit codes: 0 all as expected, 1 a verdict differs or nothing was decided,
     2 something could not be read.
     """
-    from rbpsym.commands import reports
+    from rbpsym.commands import patches, reports
     from rbpsym.verify.claims_run import Certificates, default_folder
 
+    if init:
+        click.echo("".join(patches.draft_of(Path(name)) for name in names), nl=False)
+        return FINE
     certificates = Certificates.opened(None if no_cache else cache or default_folder(), draws=html is not None)
     with Progress("check") as progress:
         found = everything(names, problems, certificates, simulation, progress, every)
@@ -99,6 +107,8 @@ def command(
     found = selected(found, only)
     tell = reports.as_json if as_json else reports.as_table
     click.echo(tell(found, failures), nl=False)
+    if fix:
+        written(fix, patches.repairs(found.results))
     for path, write in ((junit, reports.as_junit), (html, reports.as_html)):
         if path:
             written(path, write(found))

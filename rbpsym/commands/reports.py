@@ -44,6 +44,8 @@ def lines(result: Result) -> Iterator[str]:
         yield result.detail
     if result.diagnosis:
         yield result.diagnosis if result.diagnosis.startswith("in fact") else f"near miss: {result.diagnosis}"
+    if result.fix:
+        yield f"write: {' '.join(result.fix.split())}"
     if result.right:
         yield f"right form {result.right}: {result.right_latex.strip()}"
 
@@ -117,9 +119,9 @@ def as_table(found: CheckRun, failures: bool = False) -> str:
 
 # what JSON tells of a result, and of each link of its chain
 RESULT = (
-    "id kind number label file claims line latex says outcome expected how detail diagnosis erratum right right_latex note"
+    "id kind number label file claims line latex says outcome expected how detail diagnosis fix erratum right right_latex note"
 )
-LINK = "relation outcome how detail diagnosis"
+LINK = "relation outcome how detail diagnosis fix"
 
 
 def record(result: Result) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.present import present
@@ -141,6 +142,9 @@ def _bounded(low: t.Node, high: t.Node, ground: Ground, given: Assumptions) -> A
     return None
 
 
+if TYPE_CHECKING:
+    from rbpsym.verify.diagnosis import Diagnosis
+
 CONSTANTS = frozenset({"const", "constant", "konst", "cte", "constante", "cst", "konstante"})
 OUTCOMES = {Kind.PROVED: Outcome.PROVED, Kind.REFUTED: Outcome.REFUTED, Kind.UNDECIDED: Outcome.UNDECIDED}
 
@@ -153,7 +157,7 @@ class Checker:
     """
 
     world: Callable[[Setting], World]
-    diagnose: Callable[[t.Node, Claim, Ground], str] | None = None
+    diagnose: Callable[[t.Chain, Claim, Ground], Diagnosis] | None = None
     memory: dict[str, dict[str, Scalar | Space]] = field(default_factory=dict)
     draws: bool = False
 
@@ -186,7 +190,7 @@ class Checker:
         node = read(printed, words)
         right = read(claim.right, words) if claim.right else None
         ground = self.ground(claim.setting, words, *filter(None, (node, right)))
-        links = tuple(self.links(node, claim, ground))
+        links = tuple(self.links(node, claim, ground, latex))
         right = self._right(right, claim, ground) if right else ""
         form = claim.right.latex if claim.right else ""
         outcome = worst([link.outcome for link in links])
@@ -209,15 +213,31 @@ class Checker:
         ground = replace(ground, defined=self.memory.setdefault(setting.name, {}))
         return replace(ground, premises=premises(given, ground)) if given else ground
 
-    def links(self, node: t.Node, claim: Claim, ground: Ground) -> Iterator[Link]:
+    def links(self, node: t.Node, claim: Claim, ground: Ground, latex: str = "") -> Iterator[Link]:
         """The outcome of each relation that the formula asserts."""
         solved, narrow = told(ground), under(getattr(node, "conditions", ()), ground)
-        for relation in relations(node):
+        for place, relation in enumerate(relations(node)):
             link = narrow(relation, lambda relation, ground: decide(relation, ground, claim.holds))
             link = replace(link, how=", ".join(filter(None, (link.how, solved))))
             if link.outcome is Outcome.REFUTED and self.diagnose and not claim.right:
-                link = replace(link, diagnosis=self.diagnose(relation, claim, ground))
+                found = self.diagnose(relation, claim, ground)
+                fix = self._fix(latex, place, relation, found.relation, claim) if found.relation and latex else ""
+                link = replace(link, diagnosis=found.words, fix=fix)
             yield replace(link, relation=to_text(relation), mathml=self._drawn(relation))
+
+    def _fix(self, latex: str, place: int, relation: t.Chain, repaired: t.Chain, claim: Claim) -> str:
+        """The formula with one relation repaired, if that relation is proved as it is read again."""
+        from rbpsym.verify.diagnosis_text import corrected
+
+        words = self.reading(glossary(claim.setting.symbols), claim.setting)
+        written = corrected(latex, relation, repaired, {name: latex for latex, (name, _) in words.names.items()})
+        try:
+            again = read(Printed(written), words)
+            ground = self.ground(claim.setting, words, again)
+            found = [decide(one, ground, claim.holds, witnesses=False) for one in relations(again)]
+        except RbpsymError:
+            return ""
+        return written if written and len(found) > place and found[place].outcome is Outcome.PROVED else ""
 
     def _drawn(self, relation: t.Chain) -> str:
         if not self.draws:

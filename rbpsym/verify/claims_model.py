@@ -112,7 +112,8 @@ class Link:
     """One relation of a chain with its outcome.
 
     relation: its tree, or its text in a result. how: by what it was proved. detail: the witness,
-    or the reason why not. diagnosis: what seems to be meant. mathml: the relation, drawn.
+    or the reason why not. diagnosis: what seems to be meant. mathml: the relation, drawn. fix: the whole formula with
+    this relation repaired, in the author's LaTeX; "" if that is not known, or was not proved as it is read again.
     """
 
     relation: Node | str
@@ -121,6 +122,7 @@ class Link:
     detail: str = ""
     diagnosis: str = ""
     mathml: str = ""
+    fix: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +157,11 @@ class Result:
     def diagnosis(self) -> str:
         """The first diagnosis of a near miss."""
         return next((link.diagnosis for link in self.links if link.diagnosis), "")
+
+    @property
+    def fix(self) -> str:
+        """The formula with its one wrong relation repaired, in the author's LaTeX."""
+        return next((link.fix for link in self.links if link.fix), "")
 
     @property
     def how(self) -> str:

@@ -14,12 +14,18 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from hashlib import blake2b
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rbpsym.errors import RbpsymError, ReadError, StatementError
+from rbpsym.notation.tree import Chain
 from rbpsym.quantity.bound import World
 from rbpsym.statement.source import did_you_mean
 from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_ground import Ground
 from rbpsym.verify.claims_model import Claim, ClaimsFile, Link, Outcome, Printed, Result, Setting, told_of
+
+if TYPE_CHECKING:
+    from rbpsym.verify.diagnosis import Diagnosis
 
 MOST = 20_000
 NAME = "certificates.json"
@@ -258,7 +264,7 @@ def checker(file: ClaimsFile, cache: Certificates) -> Remembering:
     return Remembering(Worlds(folder), _diagnosed, draws=cache.draws, cache=cache, folder=folder)
 
 
-def _diagnosed(relation, claim: Claim, ground) -> str:
+def _diagnosed(relation: Chain, claim: Claim, ground: Ground) -> Diagnosis:
     from rbpsym.verify.diagnosis import diagnosis
 
     return diagnosis(relation, claim, ground)

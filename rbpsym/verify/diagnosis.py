@@ -25,6 +25,7 @@ from rbpsym.verify.claims_check import decide
 from rbpsym.verify.claims_ground import Ground, Question, holds_unknowns
 from rbpsym.verify.claims_integrals import prepared
 from rbpsym.verify.claims_model import Claim, Outcome
+from rbpsym.verify.diagnosis_edits import edits
 from rbpsym.verify.diagnosis_numbers import TOLERANCE, samples
 
 
@@ -56,10 +57,18 @@ class Repair:
     ground: Ground | None = None
 
 
-def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> str:
-    """The first repair that is PROVED, in words; "" if none is."""
+@dataclass(frozen=True, slots=True)
+class Diagnosis:
+    """What a refuted relation seems to mean, in words, and the relation that was proved in its place."""
+
+    words: str = ""
+    relation: t.Chain | None = None
+
+
+def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> Diagnosis:
+    """The first repair that is PROVED; what is true of a symbol that stands alone if none is."""
     if relation.ops != ("=",):
-        return ""
+        return Diagnosis()
     looks = samples(Question(ground, claim.holds))
     decided = unseen = 0
     for repair in _repairs(relation, claim, ground):
@@ -70,8 +79,8 @@ def diagnosis(relation: t.Chain, claim: Claim, ground: Ground) -> str:
         decided += seen is True
         link = decide(repair.relation, repair.ground or ground, claim.holds, witnesses=False)
         if link.outcome is Outcome.PROVED:
-            return f"{repair.words}: {to_text(repair.relation)}"
-    return _actual(relation, ground)
+            return Diagnosis(f"{repair.words}: {to_text(repair.relation)}", repair.relation)
+    return Diagnosis(_actual(relation, ground))
 
 
 FACT = "in fact"  # begins a diagnosis that is no near miss
@@ -119,6 +128,8 @@ def _repairs(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Repair
         yield from rule(relation)
     yield from _moments(relation, ground)
     yield from _pivots(relation, claim, ground)
+    for repaired, words, wide in edits(relation, claim, ground):
+        yield Repair(repaired, words, wide)
 
 
 def _signs(relation: t.Chain) -> Iterator[Repair]:
@@ -158,9 +169,9 @@ def _times(factor: Fraction, node: t.Node) -> t.Node:
 
 def _functions(relation: t.Chain) -> Iterator[Repair]:
     for path, node in sites(relation):
-        if isinstance(node, t.Fn) and node.name in ("sin", "cos"):
-            other = "cos" if node.name == "sin" else "sin"
-            yield Repair(put(relation, path, replace(node, name=other)), f"{other} in place of {node.name}")
+        for other in ("sin", "cos", "tan") if isinstance(node, t.Fn) else ():
+            if node.name in ("sin", "cos", "tan") and other != node.name:
+                yield Repair(put(relation, path, replace(node, name=other)), f"{other} in place of {node.name}")
 
 
 def _exponents(relation: t.Chain) -> Iterator[Repair]:

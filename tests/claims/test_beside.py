@@ -129,3 +129,55 @@ def test_a_changed_display_stays_the_claim_that_it_is(folder, capsys):
     (folder / "c.toml").write_text(said + "[[claim]]\nid = 'v'\nline = 2\nlatex = 'V^2=4'")
     code, rows = checked(folder, capsys, "a.tex", "Text\n\\[ V=1 \\]\n", "--problems", "c.toml")
     assert code == 1 and [(row["id"], row["outcome"]) for row in rows] == [("v", "REFUTED")]
+
+
+WRONG_TEXT = r"""% rbpsym: problem = sliding-ladder
+% rbpsym: \w is the speed of theta
+% rbpsym: claim
+\begin{equation}\label{a} \ddot\theta = \frac{3 g}{4\ell}\cos\theta. \end{equation}
+% rbpsym: claim
+\[ \w^2 = \frac{3 g}{2\ell}(\cos\theta_0 - \sin\theta) \]
+"""
+
+
+def test_a_patch_repairs_what_is_wrong(folder, capsys):
+    """The author's own symbols and spaces stay; the repaired text is green."""
+    text = WRONG_TEXT.replace(r"\w", r"\omega")
+    code, rows = checked(folder, capsys, "a.tex", text, "--fix", "a.patch")
+    assert code == 1 and [row["outcome"] for row in rows] == ["REFUTED", "REFUTED"]
+    patch = (folder / "a.patch").read_text()
+    assert r"+\begin{equation}\label{a} \ddot\theta = -\frac{3 g}{4\ell}\cos\theta. \end{equation}" in patch
+    plus = [line[1:] for line in patch.split("\n") if line.startswith("+") and not line.startswith("+++")]
+    lines = text.split("\n")
+    lines[3], lines[5] = plus
+    assert checked(folder, capsys, "a.tex", "\n".join(lines))[0] == 0
+    book = cells("<!-- rbpsym: problem = sliding-ladder\nclaim -->\n$$\\ddot\\theta = \\frac{3 g}{4\\ell}\\cos\\theta$$")
+    checked(folder, capsys, "a.ipynb", book, "--fix", "a.patch")
+    assert "-\\\\frac{3 g}{4\\\\ell}" in (folder / "a.patch").read_text()
+
+
+LADDER = r"""A ladder slides along a wall.
+%s T = \frac{2}{3} M \ell^2 \omega^2 %s
+Then
+%s \alpha = -\frac{3 g}{4\ell}\cos\theta %s
+and %s Q = q %s
+"""
+
+
+@pytest.mark.parametrize(("name", "marks"), [("a.tex", (r"\[", r"\]")), ("a.md", ("$$", "$$"))])
+def test_a_first_draft_proves_what_it_says(folder, capsys, name, marks):
+    r"""T, α and ω are no names of the problem; what is not proved stands behind a “?”, and says nothing."""
+    (folder / name).write_text(LADDER % (marks * 3))
+    assert main.main(["check", "--init", name], standalone_mode=False) == 0
+    told = capsys.readouterr().out
+    assert "rbpsym: problem = sliding-ladder" in told and "T is the kinetic energy" in told and "rbpsym? Q is" in told
+    lines = [line[1:] for line in told.split("\n") if line[:1] in ("+", " ") and line[:3] != "+++"]
+    code, rows = checked(folder, capsys, name, "\n".join(lines) + "\n")
+    assert code == 0 and [row["outcome"] for row in rows] == ["PROVED", "PROVED"]
+
+
+def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
+    (folder / "a.tex").write_text("\\[ \\omega = Q q \\]")
+    main.main(["check", "--init", "a.tex"], standalone_mode=False)
+    told = capsys.readouterr().out
+    assert "% rbpsym? problem = NAME" in told and "rbpsym:" not in told and "speed of C" in told

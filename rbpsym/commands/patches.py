@@ -1,0 +1,74 @@
+"""Changes of a text as unified diffs: a first draft of its comments, and repaired formulas."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from difflib import unified_diff
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rbpsym.verify.claims_model import Result
+
+_MARKED_UP = (".md", ".markdown", ".myst", ".html", ".htm")
+COMMENTS = {".rst": (".. rbpsym{}", ""), **dict.fromkeys(_MARKED_UP, ("<!-- rbpsym{}", " -->"))}
+
+
+def draft_of(path: Path) -> str:
+    """The text with a first draft of comments that name a problem, symbols and claims, as a diff. Raises ReadError."""
+    from rbpsym.verify.paper_draft import draft
+    from rbpsym.verify.paper_walk import read_paper
+
+    begin, end = COMMENTS.get(path.suffix.lower(), ("% rbpsym{}", ""))
+    comments: dict[tuple[str, int], list[str]] = {}
+    for formula, said in draft(read_paper(path)):
+        gap = "\n" if path.suffix.lower() == ".rst" else ""
+        comments.setdefault((formula.file, formula.line), []).extend(begin.format(one) + end + "\n" + gap for one in said)
+    return "".join(
+        diff(file, text, [part for number, line in enumerate(text, 1) for part in (*comments.get((file, number), ()), line)])
+        for file in dict.fromkeys(file for file, _ in comments)
+        for text in [lines_in(file)]
+    )
+
+
+def repairs(results: Iterable[Result]) -> str:
+    """The diff that repairs each formula whose one wrong place is known, where it stands in its file as it was read."""
+    wrong: dict[str, list[Result]] = {}
+    for result in results:
+        if result.fix and not result.expected and result.file:
+            wrong.setdefault(result.file, []).append(result)
+    return "".join(_repaired(file, own) for file, own in wrong.items())
+
+
+def _repaired(file: str, wrong: list[Result]) -> str:
+    old = lines_in(file)
+    text = "".join(old)
+    for result in wrong:
+        start = len("".join(old[: max(result.line - 1, 0)]))
+        for latex, fix in _spellings(result):
+            place = text.find(latex, max(start - 200, 0)) if latex else -1
+            if place >= 0:
+                text = f"{text[:place]}{fix}{text[place + len(latex) :]}"
+                break
+    return diff(file, old, text.splitlines(keepends=True))
+
+
+def _spellings(result: Result) -> Iterator[tuple[str, str]]:
+    """The formula and its repair as LaTeX, and as a notebook holds them."""
+    pair = result.latex.strip(), result.fix.strip()
+    yield pair
+    yield json.dumps(pair[0])[1:-1], json.dumps(pair[1])[1:-1]
+
+
+def lines_in(file: str) -> list[str]:
+    """The lines of a text with their ends. Raises ReadError."""
+    from rbpsym.statement.files import latin_or_utf8_in
+    from rbpsym.verify.paper_source import MAX_BYTES
+
+    return latin_or_utf8_in(Path(file), MAX_BYTES, "the text")[0].splitlines(keepends=True)
+
+
+def diff(file: str, old: list[str], new: list[str]) -> str:
+    """What patch and git apply take."""
+    return "".join(unified_diff(old, new, f"a/{file}", f"b/{file}"))

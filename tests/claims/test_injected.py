@@ -1,0 +1,77 @@
+"""Errors of one token are caught, and nearly all are repaired in the author's own LaTeX."""
+
+import random
+from collections import Counter
+
+import pytest
+
+from rbpsym.errors import RbpsymError
+from rbpsym.notation import tree as t
+from rbpsym.statement.library import library_folder
+from rbpsym.verify.claims_check import Checker
+from rbpsym.verify.claims_loader import load_claims
+from rbpsym.verify.claims_model import Outcome, Printed
+from rbpsym.verify.claims_run import Worlds
+from rbpsym.verify.diagnosis import diagnosis
+from rbpsym.verify.diagnosis_text import corrected
+from tests.claims.injected import injected
+
+FOLDER = library_folder() / "claims"
+FILES = ("atwood-with-massive-pulley", "ball-on-incline", "disk-on-moving-plank", "rod-with-spring", "yo-yo", "rod-pendulum")
+COUNT = 40
+SEEN = (Outcome.REFUTED, Outcome.UNDECIDED, Outcome.PROVED)
+
+
+def drawn(seed):
+    """Claims with an error each, drawn from all of them."""
+    rows = []
+    for name in FILES:
+        file, checker = load_claims(FOLDER / f"{name}.toml"), Checker(Worlds(FOLDER), diagnosis)
+        for claim in file.claims:
+            if claim.expect == "proved" and claim.printed and "=" in claim.printed.latex:
+                letters = [symbol for symbol in claim.setting.symbols if len(symbol) < 7 and r"\vec" not in symbol]
+                rows += [(checker, claim, kind, latex) for kind, latex in injected(claim.printed.latex, letters[:5])]
+    random.Random(seed).shuffle(rows)
+    return rows
+
+
+def test_errors_of_one_token_are_caught_and_repaired():
+    counts, left = Counter(), []
+    for checker, claim, kind, latex in drawn(3):
+        if counts["tried"] == COUNT:
+            break
+        try:
+            found = checker.check(claim, Printed(latex))
+        except RbpsymError:
+            continue
+        if found.outcome not in SEEN:
+            continue
+        counts["tried"] += 1
+        counts[found.outcome] += 1
+        if found.outcome is Outcome.REFUTED:
+            counts["repaired"] += bool(found.fix)
+            left += [] if found.fix else [(kind, latex, found.diagnosis)]
+            again = checker.check(claim, Printed(found.fix)) if found.fix else None
+            assert again is None or found.links[0].outcome is not Outcome.REFUTED or again.links[0].outcome is Outcome.PROVED
+    assert counts["tried"] == COUNT and counts[Outcome.UNDECIDED] <= 1, counts
+    assert counts[Outcome.PROVED] <= 1, counts  # an error that leaves the formula true is none
+    assert counts["repaired"] >= 0.85 * counts[Outcome.REFUTED], left
+
+
+X, Y = t.Sym("x", span=(4, 5)), t.Sym("y", span=(8, 9))
+SUM = t.Chain((t.Sym("a", span=(0, 1)), t.Add((X, Y), span=(4, 9))), ("=",))
+
+
+@pytest.mark.parametrize(
+    ("repaired", "text"),
+    [
+        (t.Add((X, t.Neg(Y))), "a = x - y"),
+        (t.Add((t.Neg(X), Y)), "a = -x + y"),
+        (t.Add((X, t.Sym("z"))), r"a = x + \zeta"),
+        (t.Add((X, t.Pow(Y, t.TWO))), "a = x + y^2"),
+        (X, "a = x"),
+    ],
+)  # fmt: skip
+def test_what_is_not_changed_stays_as_it_is_printed(repaired, text):
+    new = t.Chain((SUM.items[0], repaired), ("=",))
+    assert corrected("a = x + y", SUM, new, {"z": r"\zeta", "x": "x", "y": "y"}).replace("\\zeta ", "\\zeta") == text
