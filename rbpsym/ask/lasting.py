@@ -103,7 +103,9 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
         return asked.stage(int(place)).began.before.valid, ()
     if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
-    if kind or found.about:
+    constants = {"pi", *(quantity.name for quantity in study.problem.parameters)}
+    is_constant = found.moment is None and all(names_in(value) <= constants for value in found.named)  # as a mass
+    if kind or found.about or is_constant:
         return (), ()
     if found.moment is not None:
         lasts, doubts = lasts_to(study, found.moment)

@@ -25,6 +25,8 @@ def _times(world: Scene, factor: str, text: str) -> t.Node:
 
 
 def _ratio(world: Scene, above: str, below: str) -> t.Node:
+    if above == below:
+        raise StatementError("both parts of this ratio are the same, with the same values", instead="ask for each of them alone.")
     place = PLACE.fullmatch(below)
     above = above if place is None or WHEN.search(above) else above + place[2]  # “ratio of A to B where …” is of both
     return t.Div(form_of(world, above), form_of(world, below))

@@ -14,7 +14,7 @@ from rbpsym.ask.finding import Finding
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import ASKED, PHASE
 from rbpsym.ask.seen import NeverThere, Scene, scene
-from rbpsym.errors import RbpsymError
+from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.arrivals import mover
 
 _BEST = rf"({'|'.join(critical.SUPERLATIVES)})"
@@ -58,11 +58,19 @@ RESORTS: Rows = (
     (rf"{_N} where (.+?) ((?:=|is|equals|vanishes) ?.*)", lambda w, name, *said: critical.which(w, None, name, " ".join(said))),
     (
         r"where (?:is|does) (?:the )?(.+?) (?:zero|vanish)",
-        lambda w, phrase: critical.which(w, None, mover(w.study), f"{phrase} = 0"),
+        lambda w, phrase: critical.which(w, None, _mover(w), f"{phrase} = 0"),
     ),
     (r"(.+[-+*/].+)", made.made),
 )
 WITH = re.compile(r"(?:the )?(.+) (?:with|if) (\w+ ?= ?[^=]+(?:(?:,| and) \w+ ?= ?[^=]+)*)")
+
+
+def _mover(world: Scene) -> str:
+    """The one coordinate that moves. Raises StatementError where there are several, or none is known."""
+    name = mover(world.study)
+    if name is None:
+        raise StatementError("several coordinates move, or none is known to", instead="say of which: “x where …”.")
+    return name
 
 
 def _told_after(text: str) -> str:

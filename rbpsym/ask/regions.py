@@ -20,7 +20,8 @@ from rbpsym.mechanics.elimination import short
 class Region:
     """lower < name < upper, where `asked` is met; None means that the range alone bounds it.
 
-    otherwise: 1 or -1 where it holds everywhere or nowhere if what is asked is not met. is_empty: nowhere. crossing: the one
+    otherwise: 1 or -1 where it holds everywhere or nowhere if what is asked is not met; loose: what of it is such that it
+    holds everywhere if that is not met. is_empty: nowhere. crossing: the one
     bound, where it has no closed form. worst: the places on the way that decide. cases: instead, regions of which one holds.
     """
 
@@ -31,6 +32,7 @@ class Region:
     crossing: Crossing | None = None
     worst: tuple[Scalar | None, ...] = ()
     otherwise: int = 0
+    loose: tuple[Demand, ...] = ()
     cases: tuple[Region, ...] = ()
 
     @property
@@ -54,17 +56,17 @@ def region(value: Scalar, name: str, given: Assumptions) -> Region | None:
         return Region(asked=table.zeros.asked, is_empty=True)
     k = table.signs.index(1)
     places = [None, *(zero.place for zero in table.zeros.found), None]
-    return Region(places[k], places[k + 1], table.zeros.asked, otherwise=_otherwise(value, name, table.zeros.asked, given))
+    signs = {demand: _otherwise(value, name, demand, given) for demand in table.zeros.asked}
+    [otherwise] = set(signs.values()) if len(set(signs.values())) == 1 else [0]
+    loose = tuple(demand for demand, side in signs.items() if side == 1)
+    return Region(places[k], places[k + 1], table.zeros.asked, otherwise=otherwise, loose=loose)
 
 
-def _otherwise(value: Scalar, name: str, asked: Sequence[Demand], given: Assumptions) -> int:
-    """The sign in the whole range where one of the demands is not met; 0 if it is not known."""
-    signs = set()
-    for demand in asked:
-        opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
-        table = sign_table(value, name, where_met(given, [opposite]))
-        signs.add(table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else None)
-    return (signs.pop() or 0) if len(signs) == 1 else 0
+def _otherwise(value: Scalar, name: str, demand: Demand, given: Assumptions) -> int:
+    """The sign in the whole range where the demand is not met; 0 if it is not known."""
+    opposite = Demand(-demand.value, ">=" if demand.op == ">" else ">")
+    table = sign_table(value, name, where_met(given, [opposite]))
+    return table.signs[0] if demand.op != "!=" and table.is_whole and len(table.signs) == 1 else 0
 
 
 def region_on_way(value: Scalar, name: str, along: str, given: Assumptions) -> Region | None:
@@ -88,8 +90,8 @@ def _of_low(low: Extreme, name: str, along: str, given: Assumptions) -> Region |
     if low.where and is_zero(low.value) and low.beside:
         return Region(is_empty=low.beside < 0, asked=low.asked)
     found = region(low.value, name, where_met(given, low.asked).without(along))
-    otherwise = 0 if found is None or low.asked else found.otherwise
-    return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,), otherwise=otherwise)
+    otherwise, loose = (0, ()) if found is None or low.asked else (found.otherwise, found.loose)
+    return found and replace(found, asked=(*low.asked, *found.asked), worst=(low.place,), otherwise=otherwise, loose=loose)
 
 
 def common(regions: Sequence[Region | None], given: Assumptions) -> Region | None:
@@ -102,11 +104,13 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
     asked = tuple(dict.fromkeys(demand for one in regions for demand in one.asked))
     bound = [one for one in regions if not one.is_whole]
     if settle(asked, given) is None:
-        loose, firm = ([one for one in bound if (one.otherwise == 1) == is_loose] for is_loose in (True, False))
+        loose, firm = ([one for one in bound if bool(one.loose) == is_loose] for is_loose in (True, False))
         held = [demand for one in firm for demand in one.asked]
         kept = [one for one in loose if settle([*held, *one.asked], given) is not None]
         if len(kept) < len(loose):
-            return common([*kept, *firm], given)  # what is whole where the others' demands are met
+            return common([*kept, *firm], given) if _are_whole([o for o in loose if o not in kept], held, given) else None
+        if not all(_are_whole([other for other in loose if other is not one], one.asked, given) for one in loose):
+            return None
         cases = [common([one, *firm], given) for one in loose]  # one is whole where the other's demands are met
         is_told = len(cases) == 2 and not any(one is None or one.is_empty or one.cases for one in cases)
         return Region(cases=tuple(cases)) if is_told else None
@@ -120,6 +124,11 @@ def common(regions: Sequence[Region | None], given: Assumptions) -> Region | Non
     is_empty, asked = room in (0, -1), (*asked, *([Demand(ends[1] - ends[0])] if room is None else []))
     otherwise = bound[0].otherwise if len(bound) == 1 and asked == bound[0].asked else 0
     return Region(*ends, asked, is_empty, None, (*lower.worst, *upper.worst), otherwise)
+
+
+def _are_whole(regions: Sequence[Region], met: Sequence[Demand], given: Assumptions) -> bool:
+    """Whether each holds everywhere under these demands, since one that it asks for is then not met."""
+    return all(any(settle([*met, demand], given) is None for demand in one.loose) for one in regions)
 
 
 def by_order(regions: Sequence[Region | None], beside: Sequence[Region | None], given: Assumptions, sense: int) -> Region | None:

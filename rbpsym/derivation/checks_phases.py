@@ -14,9 +14,11 @@ from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
+from rbpsym.derivation.checks_courses import at_time, course_of, moved_to
 from rbpsym.derivation.checks_driven import comes_there, is_driven, left_then, state_said
 from rbpsym.derivation.checks_places import UNSEEN, demanded, own_place, under, way_to
 from rbpsym.derivation.context import Context
+from rbpsym.derivation.entailment import short
 from rbpsym.derivation.mass import angular_momentum, kinetic_energy, torque
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step
@@ -42,31 +44,10 @@ def slip(context: Context, step: Step) -> Verdict:
     return weakest(same(context, context.value(right), found) for _, _, right in relations(step.statement))
 
 
-def _course(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
-    """A value whose acceleration is a function of the time t, and its rate, as such functions."""
-    scope = context.study.system.scope
-    if not names_in(value) & scope.rates.keys() - {"t"}:  # it is driven
-        return value, time_derivative(value, scope)
-    rate = time_derivative(value, scope)
-    gain = context.on_motion(time_derivative(rate, scope))
-    speed = _gained(gain) + context.start(rate)
-    return _gained(speed) + context.start(value), speed
-
-
-def _gained(rate: Scalar) -> Scalar:
-    """What a rate adds up to since t = 0."""
-    found = primitive(rate, "t")
-    return found - _at(NOTHING, found)
-
-
-def _at(time: Scalar, value: Scalar) -> Scalar:
-    return substitute(value, {"t": time})
-
-
 def reached_then(context: Context, step: Step) -> Verdict:
     """At the stated time the slip has gone, or the coordinate has its value (`data`: "ending")."""
     [(_, _, right)] = list(relations(step.statement))
-    return same(context, _at(context.value(right), _left(context, step)), NOTHING)
+    return same(context, at_time(context.value(right), _left(context, step)), NOTHING)
 
 
 def first_then(context: Context, step: Step) -> Verdict:
@@ -80,16 +61,32 @@ def first_then(context: Context, step: Step) -> Verdict:
     left = _left(context, step)
     kept = any(sign(value, before).is_nonzero for value in (left, derivative(left, "t")))
     kept = kept or _has_no_other_root(left, time, context.assumptions)
+    if not ahead.is_proved and _is_square(left):  # a + b T + c T² = 0: T is -a over the mean speed b + c T
+        gone, (mean, _) = -at_time(NOTHING, left), _mean_and_last(left, time)
+        ahead = compare(NOTHING, gone * mean, context.assumptions)
     return weakest([ahead, Verdict(PROVED) if kept else UNSEEN])
 
 
 def _has_no_other_root(left: Scalar, time: Scalar, given: Assumptions) -> bool:
     """Whether a + b t + c t², which vanishes at a time T, does not vanish between 0 and T: c (t + T) + b keeps its sign."""
+    if not _is_square(left):
+        return False
+    mean, last = (sign(value, given) for value in _mean_and_last(left, time))
+    ends = {"positive": ("positive", "nonnegative", "zero"), "negative": ("negative", "nonpositive", "zero")}
+    pairs = ((mean.kind, last.kind), (last.kind, mean.kind))
+    return any(other in ends.get(kind, ()) for kind, other in pairs)
+
+
+def _is_square(left: Scalar) -> bool:
+    """Whether it is of the form a + b t + c t²."""
+    return not depends_on(derivative(derivative(left, "t"), "t"), "t")
+
+
+def _mean_and_last(left: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
+    """The mean rate of a + b t + c t² up to a time T, b + c T, and the last one, b + 2 c T."""
     half = derivative(derivative(left, "t"), "t") / 2
     begin = substitute(derivative(left, "t"), {"t": NOTHING})
-    kinds = [sign(half * time * k + begin, given) for k in (1, 2)]
-    signs = {kind.kind for kind in kinds if kind.kind != "zero"}
-    return not depends_on(half, "t") and signs in ({"positive"}, {"negative"})
+    return short(half * time + begin), short(half * time * 2 + begin)
 
 
 def _left(context: Context, step: Step) -> Scalar:
@@ -98,14 +95,14 @@ def _left(context: Context, step: Step) -> Scalar:
     if is_driven(context, phase):
         return left_then(context, phase)
     if phase.event == "reaches":
-        return _course(context, own_place(context, phase.subject))[0] - scalar(phase.value)
+        return course_of(context, own_place(context, phase.subject))[0] - scalar(phase.value)
     if phase.event == "rests":
-        return _course(context, own_place(context, phase.subject))[1]
+        return course_of(context, own_place(context, phase.subject))[1]
     if phase.event == "time":
         return symbol("t") - scalar(phase.value)
     if phase.event == "begins":
-        moved = {name: _course(context, own_place(context, name))[0] for name in system.coordinates}
-        return substitute(substitute(_closing(system, phase.gap), system.dependent), moved)
+        gap = substitute(_closing(system, phase.gap), system.dependent)
+        return substitute(gap, {n: course_of(context, own_place(context, n))[0] for n in names_in(gap) & {*system.coordinates}})
     slip = slip_at(system, system.element(phase.subject))
     return context.start(slip) + context.on_motion(time_derivative(slip, system.scope)) * symbol("t")
 
@@ -175,8 +172,8 @@ def _by_what(context: Context, ending):
 
 
 def _uniform(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
-    place, speed = _course(context, own_place(context, name))
-    return same(context, _at(ending.state.time, place if what == "place" else speed), stated)
+    place, speed = moved_to(context, own_place(context, name), ending.state.time)
+    return same(context, place if what == "place" else speed, stated)
 
 
 def _placed(context: Context, ending, what: str, name: str, stated: Scalar) -> Verdict:
@@ -226,7 +223,7 @@ def seen_then(context: Context, moment, value: Scalar) -> tuple[Verdict, Scalar]
         what = "place" if name == coordinate else "speed"
         image[name] = (state.places if what == "place" else state.speeds)[coordinate]
         if moment.how == "time" and (said := said_of(context, coordinate)):
-            found.append(same(context, _at(state.time, said if what == "place" else derivative(said, "t")), image[name]))
+            found.append(same(context, at_time(state.time, said if what == "place" else derivative(said, "t")), image[name]))
         elif moment.how != "rest":
             found.append(_by_what(context, moment)(context, moment, what, coordinate, image[name]))
     for id in ("moment", "place"):

@@ -71,6 +71,7 @@ def _consistent(demands: list[Demand], given: Assumptions) -> tuple[Demand, ...]
     weak = {one for one in demands if one.op == ">=" and any(_divided(item, [Demand(one.value)]) != item for item in strict)}
     demands = [Demand(item.value) if item in weak else item for item in demands]  # a factor of what is positive is not zero
     demands = list(dict.fromkeys(_divided(item, demands) for item in demands))
+    demands = [item for k, item in enumerate(demands) if item.op != "!=" or Demand(-item.value, "!=") not in demands[:k]]
     apart = {item.value for item in demands if item.op == "!="}
     demands = [Demand(item.value) if item.op == ">=" and item.value in apart else item for item in demands]
     demands = [item for item in demands if item.op == ">" or Demand(item.value) not in demands]

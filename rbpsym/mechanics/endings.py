@@ -15,6 +15,7 @@ from rbpsym.algebra.evaluate import scalar, time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.arrivals import EDGE, first_met, floating, mover, positive_root, state_at
@@ -286,6 +287,9 @@ def _time_until(study: Study, phase: Phase, way: Scalar, speed: Scalar, gain: Sc
     first = min(ahead, key=lambda time: floating(time, numbers))
     if is_zero(gain):
         return first, [Demand(way * speed)]
+    going = sign(speed, study.assumptions).sense
+    if going and sign(way, study.assumptions).sense == going and sign(gain, study.assumptions).kind is None:
+        return first, [Demand(gain, "!="), Demand(speed * speed + way * gain * 2, ">=")]  # whatever the sense of the gain
     sense = 1 if floating(gain, numbers) > 0 else -1
     if len(ahead) == 1 and not is_zero(way):
         return first, [Demand(gain * sense), Demand(way * sense)]

@@ -1,0 +1,50 @@
+"""A motion as a function of the time, integrated anew from the start: what the checks of moments put them into."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.evaluate import time_derivative
+from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.context import Context
+from rbpsym.derivation.primitives import primitive
+from rbpsym.errors import Undecided
+
+
+def course_of(context: Context, value: Scalar) -> tuple[Scalar, Scalar]:
+    """A value whose acceleration is a function of the time t, and its rate, as such functions. Raises Undecided for others."""
+    scope = context.study.system.scope
+    if not names_in(value) & scope.rates.keys() - {"t"}:  # it is driven
+        return value, time_derivative(value, scope)
+    rate = time_derivative(value, scope)
+    gain = context.on_motion(time_derivative(rate, scope))
+    if names_in(gain) & {*scope.rates, *context.study.system.speeds} - {"t"}:
+        raise Undecided("its acceleration is no function of the time")
+    speed = _gained(gain) + context.start(rate)
+    return _gained(speed) + context.start(value), speed
+
+
+def moved_to(context: Context, value: Scalar, time: Scalar) -> tuple[Scalar, Scalar]:
+    """The value and its rate at a time: as its course says, or as they follow from the coordinates that have one."""
+    with suppress(Undecided):
+        place, speed = course_of(context, value)
+        return at_time(time, place), at_time(time, speed)
+    rates = context.study.system.scope.rates
+    rate = time_derivative(value, context.study.system.scope)
+    known = {name: moved_to(context, symbol(name), time) for name in names_in(value) & rates.keys() if value != symbol(name)}
+    if not known:
+        raise Undecided("its acceleration is no function of the time")
+    places, speeds = ({f"{name}{mark}": pair[k] for name, pair in known.items()} for k, mark in ((0, ""), (1, "_dot")))
+    return substitute(value, places), substitute(substitute(rate, speeds), places)
+
+
+def _gained(rate: Scalar) -> Scalar:
+    """What a rate adds up to since t = 0."""
+    found = primitive(rate, "t")
+    return found - at_time(NOTHING, found)
+
+
+def at_time(time: Scalar, value: Scalar) -> Scalar:
+    """The value of a function of the time then."""
+    return substitute(value, {"t": time})
