@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -103,9 +103,7 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
         return asked.stage(int(place)).began.before.valid, ()
     if kind in ("course", "swing"):
         return _decided(lambda: (*begins(study), *_on_way(study, None)))
-    constants = {"pi", *(quantity.name for quantity in study.problem.parameters)}
-    is_constant = found.moment is None and all(names_in(value) <= constants for value in found.named)  # as a mass
-    if kind or found.about or is_constant:
+    if kind or found.about or is_constant(found):
         return (), ()
     if found.moment is not None:
         lasts, doubts = lasts_to(study, found.moment)
@@ -113,6 +111,24 @@ def asks(asked: Asked, found: Found) -> tuple[tuple[Demand, ...], tuple[str, ...
     lost = contacts_last(study, {n: symbol(n) for n in study.system.coordinates}) if found.of == "position" else ()
     along = (*held(study), *running(study)) if found.of == "position" else regime(study)
     return (*begins(study), *(demand for _, demand in lost), *along), ()
+
+
+def is_constant(found: Found) -> bool:
+    """Whether it is made of parameters alone, as a mass is."""
+    constants = {"pi", *(quantity.name for quantity in found.study.problem.parameters)}
+    return found.moment is None and not found.told and all(names_in(value) <= constants for value in found.named)
+
+
+def is_of_motion(found: Found) -> bool:
+    """Whether it is what it is in the motion from the start alone: no place of rest, no mass."""
+    is_at_rest = found.moment is not None and found.moment.how == "rest"
+    return not (found.about or is_at_rest or is_constant(found) or found.told.partition(" ")[0] in ("oscillations", "orbit"))
+
+
+def compared(found: Found, others: Iterable[Found]) -> tuple[Demand, ...]:
+    """What is asked for a number with which what others are in the motion is compared: that this begins as it is stated."""
+    is_asked = is_constant(found) and any(map(is_of_motion, others))
+    return (*begins(found.study), *regime(found.study)) if is_asked else ()
 
 
 def lasts_to_place(study: Study, name: str, place: Scalar) -> tuple[tuple[Demand, ...], tuple[str, ...]]:

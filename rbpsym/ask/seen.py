@@ -14,7 +14,7 @@ from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
-from rbpsym.ask.lasting import asks
+from rbpsym.ask.lasting import asks, compared
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.question import Question, is_jump, read_question
 from rbpsym.ask.zeros import where_met, zeros
@@ -90,6 +90,7 @@ def parts_seen(world: Scene, phrase: str) -> tuple[Scalar, ...]:
     found = found_of(world.asked, question)
     world.used.append((question, found))
     lasts, doubts = asks(world.asked, found)
+    lasts = lasts or compared(found, [one for _, one in world.used])
     (world.standing if found.moment is None else world.lasting).extend(lasts)
     world.doubts.extend(doubts)
     return tuple(neat(value, world.motion.assumptions) for value in found.values)
