@@ -11,7 +11,7 @@ from rbpsym.document.chapters import chapter_blocks, chapter_sections, chapter_t
 from rbpsym.document.language import common_notation, problem_notation
 from rbpsym.document.model import Block, Document, Inlines, Live, Paragraph, Ref, Section, Text, words
 from rbpsym.document.needless import needless, owed_by
-from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section
+from rbpsym.document.notes_checks import checks_section, course_checks_section, results_section, with_remarks
 from rbpsym.document.notes_figures import free_bodies_figure, free_bodies_label, has_single_body
 from rbpsym.document.notes_lessons import compared_figure, lesson_sections
 from rbpsym.document.notes_phases import new_steps, phase_results, phase_sections
@@ -72,7 +72,7 @@ def brief_sections(derivation: Derivation, said: Words, level: int) -> Iterator[
         blocks = {name: list(chapter_blocks(name, derivation, said)) for name in chapters}
         lead = next((name for name in titles if blocks[name]), None)
         if lead is not None:
-            found = (*figure, *(block for name in chapters for block in blocks[name]))
+            found = (*figure, *(block for name in chapters for block in with_remarks(blocks[name], derivation, said)))
             yield Section(chapter_title(lead, derivation, said), found, f"{said.prefix}section.{lead}", level)
             figure = []
 
@@ -192,7 +192,7 @@ def course_notes(
             sections.append(Section(said.say("section.discussion"), blocks, prefix + "section.discussion", 2))
         if part.kind == "problem":
             problems += live(derived.derivations[part.name].study.problem, prefix)
-    sections.append(course_checks_section(derived, said, CHECKS))
+    sections.append(course_checks_section(derived, said, CHECKS, detail))
     notation = _common_notation(derived, language)
     return Document(
         words(said.title(course.title)),

@@ -45,9 +45,21 @@ def _once_more(step: Step, speech: Words, about: Iterable[Step]) -> Iterator[Blo
         yield Display(step.statement, numbered=False, repeats=first)
     else:
         yield Display(step.statement, numbered=False, reason=where)
-    told = [capital(speech.say(remark.phrase, **remark.slots)) for remark in about]
-    if told:
+    yield from _remarked(about, speech)
+
+
+def _remarked(about: Iterable[Step], speech: Words) -> Iterator[Block]:
+    if told := [capital(speech.say(remark.phrase, **remark.slots)) for remark in about]:
         yield Paragraph(sentences(told))
+
+
+def with_remarks(blocks: Iterable[Block], derivation: Derivation, said: Words) -> Iterator[Block]:
+    """The blocks of brief notes, which have no list of results: what is to be said of a result stands behind its box."""
+    about = {said.prefix + id: found for id, found in remarks(derivation, "brief")[0].items()}
+    for block in blocks:
+        yield block
+        if isinstance(block, Display) and block.boxed:
+            yield from _remarked((one for label in (block.label, *block.also) for one in about.get(label, ())), said)
 
 
 def _distinct(found: list[tuple[Words, Step, Iterable[Step]]]) -> Iterator[tuple[Step, Words, Iterable[Step]]]:
@@ -97,15 +109,16 @@ def left_out(skipped: Skipped, said: Words) -> Inlines:
     return said.say("skipped.first", reason=told) if is_of_phase else told
 
 
-def course_checks_section(derived: DerivedCourse, said: Words, label: str) -> Section:
-    """What was proved in the whole course, and how."""
+def course_checks_section(derived: DerivedCourse, said: Words, label: str, detail: str) -> Section:
+    """What was proved in the whole course, and how; if all of it is, a table tells that in full notes alone."""
     steps = [step for part in (*derived.derivations.values(), *derived.lessons.values()) for step in part.steps]
     kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps)
     counts = {name: kinds[name] for name in ("proved", "refuted", "undecided")}
-    key = "checks.course" if kinds["proved"] == len(steps) else "checks.some"
+    is_short = kinds["proved"] == len(steps) and detail != "full"
+    key = "checks.short" if is_short else "checks.course" if kinds["proved"] == len(steps) else "checks.some"
     intro = said.say(key, ground=Said(steps=steps), steps=len(steps), table=Ref(label), **counts)
-    table = replace(checks_table(steps, said), label=label)
-    return Section(said.say("section.checks"), (Paragraph(intro), table), "section.checks", 1)
+    tables = () if is_short else (replace(checks_table(steps, said), label=label),)
+    return Section(said.say("section.checks"), (Paragraph(intro), *tables), "section.checks", 1)
 
 
 def checks_table(steps: Iterable[Step], said: Words) -> Table:

@@ -18,8 +18,8 @@ from rbpsym.remarks.result import Result, results
 from rbpsym.remarks.silent import drops_out
 
 KINDS = (drops_out, free_of, without, small, monotone)  # from what matters most to what matters least
-MOST: Mapping[str, int | None] = {"brief": 0, "standard": 3, "full": None}  # remarks on a result
-ONCE = (drops_out, without, small, monotone)  # kinds of which standard notes have one remark in a text
+MOST: Mapping[str, int | None] = {"brief": 2, "standard": 3, "full": None}  # remarks on a result
+ONCE = (drops_out, without, small, monotone)  # kinds of which shorter notes have one remark in a text
 MOST_PRODUCTS = 100_000
 
 
@@ -31,9 +31,7 @@ def remarks(derivation: Derivation, detail: str) -> list[dict[str, list[Step]]]:
 
 
 def _chosen(result: Result, detail: str, before: set[object]) -> Iterator[Step]:
-    if detail == "brief":
-        return
-    is_short, count = detail == "standard", 0
+    is_short, count = detail != "full", 0
     for kind in KINDS:
         for made in () if kind in before else guarded(kind, result):
             step = made.said()

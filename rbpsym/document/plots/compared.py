@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from rbpsym.derivation.step import Derivation
+from rbpsym.document.plots.following import leg, require_motion
 from rbpsym.document.plots.motion import Journey, PlottedMotion, legs
 from rbpsym.document.plots.panel import Panel, PlotCurve
 from rbpsym.document.plots.scales import Scales, scales
@@ -18,16 +19,17 @@ from rbpsym.verify.comparison import indexed
 
 
 def motions(first: Derivation, second: Derivation) -> tuple[PlottedMotion, PlottedMotion]:
-    """Both with the numbers of the first, as far as it has them. Raises NotApplicable."""
-    found, own = (scales(one.study.problem) for one in (first, second))
-    both = (found, Scales({**own.numbers, **found.numbers}, found.base))
-    made = [
-        PlottedMotion(one, numbers, Journey(tuple(legs(one, numbers))))
-        for one, numbers in zip((first, second), both, strict=True)
-    ]
-    if any(len(one.whole.legs) != 1 for one in made):
+    """Both with the numbers of the first, as far as it has them, and for the same time. Raises NotApplicable."""
+    for one in (first, second):
+        require_motion(one.study)
+    if first.phases or second.phases:
         raise NotApplicable("a motion in phases is not put beside another")
-    return made[0], made[1]
+    found, own = (scales(one.study.problem) for one in (first, second))
+    numbers = (found, Scales({**own.numbers, **found.numbers}, found.base))
+    pairs = list(zip((first, second), numbers, strict=True))
+    end = max(next(legs(one, scale)).moments[-1] for one, scale in pairs)
+    one, other = (PlottedMotion(one, scale, Journey((leg(one, scale.numbers, end),))) for one, scale in pairs)
+    return one, other
 
 
 def beside(pair: tuple[PlottedMotion, PlottedMotion], name: str) -> Iterator[Panel]:
