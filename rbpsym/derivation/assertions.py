@@ -142,6 +142,7 @@ PAGES: Mapping[str, Entry] = {
     "checks.short": (w.all_steps_are_proved, ""),
     "checks.all": (w.all_steps_are_proved, ""),
     "checks.course": (w.all_steps_are_proved, ""),
+    "checks.course_short": (w.all_steps_are_proved, ""),
     "checks.roads": (w.is_confirmed, ""),
     "checks.methods": (w.methods_agree, "checks.differ"),
     "checks.differ": (w.methods_differ, "checks.open"),

@@ -115,7 +115,7 @@ def course_checks_section(derived: DerivedCourse, said: Words, label: str, detai
     kinds = Counter(str(step.certificate.verdict.kind).lower() for step in steps)
     counts = {name: kinds[name] for name in ("proved", "refuted", "undecided")}
     is_short = kinds["proved"] == len(steps) and detail != "full"
-    key = "checks.short" if is_short else "checks.course" if kinds["proved"] == len(steps) else "checks.some"
+    key = "checks.course_short" if is_short else "checks.course" if kinds["proved"] == len(steps) else "checks.some"
     intro = said.say(key, ground=Said(steps=steps), steps=len(steps), table=Ref(label), **counts)
     tables = () if is_short else (replace(checks_table(steps, said), label=label),)
     return Section(said.say("section.checks"), (Paragraph(intro), *tables), "section.checks", 1)

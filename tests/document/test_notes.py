@@ -11,9 +11,10 @@ from rbpsym.document.chapters import repeated
 from rbpsym.document.model import Display, FigureBlock, Math, Paragraph, Ref, Text
 from rbpsym.document.notes import DETAILS, course_notes, notes, shown_steps
 from rbpsym.document.numbering import numbered, parts
+from rbpsym.document.phrases import languages
 from rbpsym.document.telling import known_key
 from rbpsym.document.words import Words
-from rbpsym.document.writers import writer
+from rbpsym.document.writers import files, writer
 from rbpsym.notation import tree as t
 from rbpsym.statement.course import load_course
 from rbpsym.statement.library import course_files, problem_files
@@ -154,6 +155,15 @@ def test_the_course_is_one_document_with_all_parts(detail):
     assert len([s for s in found.sections if s.level == 1]) == len(course().course.parts) + 1
     assert len({s.label for s in found.sections}) == len(found.sections)
     assert all(len(writer(ending)(found)) > 20_000 for ending in ("tex", "html"))
+
+
+MOST_PAGES = 30
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_course_is_short_enough_to_be_read(language):
+    pdf = files(course_notes(course(), language, plots=True), "pdf", "course")["course.pdf"]
+    assert len(re.findall(rb"/Type */Page\b", pdf)) <= MOST_PAGES
 
 
 def test_more_detail_shows_more():
