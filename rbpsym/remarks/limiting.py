@@ -24,16 +24,18 @@ STRENGTHS: Mapping[str, str] = {
     "resistance": "coefficient",
     "resisting-couple": "coefficient",
     "pull": "size",
-}  # of interactions: the value with which they disappear
+    "contact": "coefficient",
+}  # of interactions, and of the friction of a contact: the value with which they disappear
 
 
 def without(result: Result) -> Iterator[Made]:
-    """What it would be without an interaction, whose strength goes to zero."""
-    for element in result.study.problem.interactions:
+    """What it would be without an interaction or without sliding friction, whose strength goes to zero."""
+    for element in (*result.study.problem.interactions, *result.study.problem.constraints):
         strength = element.values.get(STRENGTHS.get(element.kind, ""))
         name = strength.name if isinstance(strength, t.Sym) else ""
-        if name in result.declared and _disappears(element.name, name, result):
-            yield from _limit(result, name, "remark.without", {"force": t.Sym(element.name)})
+        force = element.values.get("friction") or element.name
+        if name in result.declared and _disappears(force, name, result):
+            yield from _limit(result, name, "remark.without", {"force": t.Sym(force)})
 
 
 def _disappears(force: str, name: str, result: Result) -> bool:

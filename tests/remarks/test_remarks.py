@@ -55,6 +55,10 @@ def test_what_would_be_without_an_interaction():
     assert "Without Fₛ, when k tends to zero, θ̈ becomes −(3g/(4ℓ)) cos θ." in said("sliding-ladder-with-spring")["motion.theta"]
 
 
+def test_what_would_be_without_sliding_friction():
+    assert "Without f, when μ tends to zero, s̈ becomes −g sin β." in said("block-up-and-down-incline")["motion.s"]
+
+
 def test_a_size_is_taken_before_a_mass():
     assert any(one.startswith("When R tends to zero") for one in said("rod-and-disk-fixed")["motion.theta"])
 
