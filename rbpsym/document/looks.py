@@ -120,7 +120,8 @@ def of_derivation(derivation: Derivation) -> Bundle:
 
 def _without_reasons(block: Block) -> Block:
     """A callout of results whose numbers stand on no page here."""
-    return replace(block, blocks=tuple(replace(inner, reason=None, repeats=None) for inner in block.blocks))
+    plain = (replace(one, reason=None, repeats=None) if isinstance(one, Display) else one for one in block.blocks)
+    return replace(block, blocks=tuple(plain))
 
 
 def of_excerpt(excerpt: Excerpt) -> Bundle:
