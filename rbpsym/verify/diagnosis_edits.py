@@ -19,6 +19,7 @@ from rbpsym.verify.claims_integrals import valued
 from rbpsym.verify.claims_model import Claim
 
 _FAR = re.compile(r"\b(where|when|until|in|frequency|period|time|start|unknown|constant|defined|smallest|largest)\b")
+LARGEST = 12  # number that is tried in place of another
 MOST = 20  # other symbols that are tried
 Edit = tuple[t.Chain, str, Ground]  # the repaired relation, what was changed, and with what it is read
 
@@ -40,6 +41,7 @@ def edits(relation: t.Chain, claim: Claim, ground: Ground) -> Iterator[Edit]:
     """All of them, the likeliest first."""
     wide, phrases = known(claim, ground)
     yield from _degrees(relation, wide)
+    yield from _numbers(relation, wide)
     yield from _angles(relation, wide)
     yield from _others(relation, wide, phrases)
     yield from _lost(relation, wide, phrases)
@@ -50,6 +52,14 @@ def _degrees(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
     for path, node in sites(relation):
         if isinstance(node, t.Num) and path and (path[-1][0] == "arg" or path[-1][0] == "items"):
             yield put(relation, path, t.mul(node, DEGREE)), f"{to_text(node)} is in degrees", ground
+
+
+def _numbers(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
+    """Another small number, wherever one stands."""
+    for path, node in sites(relation):
+        for other in range(1, LARGEST + 1) if isinstance(node, t.Num) and isinstance(node.value, int) else ():
+            if other != node.value:
+                yield put(relation, path, t.Num(other)), f"{other} in place of {to_text(node)}", ground
 
 
 def _angles(relation: t.Chain, ground: Ground) -> Iterator[Edit]:
