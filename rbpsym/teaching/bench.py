@@ -26,7 +26,7 @@ from rbpsym.teaching.distractors import Pool, shown, without_noise
 from rbpsym.teaching.model import AskedQuantity, Item, Measure
 from rbpsym.teaching.ranges import NumberRange, default_ranges, middles
 from rbpsym.teaching.situations import Scenery, Situation, names_in
-from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.spoilers import Content, claims, given, wanted
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.units import measure_text
 
@@ -60,6 +60,11 @@ class ProblemBench:
     def name(self) -> str:
         """The name of the problem."""
         return self.study.problem.name
+
+    @property
+    def given(self) -> Content:
+        """What the statement prints."""
+        return self.once("given", lambda: given(self.study))
 
     def asked(self, target: Target) -> AskedQuantity:
         """What an item about a target asks for."""
@@ -111,6 +116,12 @@ class Prepared:
     values: tuple[Scalar, ...]
     make: Make
     content: Content = field(default_factory=Content)
+    step: str = ""  # what is asked about, if that is no target
+
+    @property
+    def about(self) -> tuple[str, ...]:
+        """How a wish names it; () for what there is only one of."""
+        return ((self.target.id if self.target else self.step),) if self.target or self.step else ()
 
 
 def evaluator(prepared: Iterable[Prepared]) -> Callable[[Mapping[str, float]], list[list[float]]]:
@@ -159,7 +170,8 @@ def _typical(problem: Problem, middle: Mapping[str, float], dimension: Dimension
 def asks_for(bench: ProblemBench, target: Target) -> Content:
     """What a task asks that wants the value of a target: its formula, and the step that shows it."""
     step = (bench.derivation.step(target.step).statement,) if target.step else ()
-    return Content(asks=claims((t.equation(target.left, formula_of(bench, target)), *step)))
+    formula = formula_of(bench, target)
+    return Content(asks=claims((t.equation(target.left, formula), *step)) | wanted(bench.study, [formula]))
 
 
 def formula_of(bench: ProblemBench, target: Target) -> t.Node:

@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.effort import at_most, spend
+from rbpsym.algebra.normal import same
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import length
@@ -32,8 +33,8 @@ from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
+MOST_IDEAS = 3  # that are named for one wrong value
 ANY = "question"  # a target that may be about all that misconceptions change
-SPECIFIC = 4  # a misconception about so few kinds of quantities comes before general ones
 MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's greatest takes a twentieth of it
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
 
@@ -141,16 +142,29 @@ def _accepted(pool: Pool, target: Target) -> Iterator[Distractor]:
     right = target.value(study)
     if right is None:
         return
-    known, kept = [right], []
+    kept: list[Distractor] = []
     for place, value, formula in _candidates(pool, target, right):
-        if len(kept) == MOST:
-            break
-        if all(is_refuted(value, other, study.assumptions) for other in known):
-            known.append(value)
+        twin = next((k for k, other in enumerate(kept) if same(value, other.value)), None)
+        if twin is not None:
+            kept[twin] = _with_another(kept[twin], pool, place)
+        elif len(kept) < MOST and all(is_refuted(value, other, study.assumptions) for other in _values(right, kept)):
             wrong = pool.wrongs[place].study
             along = bounded(pool, place, lambda wrong=wrong: target.along(wrong))
             kept.append(Distractor(pool.slip(place), value, formula, along, wrong))
     yield from kept
+
+
+def _values(right: Scalar, kept: Iterable[Distractor]) -> Iterator[Scalar]:
+    yield right
+    yield from (distractor.value for distractor in kept)
+
+
+def _with_another(found: Distractor, pool: Pool, place: int) -> Distractor:
+    """The same wrong value with another idea that leads to it, as long as all are soon read."""
+    slip = found.slip
+    if len(slip.also) + 1 == MOST_IDEAS:
+        return found
+    return replace(found, slip=replace(slip, also=(*slip.also, pool.slip(place))))
 
 
 def is_refuted(a: Scalar, b: Scalar, assumptions: Assumptions) -> bool:
@@ -177,7 +191,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
         if length(formula) > LONGEST * own + 6 or not fits(formula, study, target.dimension):
             continue
         again = seen[wrong.misconception.name] = seen.get(wrong.misconception.name, -1) + 1
-        general = len(wrong.misconception.about) > SPECIFIC
+        general = len(wrong.misconception.about)  # what is said of few kinds of quantities says more of each
         found.append(((again, general, abs(length(formula) - own) > own / 2, place), value, formula))
     return [(rank[-1], value, formula) for rank, value, formula in sorted(found, key=lambda item: item[0])]
 

@@ -6,14 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra.evaluate import Value
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import STANDARD, Step
-from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
-from rbpsym.notation.places import Path
+from rbpsym.notation.places import Path, put
 from rbpsym.teaching.bench import ProblemBench
-from rbpsym.teaching.model import Piece
+from rbpsym.teaching.model import Piece, blank
+from rbpsym.teaching.spoilers import meaning
 
 # what a step does -> how much it matters to understand it (0: never asked)
 WEIGHTS: Mapping[str, int] = {
@@ -73,11 +72,19 @@ def _ancestors(by_id: Mapping[str, Step], id: str) -> Iterator[str]:
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """A part of a statement that may be left out: the path to it, and what stands there."""
+    """A part of a statement that may be left out: the path to it, and what stands there, its sign with it.
+
+    `along` is the direction that stands behind the sign of a vector, and stays.
+    """
 
     path: Path
     node: t.Node
     is_term: bool = False
+    along: t.Node | None = None
+
+    def left_out(self, statement: t.Node, number: int) -> t.Node:
+        """The statement with the blank of this number in its place."""
+        return put(statement, self.path, blank(number) if self.along is None else t.Mul((blank(number), self.along)))
 
 
 def gaps(statement: t.Node) -> list[Gap]:
@@ -98,26 +105,27 @@ def gaps(statement: t.Node) -> list[Gap]:
 
 def _in_side(path: Path, node: t.Node) -> Iterator[Gap]:
     """The side itself, or (of a vector along k) its factor; then the terms of a sum."""
-    path, node = _without_direction(path, node)
-    if _is_plain(node):
-        yield Gap(path, node)
-    if isinstance(node, t.Add):
-        for k, term in enumerate(node.terms):
-            bare = (*path, ("terms", k))
-            inner = (*bare, ("arg", None)) if isinstance(term, t.Neg) else bare
-            part = term.arg if isinstance(term, t.Neg) else term
-            if _is_plain(part):
-                yield Gap(inner, part, is_term=True)
+    inner, bare, along, negative = _without_direction(path, node)
+    if _is_plain(bare):
+        yield Gap(path, t.neg(bare) if negative else bare, along=along)
+    if isinstance(bare, t.Add):
+        for k, term in enumerate(bare.terms):
+            if _is_plain(term.arg if isinstance(term, t.Neg) else term):
+                yield Gap((*inner, ("terms", k)), term, is_term=True)
 
 
-def _without_direction(path, node: t.Node):
+def _without_direction(path: Path, node: t.Node) -> tuple[Path, t.Node, t.Node | None, bool]:
+    """A side without direction, brackets and sign, and the way to it if it is a sum; the direction; was there a minus?"""
+    along, negative = None, False
     while True:
-        if isinstance(node, t.Mul) and len(node.factors) == 2 and isinstance(node.factors[1], t.Unit):
-            path, node = (*path, ("factors", 0)), node.factors[0]
+        if isinstance(node, t.Mul) and isinstance(node.factors[-1], t.Unit):
+            along, path = node.factors[-1], (*path, ("factors", 0))
+            node = t.mul(*node.factors[:-1])
         elif isinstance(node, (t.Group, t.Neg)):
+            negative ^= isinstance(node, t.Neg)
             path, node = (*path, ("arg", None)), node.arg
         else:
-            return path, node
+            return path, node, along, negative
 
 
 VECTORS = (t.Vec, t.Unit, t.Cross, t.PathIntegral, t.BodyIntegral, t.Delta, t.Word, t.Sum)
@@ -130,33 +138,9 @@ def _is_plain(node: t.Node) -> bool:
     return length(node) <= LARGEST_BLANK
 
 
-def is_negated(statement: t.Node, path: Path) -> bool:
-    """Whether a minus stands before the part at a path."""
-    negative = False
-    for name, place in path:
-        negative ^= isinstance(statement, t.Neg)
-        held = getattr(statement, name)
-        statement = held if place is None else held[place]
-    return negative
-
-
 def has_value(bench: ProblemBench, node: t.Node) -> bool:
     """Whether a part means something outside its step: only quantities of the problem are in it."""
-    return value_of(bench, node) is not None
-
-
-def value_of(bench: ProblemBench, node: t.Node) -> Value | None:
-    """The value of a part in the names of the problem; None if it holds names that the derivation defined."""
-    from rbpsym.algebra.evaluate import value
-
-    known = {*bench.study.problem.dimensions, *bench.study.system.unknowns, "pi"}
-    bound = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
-    if not t.names(node) <= known | bound:
-        return None
-    try:
-        return value(node, bench.study.system.scope)
-    except (RbpsymError, ZeroDivisionError):
-        return None
+    return meaning(bench.study, node) is not None
 
 
 # --- how points are shared out among the lines of a rubric

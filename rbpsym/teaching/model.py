@@ -81,12 +81,14 @@ class Slip:
 
     `slots` fill the phrase of its feedback (`slip_feedback`); `first_wrong` is the id of the first step
     of the right derivation that the misconception spoils ("" if none shows it), `shown` what that step states.
+    `also`: other slips that give the very same wrong answer.
     """
 
     name: str
     slots: Mapping[str, Any] = field(default_factory=dict)
     first_wrong: str = ""
     shown: Node | None = None
+    also: tuple[Slip, ...] = ()
 
     @property
     def phrase(self) -> str:

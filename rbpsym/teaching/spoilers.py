@@ -1,18 +1,29 @@
-"""What a task prints and what it asks for: none of a worksheet's tasks may give away the answer to another."""
+"""What a task prints and what it asks for: no part of a worksheet may give away the answer to another.
+
+An answer is given away wherever its value stands, whatever that is called there and with either sign: a couple has one
+torque about all points, and a force is as great as the one against it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from rbpsym.algebra.evaluate import Value, value
+from rbpsym.algebra.normal import short
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.errors import RbpsymError
+from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 
-Claim = tuple[t.Node, t.Node]  # the left side and the last right side of a row
+Claim = tuple[t.Node, t.Node] | frozenset[Scalar]  # both ends of a row, or a value with its opposite
+COMMON = 3  # parts of a formula that stands everywhere, as the weight M g does: it gives nothing away
+PROSE = (t.Integral, t.BodyIntegral, t.PathIntegral, t.Word, t.Vec, t.Unit, t.Delta, t.Sum)
 
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """Rows of formulas that a task prints, those in which something is to be found, those that it wants as a number.
+    """What a task prints, what it wants to be found, what as a number, and of what it wants the sign.
 
     A formula that is printed may well be asked for as a number: that is how a lesson goes on.
     """
@@ -20,11 +31,13 @@ class Content:
     prints: frozenset[Claim] = frozenset()
     asks: frozenset[Claim] = frozenset()
     numbers: frozenset[Claim] = frozenset()
+    signs: frozenset[Claim] = frozenset()
 
     def spoils(self, other: Content) -> bool:
         """Whether one of the two gives away what the other asks for, or asks for the same."""
         wanted = self.asks & (other.asks | other.prints | other.numbers)
-        return bool(wanted or (self.prints | self.numbers) & other.asks or self.numbers & other.numbers)
+        told = self.prints & other.signs or self.signs & other.prints
+        return bool(wanted or told or (self.prints | self.numbers) & other.asks or self.numbers & other.numbers)
 
 
 def claims(statements: Iterable[t.Node]) -> frozenset[Claim]:
@@ -34,5 +47,52 @@ def claims(statements: Iterable[t.Node]) -> frozenset[Claim]:
 
 def _claims(statement: t.Node) -> Iterator[Claim]:
     for row in t.rows(statement):
-        if isinstance(row, t.Chain) and len(row.items) > 1 and row.items[-1] != t.ZERO:
+        if isinstance(row, t.Chain) and len(row.items) > 1 and (row.items[-1] != t.ZERO or isinstance(row.items[0], t.Add)):
             yield row.items[0], row.items[-1]
+
+
+def printed(study: Study, nodes: Iterable[t.Node]) -> frozenset[Claim]:
+    """The values of formulas and of all their parts, as far as they are worth asking for."""
+    return frozenset(claim for node in nodes for part in t.walk(node) for claim in wanted(study, [part]))
+
+
+def wanted(study: Study, answers: Iterable[t.Node]) -> frozenset[Claim]:
+    """The values of answers that give something away where they stand again."""
+    found = (meaning(study, node) for node in answers if is_telling(node))
+    return frozenset(unsigned(value) for value in found if isinstance(value, Scalar) and value)
+
+
+def is_telling(node: t.Node) -> bool:
+    """Whether a formula is more than a name, a number or a product of two."""
+    return not isinstance(node, (t.Chain, t.System)) and _length(node) > COMMON and bool(t.names(node))
+
+
+def _length(node: t.Node) -> int:
+    """How many parts it has, signs aside; 0 for what is no formula in quantities of the problem."""
+    parts = list(t.walk(node))
+    return 0 if any(isinstance(part, PROSE) for part in parts) else sum(not isinstance(p, (t.Neg, t.Group)) for p in parts)
+
+
+def unsigned(value: Scalar) -> frozenset[Scalar]:
+    """A value with its opposite."""
+    return frozenset((short(value), short(-value)))
+
+
+def given(study: Study) -> Content:
+    """What the statement of a problem prints: sizes of forces and couples, where and how the motion starts."""
+    problem = study.problem
+    held = [part for element in problem.elements for part in element.values.values()]
+    held += [part for c in problem.coordinates for part in (c.start, c.speed)]
+    return Content(prints=printed(study, (part for part in held if isinstance(part, t.Node))))
+
+
+def meaning(study: Study, node: t.Node) -> Value | None:
+    """The value of a part in the names of the problem; None if it holds names that the derivation defined."""
+    known = {*study.problem.dimensions, *study.system.unknowns, "pi"}
+    bound = {part.var for part in t.walk(node) if isinstance(part, t.Integral)}
+    if not t.names(node) <= known | bound:
+        return None
+    try:
+        return value(node, study.system.scope)
+    except (RbpsymError, ZeroDivisionError):
+        return None

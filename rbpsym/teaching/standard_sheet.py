@@ -62,7 +62,7 @@ def _wishes(bench: ProblemBench, scenery: Scenery) -> list[Wish]:
     taken: dict[int, tuple[Wish, Content]] = {}
     for row in sorted(range(len(LESSON)), key=lambda row: PICKS.index(LESSON[row][0])):
         for wish, content in _possible(bench, scenery, *LESSON[row]):
-            if not any(content.spoils(other) for _, other in taken.values()):
+            if not any(content.spoils(other) for other in (bench.given, *(other for _, other in taken.values()))):
                 taken[row] = (wish, content)
                 break
     return [taken[row][0] for row in sorted(taken)]
@@ -76,8 +76,7 @@ def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level:
             for task in _made(bench, scenery, wish):
                 if kind in WRITTEN and _is_long(bench, task):
                     continue
-                about = wish.about if task.target is None else (task.target.id,)
-                yield replace(wish, about=about), task.content
+                yield replace(wish, about=task.about or wish.about), task.content
 
 
 def _is_long(bench: ProblemBench, task: Prepared) -> bool:

@@ -328,11 +328,18 @@ def _questions(derivation: Derivation) -> Iterator[Target]:
     for number, text in enumerate(study.problem.questions, 1):
         target = Target(f"question.{number}", t.Sym(study.letters.free("Q")), partial(_answer, text=text), NUMBER,
                         slots={"question": QuestionRef(text)})  # fmt: skip
-        if value := target.value(study):
-            dimension = dimension_of(present(value, study.style), study.problem.dimensions)
+        value = target.value(study)
+        dimension = _dimension(study, value) if value else None
+        if dimension is not None:
             name = _own_name(study, text)
             left, unit = t.Sym(name) if name else target.left, "angle" if name in study.system.coordinates else ""
             yield replace(target, left=left, dimension=dimension, unit_name="" if dimension != NUMBER else unit)
+
+
+def _dimension(study: Study, value: Scalar) -> Dimension | None:
+    """The dimension of a value; None where it holds the time, which no answer may hold."""
+    formula = present(value, study.style)
+    return dimension_of(formula, study.problem.dimensions) if t.names(formula) <= {*study.problem.dimensions, "pi"} else None
 
 
 def _answer(study: Study, text: str) -> Scalar | None:

@@ -66,10 +66,16 @@ def word(key: str, language: str) -> str:
 
 
 def say_slip(slip: Slip, language: str, problems: Iterable[Problem] = ()) -> Inlines:
-    """The feedback of a misconception; its name where there is no phrase for it.
+    """The feedback of a misconception, and of the others that give the same; its name where there is no phrase for it.
 
     `problems` are those of the worksheet: the one with the bodies of the slip tells what they are called.
     """
+    known = tuple(problems)
+    others = (say("paper.also", language, comment=_said(other, language, known)) for other in slip.also)
+    return (*_said(slip, language, known), *(part for told in others for part in told))
+
+
+def _said(slip: Slip, language: str, problems: tuple[Problem, ...]) -> Inlines:
     bodies = {value.name for value in slip.slots.values() if isinstance(value, BodyRef)}
     problem = next((found for found in problems if bodies <= set(found.body_names)), None)
     try:

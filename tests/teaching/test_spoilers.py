@@ -6,10 +6,13 @@ import pytest
 
 from rbpsym.derivation.draft import length
 from rbpsym.notation import tree as t
+from rbpsym.statement.library import find_problem
+from rbpsym.statement.loader import load_problem
 from rbpsym.teaching.lines import shares
 from rbpsym.teaching.model import BlanksKey, FormulaKey, OrderKey, SlipKey, Student
-from rbpsym.teaching.plan import plan_of
-from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.plan import bench_of, plan_of
+from rbpsym.teaching.spoilers import Content, claims, wanted
+from rbpsym.teaching.spoilers import printed as told_by
 from rbpsym.teaching.standard_sheet import LONGEST
 
 M, G, A = (t.Sym(name) for name in ("m", "g", "a"))
@@ -21,6 +24,15 @@ def test_what_spoils_what() -> None:
     assert asks.spoils(asks) and asks.spoils(prints) and prints.spoils(asks) and numbers.spoils(asks)
     assert numbers.spoils(numbers) and not numbers.spoils(prints) and not prints.spoils(prints)
     assert not asks.spoils(Content(OTHER, OTHER, OTHER))
+
+
+def test_a_value_is_given_away_under_any_name_and_with_either_sign() -> None:
+    study = bench_of(load_problem(find_problem("rod-pendulum"))).study
+    weight = t.Mul((t.Sym("M"), G, t.Sym("ell"), t.Fn("sin", t.Sym("theta"))))
+    asked, told = wanted(study, [weight]), told_by(study, [t.equation(t.Sym("tau"), t.neg(t.Div(weight, t.TWO)))])
+    assert asked and not asked & told
+    assert asked & told_by(study, [t.equation(t.Sym("tau"), t.neg(weight))])
+    assert not wanted(study, [t.Mul((t.Sym("M"), G))])
 
 
 @pytest.mark.parametrize("name", ["rod-pendulum", "atwood-with-massive-pulley"])

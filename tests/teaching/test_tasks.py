@@ -11,10 +11,9 @@ import pytest
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.equality.decide import equal, scalars_equal
 from rbpsym.notation import tree as t
-from rbpsym.notation.places import put
 from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.distractors import apart, without_noise
-from rbpsym.teaching.lines import gaps, is_negated
+from rbpsym.teaching.lines import gaps
 from rbpsym.teaching.model import KINDS, Item, OrderKey, Student, Worksheet, blank, blank_name
 from rbpsym.teaching.plan import WorksheetPlan, plan_of
 from rbpsym.teaching.sheet import sheet_of_text
@@ -149,11 +148,12 @@ def test_help_fades() -> None:
     assert told[-1] == 1 < told[0]
 
 
-def test_a_sign_before_a_blank_is_seen() -> None:
-    statement = t.equation(t.Sym("a"), t.neg(t.Mul((t.Sym("g"), t.Fn("sin", t.Sym("theta"))))))
-    [gap] = [gap for gap in gaps(statement) if not gap.is_term]
-    assert is_negated(statement, gap.path)
-    assert put(statement, gap.path, gap.node) == statement
+def test_a_sign_is_left_out_with_the_blank() -> None:
+    value = t.Mul((t.Sym("g"), t.Fn("sin", t.Sym("theta"))))
+    for turned, along in ((t.neg(value), None), (t.neg(t.Mul((value, t.Unit("k")))), t.Unit("k"))):
+        [gap] = [gap for gap in gaps(t.equation(t.Sym("a"), turned)) if not gap.is_term]
+        kept = blank(1) if along is None else t.Mul((blank(1), along))
+        assert gap.node == t.neg(value) and gap.left_out(t.equation(t.Sym("a"), turned), 1) == t.equation(t.Sym("a"), kept)
 
 
 @pytest.mark.parametrize("name", PROBLEMS)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
@@ -10,10 +10,9 @@ from functools import partial
 from rbpsym.derivation.step import Step
 from rbpsym.document.model import Block, Display, Paragraph
 from rbpsym.notation import tree as t
-from rbpsym.notation.places import put
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, sentence
 from rbpsym.teaching.codes import Draws
-from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, is_negated, lines_to, piece, precedence, shares
+from rbpsym.teaching.lines import WEIGHTS, Gap, gaps, gist, has_value, lines_to, piece, precedence, shares
 from rbpsym.teaching.model import (
     Anticipated,
     AskedQuantity,
@@ -23,11 +22,11 @@ from rbpsym.teaching.model import (
     ExplanationKey,
     Item,
     OrderKey,
-    blank,
 )
 from rbpsym.teaching.papers.blocks import LETTERS
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.spoilers import Content, claims, printed
+from rbpsym.teaching.spoilers import wanted as wanted_values
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -63,7 +62,7 @@ def _order_of(bench: ProblemBench, wish: Wish, target: Target) -> Prepared:
         solution = (Display(s.statement, numbered=False) for s in steps)
         return wish.item(setting, bench.asked(target), prompt, key, 2, solution=solution)
 
-    return Prepared("order", target, (), make, content=Content(claims(s.statement for s in steps)))
+    return Prepared("order", target, (), make, content=_printing(bench, [s.statement for s in steps]))
 
 
 def _shuffled(bench: ProblemBench, steps: tuple[Step, ...], draws: Draws) -> OrderKey | None:
@@ -76,6 +75,10 @@ def _shuffled(bench: ProblemBench, steps: tuple[Step, ...], draws: Draws) -> Ord
         if not key.accepts(tuple(range(len(steps)))):
             return key
     return None
+
+
+def _printing(bench: ProblemBench, statements: Sequence[t.Node]) -> Content:
+    return Content(claims(statements) | printed(bench.study, statements))
 
 
 # --- fill in: a derivation with blanks at the steps that matter, from much help to none
@@ -127,23 +130,29 @@ def _blanks_of(bench: ProblemBench, wish: Wish, target: Target) -> Prepared:
         return wish.item(setting, bench.asked(target), (prompt, *lines), key, len(answers), solution=solution)
 
     asked = [step for step in steps if step.id in chosen]
-    content = Content(claims(s.statement for s in steps if s not in asked), claims(s.statement for s in asked))
+    prints = claims(s.statement for s in steps if s not in asked) | printed(bench.study, statements.values())
+    asks = claims(s.statement for s in asked) | wanted_values(bench.study, (item.value for item in answers))
+    content = Content(prints, asks)
     return Prepared("fill-in", target, (), make, content=content)
 
 
 def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Step, ...], dict[str, list[Gap]]]:
-    """The steps shown and, by id, what is left out: from the steps that matter most."""
+    """The steps shown and, by id, what is left out: from the steps that matter most, nothing that stands elsewhere."""
     how = LEVELS[level]
     steps = lines_to(bench, target.step, how.lines)
-    ranked = _ranked(steps)
-    chosen: dict[str, list[Gap]] = {}
-    left = how.blanks
-    for step in ranked:
-        found = _gaps_of(bench, step, how) if WEIGHTS.get(step.rule, 0) else []
-        if found and left:
-            chosen[step.id] = found[:left]
-            left -= len(chosen[step.id])
-    return steps, chosen
+    found = {step.id: _gaps_of(bench, step, how) if WEIGHTS.get(step.rule, 0) else [] for step in _ranked(steps)}
+    while True:
+        chosen, left = {}, how.blanks
+        for id, open_ones in found.items():
+            if open_ones and left:
+                chosen[id] = open_ones[:left]
+                left -= len(chosen[id])
+        statements, _ = _with_blanks(bench, steps, chosen)
+        shown = bench.given.prints | printed(bench.study, statements.values())
+        told = {id: [gap for gap in own if wanted_values(bench.study, [gap.node]) & shown] for id, own in chosen.items()}
+        if not any(told.values()):
+            return steps, chosen
+        found = {id: [gap for gap in own if gap not in told.get(id, ())] for id, own in found.items()}
 
 
 def _ranked(steps: tuple[Step, ...]) -> list[Step]:
@@ -169,7 +178,7 @@ def _with_blanks(bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[s
         statement = step.statement
         for gap in chosen.get(step.id, ()):
             answers.append(Blank(len(answers) + 1, gap.node, step=step.id, anticipated=_anticipated(bench, step, gap)))
-            statement = put(statement, gap.path, blank(len(answers)))
+            statement = gap.left_out(statement, len(answers))
         statements[step.id] = statement
     return statements, answers
 
@@ -179,13 +188,7 @@ def _anticipated(bench: ProblemBench, step: Step, gap: Gap) -> tuple[Anticipated
     found = next((x for x in bench.targets.values() if x.step == step.id), None)
     if found is None or gap.is_term or isinstance(step.statement, t.System):
         return ()
-    is_turned = is_negated(step.statement, gap.path)
-    return tuple(Anticipated(d.slip, _as_gap(d.formula, is_turned)) for d in bench.pool.of(found))
-
-
-def _as_gap(formula: t.Node, is_turned: bool) -> t.Node:
-    """The formula, its sign changed where the minus stands printed before the blank."""
-    return t.neg(formula) if is_turned else formula
+    return tuple(Anticipated(d.slip, d.formula) for d in bench.pool.of(found))
 
 
 def _lines(
@@ -219,7 +222,7 @@ def explanations(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[
         )
     for step in sorted(named, key=lambda s: -_interest(s)):
         make = partial(_explanation, bench, wish, step)
-        yield Prepared("explain", None, (), make, Content(claims((step.statement,))))
+        yield Prepared("explain", None, (), make, _printing(bench, (step.statement,)), step.id)
 
 
 def _interest(step: Step) -> int:

@@ -5,6 +5,7 @@ or to be chosen among what misconceptions make of it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
@@ -13,7 +14,7 @@ from rbpsym.teaching.distractors import Distractor, apart, shown
 from rbpsym.teaching.model import Anticipated, ChoiceKey, FormulaKey, Item, Measure, NumberKey, Option
 from rbpsym.teaching.situations import Scenery, names_in
 from rbpsym.teaching.solving import follow_ons, hint, measure_of, number_formula, number_names, where_text, worked
-from rbpsym.teaching.spoilers import Content
+from rbpsym.teaching.spoilers import Content, printed
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.units import measured
@@ -158,7 +159,8 @@ def _choices_of(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Tar
         kept = chosen(setting, target, wish, found)
         return None if kept is None else _choice_item(bench, setting, target, wish, right, kept)
 
-    yield b.Prepared("choose", target, values, make, b.asks_for(bench, target))
+    options = printed(bench.study, (right, *(d.formula for d in found))) if wish.answers == "formula" else frozenset()
+    yield b.Prepared("choose", target, values, make, replace(b.asks_for(bench, target), prints=options))
 
 
 def _with_numbers(bench: b.ProblemBench, scenery: Scenery, target: Target) -> tuple[Distractor, ...]:

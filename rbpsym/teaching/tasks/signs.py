@@ -16,6 +16,7 @@ from rbpsym.quantities import ENERGY
 from rbpsym.teaching.bench import ItemSetting, Prepared, ProblemBench, given_as
 from rbpsym.teaching.model import AskedQuantity, Item, SignRow, SignsKey
 from rbpsym.teaching.situations import Scenery, names_in
+from rbpsym.teaching.spoilers import Content, claims, unsigned
 from rbpsym.teaching.targets import force_symbol
 from rbpsym.teaching.tasks.wish import Wish
 from rbpsym.teaching.wording import spoken
@@ -50,7 +51,9 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
         signs = _signs(bench, setting.values)
         return None if signs is None else _item(bench, setting, wish, rows, signs)
 
-    yield Prepared("signs", None, tuple(values), make)
+    told = claims(step.statement for step in bench.derivation.steps if step.rule == "workless")
+    works = frozenset(unsigned(value) for value in values if value)
+    yield Prepared("signs", None, tuple(values), make, Content(signs=told | works))
 
 
 def _rows(bench: ProblemBench) -> tuple[ForceRow, ...]:

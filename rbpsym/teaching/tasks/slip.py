@@ -16,7 +16,8 @@ from rbpsym.teaching.misconceptions.model import sign_of
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.model import Item, Slip, SlipKey
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.spoilers import Content, claims
+from rbpsym.teaching.spoilers import Content, claims, printed
+from rbpsym.teaching.spoilers import wanted as wanted_values
 from rbpsym.teaching.targets import Target
 from rbpsym.teaching.tasks.wish import Wish, wanted
 from rbpsym.teaching.wording import spoken
@@ -130,7 +131,7 @@ def _prepared(bench: ProblemBench, wish: Wish, target: Target, found: tuple[Told
         solution = (Paragraph(spoken(setting.said, slip.phrase, **slip.slots)), Display(told.corrected, numbered=False))
         return wish.item(setting, bench.asked(target), prompt, key, 3, solution=solution, space=2)
 
-    return Prepared("find-the-slip", target, (), make, content=_content(found))
+    return Prepared("find-the-slip", target, (), make, content=_content(bench, found))
 
 
 def _hint(setting: ItemSetting, wish: Wish, slip: Slip) -> Inlines:
@@ -141,9 +142,12 @@ def _hint(setting: ItemSetting, wish: Wish, slip: Slip) -> Inlines:
     return spoken(setting.said, "hint.slip", title=title)
 
 
-def _content(found: tuple[Told, ...]) -> Content:
+def _content(bench: ProblemBench, found: tuple[Told, ...]) -> Content:
     """Right lines are printed, the right one for the wrong one is asked for; later lines show what was left as it is."""
+    study = bench.study
     lines = claims(step.statement for told in found for step in told.lines)
     right = claims(step.statement for told in found for step in told.right)
     asked = claims(told.corrected for told in found)
-    return Content((lines & right) - asked, asked)
+    answers = [row.items[-1] for told in found for row in t.rows(told.corrected) if isinstance(row, t.Chain)]
+    values = printed(study, {step.statement for told in found for step in told.lines})
+    return Content((lines & right) - asked | values, asked | wanted_values(study, answers))

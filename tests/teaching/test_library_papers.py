@@ -1,0 +1,130 @@
+"""Laws over the paper of every problem of the library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from rbpsym.algebra.normal import same
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.document.model import Display, Math, Paragraph
+from rbpsym.equality.decide import scalars_equal
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.teaching import model as m
+from rbpsym.teaching.spoilers import is_telling, meaning
+from tests.teaching.library_papers import NAMES, NONE, paper
+
+by_name = pytest.mark.parametrize("name", [name for name in NAMES if name not in NONE])
+
+
+@by_name
+def test_no_answer_is_given_away(name: str) -> None:
+    """Neither as it is nor with the other sign, under whatever name, in the statement or in any task of the paper."""
+    plan, sheet = paper(name)
+    study = plan.parts[0].bench.study
+    shown = {item.id: list(printed(item)) for item in sheet.items}
+    shown[""] = [node for block in sheet.parts[0].statement for node in formulas(block)]
+    values = {place: [v for node in nodes for v in values_in(study, node)] for place, nodes in shown.items()}
+    for item in sheet.items:
+        for answer in answers(item.key):
+            value = meaning(study, answer) if is_telling(answer) else None
+            if not isinstance(value, Scalar):
+                continue
+            own_lines_too = isinstance(item.key, m.BlanksKey)
+            for place, found in values.items():
+                if place != item.id or own_lines_too:
+                    assert not any(same(value, other) or same(value, -other) for other in found), (item.id, place, answer)
+
+
+def values_in(study: Study, node: t.Node) -> Iterator[Scalar]:
+    for part in t.walk(node):
+        value = meaning(study, part) if is_telling(part) else None
+        if isinstance(value, Scalar):
+            yield value
+
+
+def answers(key: m.Key) -> list[t.Node]:
+    """The formulas that a student is to find; a number may be asked of a formula that is printed."""
+    match key:
+        case m.FormulaKey():
+            return [key.value]
+        case m.ChoiceKey() if key.options[key.right].formula is not None:
+            return [key.options[key.right].formula]
+        case m.BlanksKey():
+            return [blank.value for blank in key.blanks]
+        case m.SlipKey():
+            return [row.items[-1] for row in t.rows(key.corrected) if isinstance(row, t.Chain)]
+    return []
+
+
+def printed(item: m.Item) -> Iterator[t.Node]:
+    """All formulas that stand in a task."""
+    for block in item.prompt:
+        yield from formulas(block)
+    match item.key:
+        case m.ChoiceKey() | m.ComparisonKey():
+            yield from (option.formula for option in item.key.options if option.formula is not None)
+        case m.OrderKey():
+            yield from (piece.statement for piece in item.key.pieces)
+        case m.SlipKey():
+            yield from (line.statement for line in item.key.lines)
+
+
+def formulas(block) -> Iterator[t.Node]:
+    if isinstance(block, Display):
+        yield block.node
+    elif isinstance(block, Paragraph):
+        yield from (part.node for part in block.inlines if isinstance(part, Math))
+
+
+@by_name
+def test_a_sign_is_asked_with_the_blank(name: str) -> None:
+    """No minus stands before a blank, nor before the bracket in which it is alone."""
+    for item in paper(name)[1].items:
+        for node in printed(item):
+            for part in t.walk(node):
+                if isinstance(part, t.Neg):
+                    inner = part.arg.arg if isinstance(part.arg, t.Group) else part.arg
+                    factors = inner.factors if isinstance(inner, t.Mul) else (inner,)
+                    assert not any(isinstance(f, t.Sym) and f.name.startswith(m.BLANK) for f in factors), (item.id, node)
+
+
+@by_name
+def test_each_sentence_names_an_idea_that_gives_just_this_value(name: str) -> None:
+    """The operator of each sentence is applied anew, and what it makes of the quantity is the wrong value itself."""
+    plan, sheet = paper(name)
+    bench = plan.parts[0].bench
+    for item in sheet.items:
+        for formula, slip in known_slips(item.key):
+            target = target_of(bench, item, slip)
+            value = meaning(bench.study, formula)
+            for idea in (slip, *slip.also):
+                made = [w for w in bench.pool.wrongs if (w.misconception.name, w.site.slots) == (idea.name, idea.slots)]
+                values = [v for w in made if (v := target.value(w.study)) is not None]
+                assert any(equal(value, other, bench.study) for other in values), (item.id, formula, idea.name)
+
+
+def equal(first: Scalar, second: Scalar, study: Study) -> bool:
+    return same(first, second) or scalars_equal(first, second, study.assumptions).is_proved
+
+
+def known_slips(key: m.Key) -> list[tuple[t.Node, m.Slip]]:
+    """Wrong formulas with what is said of them."""
+    match key:
+        case m.ChoiceKey():
+            return [(o.formula, o.slip) for o in key.options if o.slip is not None and o.formula is not None]
+        case m.FormulaKey():
+            return [(a.formula, a.slip) for a in key.anticipated]
+        case m.BlanksKey():
+            return [(a.formula, a.slip) for blank in key.blanks for a in blank.anticipated]
+    return []
+
+
+def target_of(bench, item: m.Item, slip: m.Slip):
+    """What is asked: the quantity of the item; of a blank, that of the step in which it stands."""
+    if not isinstance(item.key, m.BlanksKey):
+        return bench.targets[item.asked.quantity]
+    step = next(b.step for b in item.key.blanks if any(a.slip is slip for a in b.anticipated))
+    return next(target for target in bench.targets.values() if target.step == step)
