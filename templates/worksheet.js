@@ -3,14 +3,14 @@
 // compared with the key at some points; nothing that is typed is ever run.
 const Worksheet = (() => {
   const FUNCTIONS = {sin: Math.sin, cos: Math.cos, tan: Math.tan, sqrt: Math.sqrt, exp: Math.exp, ln: Math.log,
-    asin: Math.asin, acos: Math.acos, atan: Math.atan, sen: Math.sin, tg: Math.tan, raiz: Math.sqrt};
+    asin: Math.asin, acos: Math.acos, atan: Math.atan, arcsin: Math.asin, arccos: Math.acos, arctan: Math.atan, sen: Math.sin, tg: Math.tan, raiz: Math.sqrt};
   const RAISED = {"⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁵": "5", "⁶": "6", "⁷": "7", "⁸": "8", "⁹": "9", "⁻": "-"};
   const LONGEST = 600;
 
   // text -> tokens: numbers, names of the task, functions, operators; null at the first thing that is not known
   function tokens(text, spellings) {
     const found = [], names = Object.keys(spellings).sort((a, b) => b.length - a.length);
-    text = text.normalize("NFC").replace(/[−–]/g, "-").replace(/[·×⋅∙]/g, "*").replace(/÷/g, "/").replace(/√/g, "sqrt")
+    text = text.normalize("NFC").replace(/[¼-¾⅐-⅞]/g, one => `(${one.normalize("NFKD").replace("⁄", "/")})`).replace(/[−–]/g, "-").replace(/[·×⋅∙]/g, "*").replace(/÷/g, "/").replace(/√/g, "sqrt")
       .replace(/½/g, "(1/2)").replace(/¼/g, "(1/4)").replace(/¾/g, "(3/4)").replace(/π/g, "pi")
       .replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+/g, run => "^(" + [...run].map(c => RAISED[c]).join("") + ")");
     for (let at = 0; at < text.length;) {

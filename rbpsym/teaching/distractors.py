@@ -33,7 +33,7 @@ from rbpsym.teaching.retold import Retelling, first_wrong
 from rbpsym.teaching.targets import Target
 
 MOST = 8  # wrong values that are kept for one quantity
-MOST_IDEAS = 3  # that are named for one wrong value
+MOST_IDEAS = 2  # that are named for one wrong value
 ANY = "question"  # a target that may be about all that misconceptions change
 MOST_PRODUCTS = 400_000  # products of terms for one wrong value; the library's greatest takes a twentieth of it
 LONGEST = 3.0  # times the length of the right formula: a longer one gives itself away
@@ -86,7 +86,8 @@ class Pool:
         """The slip of a wrong study, with the first step that it spoils."""
         wrong = self.wrongs[place]
         if place not in self.spoiled:
-            self.spoiled[place] = first_wrong(self.derivation, wrong.study, wrong.misconception.about)
+            later = wrong.misconception.about <= {ANY}  # a blow spoils no step of the first phase
+            self.spoiled[place] = "" if later else first_wrong(self.derivation, wrong.study, wrong.misconception.about)
         first = self.spoiled[place]
         return Slip(
             wrong.misconception.name,

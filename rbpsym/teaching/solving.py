@@ -19,6 +19,8 @@ from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.dynamics import reactions_by_acceleration
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER
+from rbpsym.statement.printed_units import unit_of, unit_text
 from rbpsym.teaching import bench as b
 from rbpsym.teaching.bench import ProblemBench, formula_of
 from rbpsym.teaching.distractors import shown
@@ -69,6 +71,7 @@ def _of_part(value: object, names: Container[str]) -> Callable | None:
 
 
 MOST_RELATIONS = 2
+CASES = (MASS, NUMBER, DIMENSIONS["speed"], LENGTH)  # dimensions of constants that a check lets vanish
 LONGEST = 120  # parts of a formula that is shown with numbers in the places of the names
 
 
@@ -106,8 +109,37 @@ def _worked(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value
     formula = b.formula_of(bench, target)
     if value is None:
         yield Display(t.equation(target.left, formula), numbered=False)
-        return
-    yield Display(numeric_line(bench, setting, target, value), numbered=False)
+    else:
+        yield Display(numeric_line(bench, setting, target, value), numbered=False)
+    yield Paragraph(_check(bench, setting, target))
+
+
+def _check(bench: b.ProblemBench, setting: b.ItemSetting, target: Target) -> Inlines:
+    """What it becomes where a constant vanishes; where no constant may, its unit."""
+    case = bench.once(("case", target.id), lambda: _special_case(bench, target))
+    if case is not None:
+        name, formula = case
+        slots = {"case": t.equation(t.Sym(name), t.ZERO), "formula": t.equation(target.left, formula)}
+        return spoken(setting.said, "solution.case", **slots)
+    unit = unit_text(unit_of(target.dimension, target.unit_name)) or "1"
+    return spoken(setting.said, "solution.unit", unit=unit)
+
+
+def _special_case(bench: b.ProblemBench, target: Target) -> tuple[str, t.Node] | None:
+    """A constant and the shorter formula that is left without it: masses come before lengths, what is left before zero.
+
+    That a product vanishes with one of its factors is no check, but for a coefficient.
+    """
+    value, problem = target.value(bench.study), bench.study.problem
+    whole, found = length(formula_of(bench, target)), []
+    for quantity in (q for q in problem.parameters if q.dimension in CASES and q.name in names_in(value)):
+        try:
+            left = shown(substitute(value, {quantity.name: NOTHING}), bench.study)
+        except (*REFUSALS, RbpsymError):
+            continue
+        if length(left) < whole and (left != t.ZERO or quantity.dimension == NUMBER):
+            found.append((left == t.ZERO, CASES.index(quantity.dimension), length(left), quantity.name, left))
+    return min(found, key=lambda row: row[:-1])[-2:] if found else None
 
 
 def numeric_line(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, value: float) -> t.Node:

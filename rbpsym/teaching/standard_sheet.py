@@ -12,6 +12,7 @@ from rbpsym.derivation.draft import length
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
 from rbpsym.teaching.bench import Prepared, ProblemBench
+from rbpsym.teaching.distractors import ANY
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
 from rbpsym.teaching.spoilers import Content
@@ -22,22 +23,24 @@ TRIES = 4  # quantities of one pattern that are tried
 WRITTEN = ("formula", "number", "choose")  # kinds of tasks whose answers are written or read as one formula
 LONGEST = 100  # parts of such a formula: about one line in print
 
-# kind, what to ask about (the first that can be asked is), level: from much help to little, as a lesson goes
-LESSON: tuple[tuple[str, tuple[str, ...], int], ...] = (
-    ("signs", ("",), 1),
-    ("choose", ("momentum.total", "momentum.*", "axis-moment.*", "moment.*"), 1),
-    ("fill-in", ("acceleration.*", "speed.*", "reaction.*"), 1),
-    ("choose", ("acceleration.*", "frequency.*", "work.theta.*", "reaction.*"), 1),
-    ("order", ("speed.*", "acceleration.*", "reaction.*"), 1),
-    ("find-the-slip", ("acceleration.*", "speed.*", "momentum.*", "work.*", "reaction.*"), 1),
-    ("number", ("speed.*", "acceleration.*"), 2),
-    ("number", ("reaction.*", "frequency.*", "work.*"), 2),
-    ("choose", ("question.*",), 2),
-    ("formula", ("question.*", "reaction.*", "acceleration.*", "speed.*"), 2),
-    ("compare", ("frequency.*", "acceleration.*", "speed.*"), 2),
-    ("explain", ("workless", "work_energy", "combination", ""), 3),
+# kinds (the first that can be made is), what to ask about, level: from much help to little, as a lesson goes
+Row = tuple[tuple[str, ...], tuple[str, ...], int]
+LESSON: tuple[Row, ...] = (
+    (("compare",), ("frequency.*", "acceleration.*", "speed.*"), 2),
+    (("signs",), ("",), 1),
+    (("choose",), ("momentum.total", "momentum.*", "axis-moment.*", "moment.*"), 1),
+    (("fill-in",), ("acceleration.*", "speed.*", "reaction.*"), 1),
+    (("choose",), ("acceleration.*", "frequency.*", "work.theta.*", "reaction.*"), 1),
+    (("order",), ("speed.*", "acceleration.*", "reaction.*"), 1),
+    (("find-the-slip",), ("acceleration.*", "speed.*", "momentum.*", "work.*", "reaction.*"), 1),
+    (("number",), ("speed.*", "acceleration.*"), 2),
+    (("number",), ("reaction.*", "frequency.*", "work.*"), 2),
+    (("explain",), ("workless", "work_energy", "combination", ""), 3),
 )
-# which kinds of tasks pick their quantity first
+# how the questions of the problem itself are asked, by turns
+QUESTIONS = (("formula", "choose", "number"), ("choose", "formula", "number"))
+NO_QUESTIONS: Row = (("formula",), ("reaction.*", "acceleration.*", "speed.*"), 2)
+# which kinds of tasks pick their quantity first, after the questions of the problem
 PICKS = ("signs", "fill-in", "order", "find-the-slip", "number", "choose", "formula", "compare", "explain")
 
 
@@ -57,11 +60,21 @@ def bare_sheet(problem: Problem) -> Sheet:
     return Sheet(problem.name, dict(problem.title), (SheetPart(problem, {}, ()),), text=problem.text)
 
 
+def lesson(bench: ProblemBench) -> tuple[Row, ...]:
+    """The rows of the lesson: before the explanation each question that the problem itself asks."""
+    asked = [id for id, target in bench.targets.items() if target.kind == ANY]
+    own = [(QUESTIONS[place % 2], (id,), 2) for place, id in enumerate(asked)]
+    return (*LESSON[:-1], *(own or [NO_QUESTIONS]), LESSON[-1])
+
+
 def _wishes(bench: ProblemBench, scenery: Scenery) -> list[Wish]:
-    """For each row of the lesson the first wish that gives away no answer of another task; those that train most choose first."""
+    """For each row of the lesson the first wish that gives away no answer of another task; the questions of the
+    problem choose first, then those that train most."""
     taken: dict[int, tuple[Wish, Content]] = {}
-    for row in sorted(range(len(LESSON)), key=lambda row: PICKS.index(LESSON[row][0])):
-        for wish, content in _possible(bench, scenery, *LESSON[row]):
+    rows = lesson(bench)
+    for row in sorted(range(len(rows)), key=lambda row: (rows[row][0] not in QUESTIONS, PICKS.index(rows[row][0][0]))):
+        kinds, patterns, level = rows[row]
+        for wish, content in (made for kind in kinds for made in _possible(bench, scenery, kind, patterns, level)):
             if not any(content.spoils(other) for other in (bench.given, *(other for _, other in taken.values()))):
                 taken[row] = (wish, content)
                 break

@@ -10,7 +10,7 @@ from tests.library.derived import unsimulated
 
 NARRATION = """ask.choose ask.number ask.formula ask.compare ask.place ask.fill-in ask.order ask.find-the-slip ask.signs
 ask.explain hint compare.doubled compare.shape compare.welded compare.free compare.first compare.second compare.same
-compare.one compare.other shape signs rubric solution paper remark feedback exports reader"""
+compare.one compare.other shape signs principle rubric solution paper remark feedback exports reader"""
 
 
 def _kind(key: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import same
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.model import Display, Math, Paragraph
@@ -13,7 +14,9 @@ from rbpsym.equality.decide import scalars_equal
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
 from rbpsym.teaching import model as m
+from rbpsym.teaching.compiled import compiled
 from rbpsym.teaching.spoilers import is_telling, meaning
+from rbpsym.teaching.units import si
 from tests.teaching.library_papers import NAMES, NONE, paper
 
 by_name = pytest.mark.parametrize("name", [name for name in NAMES if name not in NONE])
@@ -128,3 +131,34 @@ def target_of(bench, item: m.Item, slip: m.Slip):
         return bench.targets[item.asked.quantity]
     step = next(b.step for b in item.key.blanks if any(a.slip is slip for a in b.anticipated))
     return next(target for target in bench.targets.values() if target.step == step)
+
+
+@by_name
+def test_a_number_does_not_hang_on_the_rounding_of_another(name: str) -> None:
+    """Where a given number is a half per cent greater, an answer is not another one by half: it is not near zero."""
+    for item in paper(name)[1].items:
+        if isinstance(item.key, m.NumberKey):
+            given = {n: si(measure) for n, measure in item.key.given.items()}
+            values = compiled([scalar(item.key.formula)])
+            for moved in given:
+                [other] = values({**given, moved: given[moved] * 1.005})
+                assert abs(other - item.key.exact) < 0.5 * abs(item.key.exact), (item.id, item.asked.quantity, moved)
+
+
+def test_the_questions_of_the_problems_are_asked() -> None:
+    """The question that a problem is known for stands on its paper."""
+    left_out = {}
+    for name in NAMES:
+        if name not in NONE:
+            plan, sheet = paper(name)
+            own = {id for id, target in plan.parts[0].bench.targets.items() if target.kind == "question"}
+            missing = own - {item.asked.quantity for item in sheet.items}
+            left_out |= {name: missing} if missing else {}
+    assert not left_out
+
+
+@by_name
+def test_each_solution_of_a_result_ends_with_a_check(name: str) -> None:
+    for item in paper(name)[1].items:
+        if item.kind in ("formula", "number") or (item.kind == "choose" and item.solution):
+            assert isinstance(item.solution[-1], Paragraph) and item.solution[-1].inlines

@@ -16,7 +16,7 @@ from rbpsym.notation.infix import read_infix
 from rbpsym.statement.library import find_problem
 from rbpsym.statement.loader import load_problem, load_text
 from rbpsym.teaching.bench import ProblemBench
-from rbpsym.teaching.distractors import MOST, pool
+from rbpsym.teaching.distractors import ANY, MOST, pool
 from rbpsym.teaching.misconceptions.registry import DESCRIBED, MISCONCEPTIONS, SOURCES
 from rbpsym.teaching.plan import bench_of
 from rbpsym.teaching.targets import KINDS
@@ -24,6 +24,7 @@ from rbpsym.teaching.wording import languages, say, teaching_phrases
 
 PENDULUM, BEARING = "rod-and-disk-fixed", "rod-and-disk-free"
 LADDER, SPRING, INCLINE = "sliding-ladder", "sliding-ladder-with-spring", "disk-on-incline"
+SLIPPING, HINGED, ROUNDABOUT = "ball-slipping-to-rolling", "ball-and-hinged-rod", "child-onto-roundabout"
 SAMPLE = (PENDULUM, BEARING, LADDER, SPRING, INCLINE)
 
 
@@ -54,13 +55,28 @@ BY_HAND = [
     (LADDER, "centripetal-forgotten", "reaction.N_w", "3*M*g/4*sin(theta)*cos(theta)"),
     (SPRING, "works-always-cancel", "work.theta.F_s.ladder", "k*ell**2*(cos(theta) - cos(theta_0))**2"),
     (SPRING, "work-at-application-point", "work.T.F_s.ladder", "-2*k*ell**2*(cos(theta) - cos(theta_0))**2"),
-    (SPRING, "force-sign", "work.T.W.ladder", "-M*g*ell*(sin(theta_0) - sin(theta))"),
+    (SPRING, "weight-sign", "work.T.W.ladder", "-M*g*ell*(sin(theta_0) - sin(theta))"),
     (INCLINE, "rolling-taken-as-sliding", "acceleration.s", "g*sin(beta)"),
     (INCLINE, "friction-wrong-way", "acceleration.s", "2*g*sin(beta)"),
     (INCLINE, "friction-is-mu-n", "acceleration.s", "g*sin(beta) - mu*g*cos(beta)"),
     (INCLINE, "sine-for-cosine", "acceleration.s", "2*g/3*cos(beta)"),
     (INCLINE, "moment-of-another-shape", "acceleration.s", "g/2*sin(beta)"),
     (INCLINE, "work-at-application-point", "work.T.f.drum", "0"),
+    (INCLINE, "turning-force-moves-nothing", "acceleration.s", "g*sin(beta)"),
+    (INCLINE, "whole-weight-along-slope", "acceleration.s", "2*g/3"),
+    (INCLINE, "normal-force-is-weight", "reaction.N", "M*g"),
+    (INCLINE, "translational-energy-left-out", "speed.s", "4*g*s*sin(beta)"),
+    (INCLINE, "half-forgotten-in-kinetic-energy", "speed.s", "2*g*s*sin(beta)/3"),
+    (INCLINE, "diameter-for-radius", "moment.drum", "2*M*R**2"),
+    (LADDER, "uniform-acceleration-formula", "speed.theta", "3*g/(2*ell)*cos(theta)*(theta_0 - theta)"),
+    (LADDER, "instantaneous-center-for-accelerations", "reaction.N_w", "3*M*g/4*sin(theta)*cos(theta)"),
+    (SPRING, "work-sign", "work.T.W.ladder", "-M*g*ell*(sin(theta_0) - sin(theta))"),
+    (BEARING, "shift-by-whole-length", "axis-moment.rod", "m*ell**2/12 + m*ell**2"),
+    (SLIPPING, "rolls-while-slipping", "acceleration.x", "0"),
+    (SLIPPING, "kinetic-friction-left-out", "acceleration.x", "0"),
+    (HINGED, "momentum-kept-at-hinge", "question.1", "m*v_0*(1 + e)/(m*b + M*ell/2)"),
+    (HINGED, "struck-at-center-of-mass", "question.1", "m*v_0*(1 + e)/(m*b + 2*M*ell/3)"),
+    (ROUNDABOUT, "angular-velocity-kept", "question.1", "Omega"),
 ]  # fmt: skip
 
 
@@ -73,7 +89,7 @@ def bench(name: str) -> ProblemBench:
 def test_the_engine_makes_the_textbook_mistake(problem: str, name: str, id: str, wrong: str) -> None:
     here = bench(problem)
     target = here.targets[id]
-    made = [w for w in here.pool.wrongs if w.misconception.name == name and target.kind in w.misconception.about]
+    made = [w for w in here.pool.wrongs if w.misconception.name == name and target.kind in (*w.misconception.about, ANY)]
     values = [value for w in made if (value := target.value(w.study)) is not None]
     wanted = scalar(read_infix(wrong, here.study.problem.dimensions))
     verdicts = [scalars_equal(value, wanted, here.study.assumptions) for value in values]
@@ -119,6 +135,7 @@ def test_each_has_sources_kinds_and_words(name: str) -> None:
 COVER = (
     "atwood-with-massive-pulley", "cart-and-rod", "rod-and-disk-fixed", "rod-and-disk-free", "ball-in-a-loop", "braking-wheel",
     "half-disk-rocking", "bicycle-wheelie", "disk-with-spring", "ball-slipping-to-rolling", "breaking-chimney",
+    "disk-on-incline", "child-onto-roundabout", "ball-and-hinged-rod", "double-atwood", "two-gears", "ball-with-backspin",
 )  # fmt: skip
 
 
@@ -131,12 +148,13 @@ def test_each_makes_a_wrong_answer_somewhere() -> None:
         about = {kind for wrong in left.wrongs for kind in wrong.misconception.about}
         for target in here.targets.values():
             if target.kind in about and missing & {wrong.misconception.name for wrong in left.wrongs}:
-                missing -= {distractor.slip.name for distractor in left.of(target)}
+                slips = [distractor.slip for distractor in left.of(target)]
+                missing -= {idea.name for slip in slips for idea in (slip, *slip.also)}
     assert not missing
 
 
 def test_there_are_enough() -> None:
-    assert len(MISCONCEPTIONS) >= 20
+    assert len(MISCONCEPTIONS) >= 70
     assert set(SOURCES) == {source for sources in DESCRIBED.values() for source in sources}
     assert set(DESCRIBED) == set(MISCONCEPTIONS)
 

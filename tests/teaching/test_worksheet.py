@@ -332,7 +332,7 @@ BAD = [
     (GOOD.replace("theta_0 =", "theta_9 ="), "unknown key “theta_9”", 7),
     (
         GOOD.replace('kind = "number"\nabout = "speed.theta"', 'kind = "choose"\nabout = "moment.ladder"'),
-        "only 1 wrong answers",
+        "only 2 wrong answers",
         10,
     ),
     (GOOD + "language = 3", "", 0),

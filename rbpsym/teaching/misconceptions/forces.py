@@ -26,6 +26,8 @@ def _force_sign(study: Study) -> Iterator[Site]:
     """A known force (or its torque) with the wrong sign."""
     for element in study.problem.interactions:
         name = element.name
+        if element.kind == "gravity":
+            continue  # see “weight-sign”
         yield Site(
             {"force": t.Vec(name), "variant": "couple" if _is_couple(study, name) else "force"},
             lambda name=name: change.with_forces(
@@ -86,7 +88,7 @@ def _weight_at_middle(study: Study) -> Iterator[Site]:
 def _swapped_weight(study: Study) -> Iterator[Site]:
     """Sine for cosine in the component of the weight: across the lever arm, or along a slope."""
     for name in study.system.bodies:
-        along = change.arm_of(study, name) or _slope(study, name)
+        along = change.arm_of(study, name) or slope_under(study, name)
         if along is None or not change.weights(study, name):
             continue
 
@@ -96,7 +98,7 @@ def _swapped_weight(study: Study) -> Iterator[Site]:
         yield Site({"body": BodyRef(name)}, partial(change.with_weight, study, name, swap))
 
 
-def _slope(study: Study, body: str) -> Vector | None:
+def slope_under(study: Study, body: str) -> Vector | None:
     """The direction of the fixed line that the body touches, if that is neither level nor upright."""
     geometry = geometry_of(study.system)
     for element in study.problem.constraints:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
@@ -14,6 +14,7 @@ from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t
+from rbpsym.statement.model import Shape
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import INERTIA, NO_INERTIA, SPIN, WELL, Misconception, Site
 from rbpsym.teaching.targets import axes
@@ -89,6 +90,30 @@ def _another_shape(study: Study) -> Iterator[Site]:
                 yield Site({"body": BodyRef(name), "variant": kind}, wrong)
 
 
+def _diameter(study: Study) -> Iterator[Site]:
+    """The diameter put in for the radius."""
+    yield from _scaled(study, 4, lambda shape: shape.kind in ROUND)
+
+
+def _half_length(study: Study) -> Iterator[Site]:
+    """Half of the rod put in for its length."""
+    yield from _scaled(study, Fraction(1, 4), lambda shape: shape.kind == "rod")
+
+
+def _scaled(study: Study, factor: int | Fraction, fits: Callable[[Shape], bool]) -> Iterator[Site]:
+    for name, state in change.spinning(study):
+        if fits(study.problem.body(name).shape):
+            yield Site({"body": BodyRef(name)}, partial(change.with_inertia, study, name, moment=state.moment * factor))
+
+
+def _shift_by_whole_length(study: Study) -> Iterator[Site]:
+    """The shift of the axis by twice its length: from the far end, not from the centre of mass."""
+    for name, (label, square) in axes(study).items():
+        state = study.system.bodies[name]
+        wrong = partial(change.with_inertia, study, name, moment=state.moment + state.mass * square * 3)
+        yield Site({"body": BodyRef(name), "point": t.Sym(label)}, wrong)
+
+
 def _mass_dropped(study: Study) -> Iterator[Site]:
     """A body that hangs on another is left out: its weight and its inertia (but for a spin of its own)."""
     for element in study.problem.of_kind("pin", "weld"):
@@ -111,5 +136,8 @@ MISCONCEPTIONS = (
     Misconception("moment-about-wrong-point", _about_end, INERTIA, WELL),
     Misconception("end-of-rod-taken-for-axis", _center_for_end, SPIN, NO_INERTIA),
     Misconception("moment-of-another-shape", _another_shape, INERTIA, WELL),
+    Misconception("diameter-for-radius", _diameter, INERTIA, WELL),
+    Misconception("half-length-for-length", _half_length, INERTIA, WELL),
+    Misconception("shift-by-whole-length", _shift_by_whole_length, SPIN, NO_INERTIA),
     Misconception("mass-dropped", _mass_dropped, SPIN),
 )

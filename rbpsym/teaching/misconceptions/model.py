@@ -9,13 +9,15 @@ from typing import Any
 
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import Scalar
 from rbpsym.algebra.vector import Vector
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
-from rbpsym.statement.model import Element
+from rbpsym.notation.tree import Node
+from rbpsym.statement.model import Element, Problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +79,27 @@ def with_body(study: Study, name: str, **changes: object) -> System:
 
 
 def with_inertia(study: Study, name: str, **changes: Scalar) -> Study:
-    """The study with another mass or moment of inertia of a body; the forces stay as they are."""
+    """The study with another mass or moment of inertia of a body; the forces stay as they are.
+
+    Where the motion has phases, the statement itself is given another moment, so that all of them have it.
+    """
+    moment, inertia = changes.get("moment"), study.system.bodies[name].inertia
+    if study.problem.phases and len(changes) == 1 and moment and not (inertia.x or inertia.y):
+        return restated(study, name, given_moment=present(moment, study.style))
     own = replace(study.system.bodies[name].inertia, **changes)
     return with_parts(study, system=with_body(study, name, inertia=own))
+
+
+def restated(study: Study, body: str, *, given_moment: Node, mass: Node | None = None) -> Study:
+    """The statement, in each phase, with another moment of inertia (and mass) of a body, all else derived anew."""
+
+    def turned(problem: Problem) -> Problem:
+        old = problem.body(body)
+        own = replace(old, shape=replace(old.shape, given_moment=given_moment), mass=old.mass if mass is None else mass)
+        return replace(problem, bodies=tuple(own if b.name == body else b for b in problem.bodies))
+
+    phases = tuple(replace(phase, problem=turned(phase.problem)) for phase in study.problem.phases)
+    return Study(replace(turned(study.problem), phases=phases))
 
 
 def with_forces(study: Study, change: Callable[[Force], Force | None]) -> Study:

@@ -6,12 +6,11 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-from rbpsym.teaching.misconceptions import energy, forces, inertia, joints
+from rbpsym.teaching.misconceptions import blows, contacts, energy, forces, inertia, joints, levers, sums
 from rbpsym.teaching.misconceptions.model import Misconception
 
-MISCONCEPTIONS: Mapping[str, Misconception] = {
-    item.name: item for module in (joints, inertia, forces, energy) for item in module.MISCONCEPTIONS
-}
+MODULES = (joints, contacts, inertia, forces, levers, energy, sums, blows)
+MISCONCEPTIONS: Mapping[str, Misconception] = {item.name: item for module in MODULES for item in module.MISCONCEPTIONS}
 
 
 # --- where the misconceptions are described: papers and books by key, and the keys of each misconception

@@ -84,7 +84,7 @@ def _pieces(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
 def _lines(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:
     yield Marked(tuple((str(k), piece.statement) for k, piece in enumerate(item.key.lines, 1)))
     language = worksheet.language
-    yield Rules(tuple(d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected")), 8.0)
+    yield Rules(tuple(d.words(plain_text(f"paper.{key}", language) + ": ") for key in ("line", "corrected", "reason")), 8.0)
 
 
 def _sign_table(item: m.Item, worksheet: m.Worksheet) -> Iterator[d.Block]:

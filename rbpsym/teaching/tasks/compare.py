@@ -48,8 +48,9 @@ def prepare(bench: ProblemBench, scenery: Scenery, wish: Wish) -> Iterator[Prepa
     fits = lambda x: x.kind in ASKED  # noqa: E731
     for target in wanted(bench, wish, fits, "a frequency, a speed or an acceleration can be compared"):
         found = tuple(_decided(bench, target))
+        joined = tuple(pair for pair in found if "body" in pair[0].slots)  # another system, not another size
         if found:
-            yield _prepared(bench, wish, target, found)
+            yield _prepared(bench, wish, target, joined or found)
 
 
 def _decided(bench: ProblemBench, target: Target) -> Iterator[tuple[Variant, int, Scalar]]:

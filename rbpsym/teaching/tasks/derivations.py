@@ -237,7 +237,7 @@ def _premises(bench: ProblemBench, step: Step) -> list[Step]:
 
 def _explanation(bench: ProblemBench, wish: Wish, step: Step, setting: ItemSetting) -> Item:
     premises = _premises(bench, step)
-    usual, sample = 1 + len(premises), tuple(_sample(bench, setting, step, premises))
+    usual, sample = 2 + len(premises), tuple(_sample(bench, setting, step, premises))
     prompt = (Paragraph(spoken(setting.said, "ask.explain")), Display(step.statement, numbered=False))
     asked = AskedQuantity(bench.name, step.id, t.Sym("W"), step=step.id)
     rubric = _rubric(setting, step, premises, wish.worth(usual))
@@ -254,8 +254,11 @@ def _sample(bench: ProblemBench, setting: ItemSetting, step: Step, premises: lis
 
 
 def _rubric(setting: ItemSetting, step: Step, premises: list[Step], points: Fraction) -> Iterator[Criterion]:
-    """A line for each thing that it stands on and one for putting them together, by how much each step matters."""
-    earned = shares(points, [*map(_weight, premises), max(CONCLUSION, _weight(step))])
+    """A line for the principle, one for each thing that it stands on and one for putting them together, by how much each
+    step matters."""
+    earned = shares(points, [*map(_weight, premises), 1, max(CONCLUSION, _weight(step))])
+    principle = spoken(setting.said, f"principle.{step.rule}")
+    yield Criterion(earned[-2], spoken(setting.said, "rubric.principle", principle=principle))
     for share, premise in zip(earned, premises, strict=False):
         uses = spoken(setting.said, "rubric.uses", statements=gist(premise.statement))
         yield Criterion(share, uses, premise.statement)

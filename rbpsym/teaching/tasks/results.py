@@ -7,6 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rbpsym.algebra.poly import Poly
+from rbpsym.algebra.scalar import Scalar
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching import bench as b
@@ -71,8 +73,18 @@ def _number_task(bench: b.ProblemBench, scenery: Scenery, wish: Wish, target: Ta
     def make(setting: b.ItemSetting) -> Item | None:
         return _number_item(bench, setting, target, wish, found)
 
-    values, content = (right, *(d.along for d in found)), Content(numbers=b.asks_for(bench, target).asks)
+    values, content = (right, *(d.along for d in found), *terms(right)), Content(numbers=b.asks_for(bench, target).asks)
     return b.Prepared("number", target, values, make, content)
+
+
+NEAR_ZERO = 0.03  # of the largest term: there it changes its sign or has hardly begun, and a rounded number decides
+MOST_TERMS = 40
+
+
+def terms(value: Scalar) -> tuple[Scalar, ...]:
+    """The terms of the sum over its denominator; none of a very long one."""
+    parts = value.num.terms
+    return tuple(Scalar(Poly({m: c}), value.den) for m, c in parts.items()) if len(parts) <= MOST_TERMS else ()
 
 
 def _number_item(
@@ -82,7 +94,8 @@ def _number_item(
         measure = measure_of(bench, target, setting.values[0])
     except (ValueError, ZeroDivisionError):
         return None
-    if not measure.value:
+    largest = max(map(abs, setting.values[1 + len(found) :]), default=0.0)
+    if not measure.value or abs(setting.values[0]) < NEAR_ZERO * largest:
         return None
     formula, names = number_formula(bench, target), number_names(bench, target)
     left = target.reading.left if target.reading else target.left
@@ -109,7 +122,7 @@ def _number_item(
 def _anticipated(bench: b.ProblemBench, setting: b.ItemSetting, target: Target, right: Measure, found: tuple[Distractor, ...]):
     """What misconceptions make of it, as far as that differs in print."""
     kept = [right]
-    for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=True)):
+    for place, (distractor, value) in enumerate(zip(found, setting.values[1:], strict=False)):
         try:
             measure = measure_of(bench, target, value)
         except (ValueError, ZeroDivisionError):

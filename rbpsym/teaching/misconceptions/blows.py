@@ -1,0 +1,78 @@
+"""Misconceptions about blows: what is kept, about which point, and what is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.present import present
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.step import BodyRef
+from rbpsym.mechanics.friction import geometry_of
+from rbpsym.mechanics.geometry import pair
+from rbpsym.mechanics.study import Study
+from rbpsym.notation import tree as t
+from rbpsym.teaching.misconceptions import model as change
+from rbpsym.teaching.misconceptions.model import Misconception, Site
+from rbpsym.teaching.targets import axes
+
+ASKED = frozenset({"question"})
+
+
+def _momentum_kept_at_hinge(study: Study) -> Iterator[Site]:
+    """p is kept when something strikes a hinged body, as if the hinge gave no impulse: M V = J for I ω = J b.
+
+    The same speeds come of a body whose moment about the hinge is M d b: that is how it is worked out.
+    """
+    for _, body, arm, reach in _struck(study):
+        state = study.system.bodies[body]
+        wrong = state.mass * arm * (reach - arm)
+        yield Site({"body": BodyRef(body)}, partial(_with_moment, study, body, wrong))
+
+
+def _struck_at_center(study: Study) -> Iterator[Site]:
+    """The impulse on a hinged body is given the lever arm of its centre of mass."""
+    for _, body, arm, reach in _struck(study):
+        state = study.system.bodies[body]
+        whole = state.moment + state.mass * axes(study)[body][1]
+        yield Site({"body": BodyRef(body)}, partial(_with_moment, study, body, whole * reach / arm - state.mass * arm * arm))
+
+
+def _struck(study: Study) -> Iterator[tuple[str, str, Scalar, Scalar]]:
+    """Collisions with bodies on a hinge: the distances of the centre of mass and of the impulse's line from the hinge."""
+    geometry = geometry_of(study.system)
+    for element in (e for phase in study.problem.phases for e in phase.impulses if e.kind == "collision"):
+        for ref in element["points"]:
+            if ref.body in axes(study):
+                hinge, line = study.origins[axes(study)[ref.body][0]], pair(element["along"])
+                places = (study.system.bodies[ref.body].center, geometry.where(ref))
+                arm, reach = (substitute((at - hinge).cross(line), study.system.scope.start) for at in places)
+                if arm and reach:
+                    yield element.name, ref.body, arm, reach
+
+
+def _with_moment(study: Study, body: str, moment: Scalar) -> Study:
+    return change.restated(study, body, given_moment=present(moment, study.style))
+
+
+def _spin_kept(study: Study) -> Iterator[Site]:
+    """ω, not L, is kept when a body comes on: its part of the moment of inertia is left out."""
+    held = {ref.body for e in study.problem.constraints for ref in e.values.get("points", ())}
+    for phase in study.problem.phases:
+        for element in phase.problem.of_kind("pin", "weld"):
+            first, second = (ref.body for ref in element["points"])
+            if element in study.problem.constraints or None in (first, second) or second in held:
+                continue
+            yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(_without_mass, study, second))
+
+
+def _without_mass(study: Study, body: str) -> Study:
+    return change.restated(study, body, given_moment=t.ZERO, mass=t.ZERO)
+
+
+MISCONCEPTIONS = (
+    Misconception("momentum-kept-at-hinge", _momentum_kept_at_hinge, ASKED),
+    Misconception("struck-at-center-of-mass", _struck_at_center, ASKED),
+    Misconception("angular-velocity-kept", _spin_kept, ASKED),
+)
