@@ -53,7 +53,21 @@ def _claims(statement: t.Node) -> Iterator[Claim]:
 
 def printed(study: Study, nodes: Iterable[t.Node]) -> frozenset[Claim]:
     """The values of formulas and of all their parts, as far as they are worth asking for."""
-    return frozenset(claim for node in nodes for part in t.walk(node) for claim in wanted(study, [part]))
+    return frozenset(claim for node in nodes for part in parts(node) for claim in wanted(study, [part]))
+
+
+def parts(node: t.Node) -> Iterator[t.Node]:
+    """All parts of a formula; of products also what stands before directions and rates: the torque, the moment of inertia."""
+    for part in t.walk(node):
+        yield part
+        if isinstance(part, t.Mul):
+            kept = [factor for factor in part.factors if not _is_rate(factor)]
+            if len(kept) < len(part.factors):
+                yield t.mul(*kept)
+
+
+def _is_rate(node: t.Node) -> bool:
+    return isinstance(node, t.Unit) or (isinstance(node, t.Sym) and node.name.endswith(("_dot", "_ddot")))
 
 
 def wanted(study: Study, answers: Iterable[t.Node]) -> frozenset[Claim]:
@@ -69,8 +83,8 @@ def is_telling(node: t.Node) -> bool:
 
 def _length(node: t.Node) -> int:
     """How many parts it has, signs aside; 0 for what is no formula in quantities of the problem."""
-    parts = list(t.walk(node))
-    return 0 if any(isinstance(part, PROSE) for part in parts) else sum(not isinstance(p, (t.Neg, t.Group)) for p in parts)
+    found = list(t.walk(node))
+    return 0 if any(isinstance(part, PROSE) for part in found) else sum(not isinstance(p, (t.Neg, t.Group)) for p in found)
 
 
 def unsigned(value: Scalar) -> frozenset[Scalar]:

@@ -43,9 +43,14 @@ def test_no_answer_is_given_away(name: str) -> None:
 
 def values_in(study: Study, node: t.Node) -> Iterator[Scalar]:
     for part in t.walk(node):
-        value = meaning(study, part) if is_telling(part) else None
-        if isinstance(value, Scalar):
-            yield value
+        products = [part]
+        if isinstance(part, t.Mul):  # the torque before its direction, the moment of inertia before the acceleration
+            bare = (f for f in part.factors if not isinstance(f, t.Unit) and not getattr(f, "name", "").endswith("_ddot"))
+            products.append(t.mul(*bare))
+        for product in products:
+            value = meaning(study, product) if is_telling(product) else None
+            if isinstance(value, Scalar):
+                yield value
 
 
 def answers(key: m.Key) -> list[t.Node]:
