@@ -18,6 +18,7 @@ SINGLY = (
     "tests/oracles/test_random_systems.py",
     "tests/thorough/",
     "tests/teaching/test_scale",
+    "tests/teaching/test_library_papers.py",
     "tests/cli/test_notes_whole.py",
     "tests/claims/test_along.py",
     "tests/mutants/",
