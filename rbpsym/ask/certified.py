@@ -301,10 +301,10 @@ def _valid(
     moment, parts = found.moment, (before, [s for s in steps if s.rule != "solution"], [s for s in steps if s.rule == "solution"])
     duties = [duty for part in parts for duty in _duties(part)]
     first, asked, solved = (_asked(draft, _duties(part)) for part in parts)
-    if moment is not None and moment.how in ("start", "event") and not found.study.at_start:
+    if moment is not None and moment.how in ("start", "event", "rest") and not found.study.at_start:
         with suppress(ZeroDivisionError):  # the laws are asked for their solution there only
             solved = [_there(found.study, one, moment) for one in solved]
-            asked = [_there(found.study, one, moment) for one in asked] if moment.how == "start" else asked
+            asked = [_there(found.study, one, moment) for one in asked] if moment.how != "event" else asked
     asked = [*asked, *solved]
     if found.told == "oscillations" or (moment is not None and moment.is_small):  # only close to the place of rest
         there = next((step.data["at"] for step in reversed(steps) if "at" in step.data), {})

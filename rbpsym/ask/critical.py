@@ -130,7 +130,11 @@ def _met(world: Scene, name: str, zero: Zero, given: Assumptions) -> tuple[Deman
             return None
         world.doubts.extend(doubts)
     moments = (Demand(rooted(substitute(d.value, {name: zero.place}), given), d.op) for d in wanted)
-    return settle([*zero.asked, *moments, *lasts], given)
+    try:
+        return settle([*zero.asked, *moments, *lasts], given)
+    except ZeroDivisionError:
+        what = f"where {name} has that value the motion is not the one that is stated: a ratio of forces has none there"
+        raise StatementError(what) from None
 
 
 def _without(world: Scene, name: str, value: Scalar, given: Assumptions, text: str) -> Finding:

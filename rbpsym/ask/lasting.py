@@ -7,17 +7,18 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
-from rbpsym.errors import RbpsymError, StatementError, Undecided
+from rbpsym.equality.signs import sign
+from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided
 from rbpsym.mechanics.arrivals import mover, state_at
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.driven import sense_to, tie_to_time
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State, at_start, value_reached
+from rbpsym.mechanics.endings import State, at_start, uniform_motion, value_reached
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.pushing import begins, ways_kept
@@ -155,10 +156,22 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
 
     if moment.how in ("start", "rest"):
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
-    is_place = moment.how != "time" or (moment.watched is not None and moment.watched[0] in study.system.coordinates)
+    is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
         return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places)))
-    return _decided(lambda: (*slipping(study, moment.state), *never_lost(study, moment.state), *_on_way(study, None)))
+    state = moment.state
+    return _decided(lambda: (*slipping(study, state), *never_lost(study, state), *_on_way(study, None, state.time)))
+
+
+def _goes_on(study: Study, name: str, value: Scalar) -> bool:
+    """Whether what is watched is a coordinate, or a speed that changes uniformly without turning round before it has a value."""
+    coordinate = name.removesuffix("_dot")
+    gain = (study.dynamics.accelerations or {}).get(f"{coordinate}_ddot")
+    if name == coordinate or gain is None:
+        return name in study.system.coordinates
+    is_uniform = not names_in(gain) & {*study.system.scope.rates, *study.system.speeds, "t"}
+    first = study.system.scope.start.get(name, NOTHING)
+    return is_uniform and sign(first * value, study.assumptions).is_nonnegative
 
 
 def never_lost(study: Study, state: State) -> Iterator[Demand]:
@@ -177,9 +190,14 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
         return (), (f"whether the contacts and the friction last so far is not decided: {error.what}",)
 
 
-def _on_way(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Demand]:
-    """Least values on the way from the start to some places (None: on the whole motion). Raises Undecided, StatementError."""
+def _on_way(study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None) -> Iterator[Demand]:
+    """Least values on the way from the start to some places (None: on the whole motion, what surely ends up to a time).
+    Raises Undecided, StatementError."""
     for demand in running(study):
+        then = _until(study, demand.value, time)
+        if then is not None:
+            yield then
+            continue
         with suppress(Undecided):  # how far it goes is told by what holds it
             [name] = names_in(demand.value) & study.system.scope.rates.keys()
             found = _least(study, demand, name, places=places)
@@ -194,6 +212,19 @@ def _on_way(study: Study, places: Mapping[str, Scalar] | None) -> Iterator[Deman
         if settle(found, study.assumptions) is None:
             raise StatementError("a contact is lost, or friction reaches its limit, before: the motion that is stated ends there")
         yield from found
+
+
+def _until(study: Study, value: Scalar, time: Scalar | None) -> Demand | None:
+    """That a string has not run out at a time of a uniform motion: what goes one way, or is bent downwards, and is not negative
+    at the start and then is not so between; None where that does not tell it."""
+    with suppress(NotApplicable):
+        course = substitute(value, uniform_motion(study, symbol("t")).places)
+        rate = derivative(course, "t")
+        bend = derivative(rate, "t")
+        is_one_way = is_zero(substitute(rate, {"t": NOTHING})) and not depends_on(bend, "t")  # from rest, at a steady gain
+        if time is not None and (is_one_way or sign(-bend, study.assumptions).is_nonnegative):
+            return Demand(short(substitute(course, {"t": time})), ">=")
+    return None
 
 
 def _driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tuple[Way, Assumptions] | None:

@@ -118,7 +118,8 @@ def first_there(context: Context, step: Step) -> Verdict:
     """Up to the stated place the speed is not zero, and what vanishes there does not vanish before."""
     printed, context = demanded(context, step), under(context, step, ">")
     (place,) = [context.value(right) for _, _, right in relations(step.statement)]
-    goes, between = way_to(context, step.data["name"], place, printed)
+    with refuted_only_where(Condition(t.ZERO, demand.op, demand.value) for demand in printed):
+        goes, between = way_to(context, step.data["name"], place, printed)
     gap, name = _gap(context, step.data["ending"].phase), step.data["name"]
     is_free = sign(gap, between).is_nonzero or sign_along(gap, name, between)
     return weakest([*goes, Verdict(PROVED) if is_free else UNSEEN])

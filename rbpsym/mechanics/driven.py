@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.signs import sign
@@ -24,6 +26,8 @@ def tie_to_time(system: System, name: str) -> Scalar | None:
 def state_reached(study: Study, name: str, value: Scalar) -> State | None:
     """The state when the coordinate has a value for the first time, if it changes in one sense on the way there from its
     start; None where it is not tied so."""
+    if time := time_driven(study, name, value):
+        return _at(study, time, {CLOCK: time})
     tie, start = tie_to_time(study.system, name), study.system.scope.start.get(name)
     if tie is None or start is None:
         return None
@@ -32,10 +36,24 @@ def state_reached(study: Study, name: str, value: Scalar) -> State | None:
     if not way:
         return None
     time = short(-(substitute(there, {CLOCK: NOTHING}) / derivative(there, CLOCK)))
-    image = {name: value, CLOCK: time}
+    return _at(study, time, {name: value, CLOCK: time}, Demand((value - start) * way))
+
+
+def time_driven(study: Study, name: str, value: Scalar) -> Scalar | None:
+    """When a coordinate that is itself driven at a steady rate, as an angle Ω t, has a value; None for another one."""
+    driven = study.system.dependent.get(name)
+    if driven is None or names_in(driven) & {*study.system.scope.rates} - {CLOCK}:
+        return None
+    rate = derivative(driven, CLOCK)
+    is_steady = bool(rate) and not depends_on(rate, CLOCK)
+    return short((value - substitute(driven, {CLOCK: NOTHING})) / rate) if is_steady else None
+
+
+def _at(study: Study, time: Scalar, image: Mapping[str, Scalar], ahead: Demand | None = None) -> State | None:
+    """The state then; None where that lies before the start."""
     pairs = {c.name: of_coordinate(study, c.name) for c in study.problem.coordinates}
     places, speeds = ({n: short(substitute(pair[k], image)) for n, pair in pairs.items()} for k in (0, 1))
-    valid = settle([Demand((value - start) * way)], study.assumptions)
+    valid = settle([ahead or Demand(time)], study.assumptions)
     return None if valid is None else State(time, places, speeds, valid)
 
 

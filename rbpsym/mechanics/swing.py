@@ -47,7 +47,7 @@ def swing_of(study: Study, name: str) -> Swing:
     squared = (-third / slope).number() if slope else None
     times = next((n for n in TIMES if n * n == squared), None)
     if times is None:
-        raise StatementError(f"the swing of “{name}” has no period in closed form, not even by an elliptic integral")
+        raise StatementError(f"the swing of “{name}” has no period that is known in closed form or by an elliptic integral")
     items = [item for item in map(where_stable, study.equilibria) if item.stable and set(item.at) == {name}]
     item = next((one for one in items if is_zero(substitute(slope, {name: one.at[name]}))), None)
     if item is None:

@@ -5,10 +5,12 @@ import pytest
 from rbpsym.ask.asking import ask
 from rbpsym.ask.numbers import read_numbers
 from rbpsym.ask.telling import record
+from rbpsym.equality.decide import equal
 from rbpsym.errors import StatementError
+from rbpsym.notation.infix import read_infix
 from rbpsym.notation.machine import to_machine
 from rbpsym.notation.text import to_text
-from rbpsym.statement.loader import load_text
+from rbpsym.statement.loader import load_problem, load_text
 from tests.ask.test_first_course import PLATE
 
 WEDGE = """
@@ -152,3 +154,89 @@ def test_a_mass_asks_nothing_of_the_motion() -> None:
 def test_the_ratio_of_a_quantity_to_itself_is_not_told() -> None:
     with pytest.raises(StatementError, match="both parts"):
         ask(load_text(PLATE), "ratio of period of theta to period of theta with a = b")
+
+
+LIFT = """
+[parameters]
+m_1 = "mass: cab"
+m_2 = "mass: counterweight"
+H = "length: depth"
+g = "acceleration: gravity"
+[coordinates.y]
+dimension = "length"
+start = "0"
+[bodies.cab]
+shape = "particle"
+mass = "m_1"
+center = ["0", "-H + y"]
+[bodies.weight]
+shape = "particle"
+mass = "m_2"
+center = ["0", "-H - y"]
+[interactions.W]
+type = "gravity"
+[constraints.T]
+type = "string"
+path = ["cab.center", { around = "O" }, "weight.center"]
+"""
+BEAD = """
+[parameters]
+m = "mass: bead"
+M = "mass: rod"
+b = "length: rod"
+k = "stiffness: spring"
+ell = "length < b: natural"
+Omega = "angular speed: rod"
+[coordinates.phi]
+[coordinates.r]
+dimension = "length"
+start = "ell"
+range = ["0", ""]
+[bodies.rod]
+shape = "rod"
+mass = "M"
+length = "b"
+start = "O"
+angle = "phi"
+[bodies.bead]
+shape = "particle"
+mass = "m"
+center = ["r*cos(phi)", "r*sin(phi)"]
+[interactions.S]
+type = "spring"
+between = ["O", "bead.center"]
+stiffness = "k"
+natural_length = "ell"
+[constraints.F]
+type = "pivot"
+point = "rod.start"
+[constraints.C]
+type = "prescribed-angle"
+body = "rod"
+angle = "Omega*t"
+[constraints.N]
+type = "guide"
+point = "bead.center"
+line = "y = 0"
+of = "rod"
+"""
+
+
+def test_a_string_that_runs_out_at_last_holds_until_then() -> None:
+    """a = g(m_2 - m_1)/(m_1 + m_2); each of the weights stays below the peg while H ± a t²/2 is not negative."""
+    [found] = ask(load_text(LIFT), "y as a function of t")
+    told = {"H*(m_1 + m_2)*2 + g*t**2*(m_1 - m_2) >= 0", "H*(m_1 + m_2)*2 + g*t**2*(m_2 - m_1) >= 0"}
+    assert found.verdict.is_proved and len(found.valid) == 2
+    names = ("H", "m_1", "m_2", "g", "t")
+    gaps = [[equal(node.items[0], read_infix(text.split(" >=")[0], names)).is_proved for text in told] for node in found.valid]
+    assert sorted(map(sum, gaps)) == [1, 1]
+
+
+def test_a_coordinate_that_is_driven_has_its_time_though_others_move() -> None:
+    [found] = ask(load_text(BEAD), "time until phi = pi")
+    assert found.verdict.is_proved and found.text == "pi/Omega" and not found.valid
+
+
+def test_a_place_of_rest_has_no_condition_that_contradicts_it() -> None:
+    [found] = ask(load_problem("bead-on-parabola"), "N in equilibrium")
+    assert not any("!=" in to_machine(node) for node in found.valid)
