@@ -19,6 +19,7 @@ _INPUT = re.compile(
     r"\\(?:(?:sub)?(?:import|includefrom|inputfrom)\*?\s*\{(?P<folder>[^{}\n]*)\}\s*\{(?P<part>[^{}\n]*)\}"
     r"|(?:input|include|subfile|subfileinclude)(?![A-Za-z])\s*(?:\{(?P<name>[^{}\n]*)\}|(?P<word>[\w./-]+)))"
 )
+_PACKAGE = re.compile(r"\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*(?:\[[^\]]*\])?\s*\{([^{}\n]*)\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%(?:[ \t]*rbpsym:(.*)|.*)")
 _NOTE = re.compile(f"{NOTE}(.*?){NOTE_END}")
 _VERBATIM = re.compile(r"\\begin\{(verbatim\*?|comment|lstlisting)\}.*?\\end\{\1\}|\\verb\*?([^A-Za-z\s*]).*?\2", re.S)
@@ -36,13 +37,17 @@ class Note:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text; `starts` and `origins` tell from which offset on it is which line of which file."""
+    """A text; `starts` and `origins` tell from which offset on it is which line of which file.
+
+    packages: what its own packages hold, which lie beside it: their macros are those of the text.
+    """
 
     text: str
     starts: tuple[int, ...]
     origins: tuple[tuple[str, int], ...]
     notes: tuple[Note, ...] = ()
     remarks: tuple[Remark, ...] = ()
+    packages: str = ""
 
     def origin(self, offset: int) -> tuple[str, int]:
         """(file, line) of a character."""
@@ -78,7 +83,7 @@ def read_source(path: Path) -> Text:
     notes = [note for note in notes if not any(begin <= note.offset < end for begin, end in hidden)]
     whole = _VERBATIM.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), whole)
     origins = tuple((line.file, line.number) for line in lines)
-    return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks))
+    return Text(whole, tuple(starts), origins, tuple(notes), tuple(files.remarks), files.packages(path.parent, whole))
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +118,19 @@ class _Files:
                 yield from self.lines(self._beside(found, path, number, around), (*around, path.resolve()))
                 begin = found.end()
             yield _Line(line[begin:], str(path), number, said)
+
+    def packages(self, beside: Path, text: str) -> str:
+        """What the packages and classes hold that lie in the folder of the text, and those that they ask for."""
+        found: dict[Path, str] = {}
+        waiting = [text]
+        while waiting and len(found) < MAX_FILES:
+            names = [name.strip() for group in _PACKAGE.findall(waiting.pop()) for name in group.split(",")]
+            for one in (beside / f"{name}{end}" for name in names for end in (".sty", ".cls")):
+                inside = one.resolve().is_relative_to(self.folder)
+                if inside and one.is_file() and one not in found:
+                    found[one] = "\n".join(_COMMENT.sub(r"\1", line) for line in self._content(one).split("\n"))
+                    waiting.append(found[one])
+        return "\n".join(found.values())
 
     def _content(self, path: Path) -> str:
         text, is_utf8 = latin_or_utf8_in(path, MAX_BYTES - self.size, "the text")

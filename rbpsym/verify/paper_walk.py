@@ -199,6 +199,7 @@ def walked(text: Text) -> Paper:
     """The formulas of a text."""
     try:
         macros, plain = definitions(text.text)
+        macros = {**definitions(text.packages)[0], **macros}
     except ReadError as error:
         raise ReadError(f"in a macro's definition: {error.what}", place=text.place(0)) from None
     text = replace(text, text=plain)

@@ -181,3 +181,10 @@ def test_a_draft_without_a_fit_is_all_guesses(folder, capsys):
     main.main(["check", "--init", "a.tex"], standalone_mode=False)
     told = capsys.readouterr().out
     assert "% rbpsym? problem = NAME" in told and "rbpsym:" not in told and "speed of C" in told
+
+
+def test_macros_of_packages_beside_the_text_are_those_of_the_text(folder, capsys):
+    (folder / "own.sty").write_text("\\RequirePackage{more} % \\newcommand{\\w}{x}\n\\newcommand{\\w}{\\omega}\n")
+    (folder / "more.sty").write_text("\\newcommand{\\sq}[1]{#1^2}\n")
+    text = f"\\usepackage[a]{{amsmath, own}}\n{TEX}\n% rbpsym: claim\n\\[ \\sq V = \\sq{{\\ell}}\\sq\\w \\]"
+    assert checked(folder, capsys, "a.tex", text)[0] == 0
