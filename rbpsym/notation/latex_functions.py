@@ -239,17 +239,17 @@ def _absolute(reader: LatexReader) -> t.Node:
 @begins(r"\sqrt")
 def _root(reader: LatexReader) -> t.Node:
     start = reader.take().start
-    order = _root_order(reader) if reader.sees_sign("[") else 2
+    order = whole_number(reader, "the order of a root", 2, MAX_EXPONENT) if reader.sees_sign("[") else 2
     arg = argument(reader)
     whole = t.Sqrt(arg) if order == 2 else t.Pow(arg, t.Num(Rational(1, order)))
     return reader.spanned(whole, start)
 
 
-def _root_order(reader: LatexReader) -> int:
-    """n of \\sqrt[n]{x}, from 2 to 64."""
+def whole_number(reader: LatexReader, what: str, least: int, most: int) -> int:
+    """n of \\sqrt[n]{x}: a whole number in brackets, between these."""
     opening = reader.take()
     node = number(reader) if reader.token.kind == "digit" else None
-    if node is None or not isinstance(node.value, int) or not 2 <= node.value <= MAX_EXPONENT:
-        raise reader.error(f"the order of a root is a number from 2 to {MAX_EXPONENT}", "", opening)
+    if not isinstance(node, t.Num) or not isinstance(node.value, int) or not least <= node.value <= most:
+        raise reader.error(f"{what} is a number from {least} to {most}", "", opening)
     reader.expect("]", opening)
     return node.value

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rbpsym.notation import tree as t
-from rbpsym.notation.latex_functions import operand
-from rbpsym.notation.latex_grammar import DEGREE, argument, between, number
+from rbpsym.notation.latex_functions import operand, whole_number
+from rbpsym.notation.latex_grammar import DEGREE, argument, between
 from rbpsym.notation.latex_names import read_symbol
 from rbpsym.notation.symbol_table import LatexReader, begins
 
@@ -33,12 +33,7 @@ def _option(reader: LatexReader) -> int:
     """The order in brackets, 1 without."""
     if not reader.sees_sign("["):
         return 1
-    opening = reader.take()
-    found = number(reader) if reader.token.kind == "digit" else None
-    if not isinstance(found, t.Num) or found.value not in range(1, 10):
-        raise reader.error("the order of a derivative is a number from 1 to 9", "", opening)
-    reader.expect("]", opening)
-    return int(found.value)
+    return whole_number(reader, "the order of a derivative", 1, 9)
 
 
 def _variable(reader: LatexReader) -> str:

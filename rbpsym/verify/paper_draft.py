@@ -7,7 +7,7 @@ their names and to what such letters usually mean; what is not proved is a guess
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import islice, product
 
@@ -35,22 +35,12 @@ USUAL = {  # what a letter usually means; C is a coordinate, B a body
 }  # fmt: skip
 
 
-class _Any(Mapping):
+class _Any(dict[Drawn, tuple[str, ...]]):
     """A table in which every drawn letter has a name; words in a sentence have none."""
 
-    def __getitem__(self, drawn: Drawn) -> tuple[str, ...]:
-        if drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) or (drawn.accent == "hat" and drawn.base in "ijk"):
-            raise KeyError(drawn)
-        return (name_of(drawn),)
-
-    def __contains__(self, drawn: object) -> bool:
-        return False
-
-    def __iter__(self) -> Iterator[Drawn]:
-        return iter(())
-
-    def __len__(self) -> int:
-        return 0
+    def get(self, drawn: Drawn, default: tuple[str, ...] = ()) -> tuple[str, ...]:
+        unit = drawn.accent == "hat" and drawn.base in "ijk"
+        return default if unit or drawn == Drawn("Δ") or re.search(r"[^\w']", drawn.base) else (name_of(drawn),)
 
 
 ANY = SymbolTable(_Any())
