@@ -88,7 +88,7 @@ def _math(found: re.Match[str]) -> str:
 
 
 def _of_markdown(text: str) -> str:
-    return _MARKDOWN.sub(_markdown_piece, text)
+    return re.sub(r"(?<!\\)%", r"\\%", _MARKDOWN.sub(_markdown_piece, text))
 
 
 def _markdown_piece(found: re.Match[str]) -> str:

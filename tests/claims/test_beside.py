@@ -25,7 +25,7 @@ def cells(*texts):
 TEXTS = [
     ("a.tex", f"{TEX}\nLet \\[a=b\\] it slide. % rbpsym: claim a\n{DISPLAY}", 5),
     ("a.tex", f"\\documentclass{{book}}\n{TEX}\n% rbpsym: claim\n\\[ %s \\]", 6),
-    ("a.md", f"{MD}\nIt costs $5 or $6, `$a=b$`.\n<!-- rbpsym: claim -->\n\n$$\n%s\n$$\n", 7),
+    ("a.md", f"{MD}\nIt costs $5 or $6, `$a=b$`, \\[see 5% here\\].\n<!-- rbpsym: claim -->\n\n$$\n%s\n$$\n", 7),
     ("a.md", f"{MD}\n$$ %s $$ <!-- rbpsym: claim -->\n", 4),
     ("a.md", f"{MD}\n```python\n$$a=b$$\n```\n<!-- rbpsym: claim a -->\n```{{math}}\n:label: a\n%s\n```\n", 8),
     ("a.md", f"{MD}\n:::{{note}}\n<!-- rbpsym: claim a -->\n$$ %s $$ (a)\n:::\n", 6),
