@@ -172,9 +172,37 @@ Lemma cancel : forall k l r, k <> 0 -> k * (l - r) = 0 -> l = r.
 Proof. intros k l r K E. apply Rmult_integral in E. destruct E; [contradiction | lra]. Qed.
 Lemma above : forall l r a s p, l - r = a * s ^ 2 + p -> 0 < a -> 0 < p -> r < l.
 Proof. intros l r a s p E A P. assert (0 <= a * s ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. Qed.
+Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
+Proof. intros; lra. Qed.
+Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
+Proof. intros; lra. Qed.
+Lemma up1 : forall x, 0 <= 1 + cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
+Lemma up2 : forall x, 0 <= 1 + - cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
+Lemma up3 : forall x, 0 <= 1 + sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
+Lemma up4 : forall x, 0 <= 1 + - sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
 Ltac pos1 := first [assumption | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
   | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat].
-Ltac pos := repeat split; try assumption; try (apply Rgt_not_eq; unfold Rgt); repeat pos1.
+Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
+Ltac same_nonzero x N := match type of N with ?d <> 0 =>
+  first [exact N | solve [replace x with d by ring; exact N]
+    | solve [replace x with (- d) by ring; apply Ropp_neq_0_compat; exact N]] end.
+Ltac known_nonzero x := match goal with
+  | Q : forall t, ?a < t < ?b -> _ <> 0, H : ?a < ?s < ?b |- _ =>
+      let N := fresh in pose proof (Q s H) as N; cbv beta in N; first [same_nonzero x N | ang_in N; same_nonzero x N]
+  end.
+Ltac nonzero := match goal with
+  | |- ?x <> 0 => known_nonzero x
+  | |- ?x <> 0 => apply Rgt_not_eq; unfold Rgt; solve [repeat pos1]
+  | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero
+  | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero
+  | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
+  end.
+Ltac pos := repeat split; try assumption; match goal with
+  | |- _ <> 0 => nonzero
+  | |- _ => repeat pos1
+  end.
+Ltac nng := repeat first [apply up1 | apply up2 | apply up3 | apply up4 | apply pow2_ge_0 | apply Rplus_le_le_0_compat
+  | apply Rmult_le_pos | lra | (apply Rlt_le; solve [repeat pos1])].
 Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
-  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0.
+  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a.
 Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]].

@@ -6,7 +6,7 @@ are letters ("sin theta"), so that nothing is replaced by sin² + cos² = 1 with
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from rbpsym.algebra import atoms
@@ -35,10 +35,11 @@ class Multiples:
 
 @dataclass(frozen=True, slots=True)
 class Have:
-    """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral".
+    """A claim on the way. how: "still" (the rate of what vanishes), "flat" (no rate, and 0 at the start), "integral",
+    "nonzero" (± left is a positive formula and one that is not negative).
 
     multiples: for "still" those that show what vanishes (`of`), for "flat" those that show that its rate is 0, and
-    `begin` that it is 0 at the start; source: the premises that it rests on.
+    `begin` that it is 0 at the start; source: the premises that it rests on; parts: the two formulas of "nonzero".
     """
 
     name: str
@@ -49,6 +50,7 @@ class Have:
     begin: Multiples = field(default_factory=Multiples)
     source: str = ""
     inner: Have | None = None
+    parts: tuple[t.Node, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,12 +144,15 @@ def partner(index: int, kind: str = "sin") -> int | None:
     return atoms.intern("symbol", other + name[3:]) if name.startswith(f"{kind} ") else None
 
 
-def circles(rest: Scalar, kind: str = "sin") -> tuple[dict[int, Scalar], Scalar]:
-    """By how much of sin² + cos² - 1 of each angle (by the index of its sine) a value differs from 0, and what stays."""
+def circles(rest: Scalar, kind: str = "sin", only: Collection[int] | None = None) -> tuple[dict[int, Scalar], Scalar]:
+    """By how much of sin² + cos² - 1 of each angle (by the index of its sine) a value differs from 0, and what stays.
+
+    `only`: the sines (or cosines) whose squares are taken out; all by default.
+    """
     found: dict[int, Scalar] = {}
     num = rest.num
     for index in sorted(num.atoms()):
-        if (other := partner(index, kind)) is None:
+        if (other := partner(index, kind)) is None or (only is not None and index not in only):
             continue
         square, total = Poly({((other, 2),): 1}), NOTHING
         while (top := max(num.by_power(index), default=0)) > 1:
@@ -159,9 +164,9 @@ def circles(rest: Scalar, kind: str = "sin") -> tuple[dict[int, Scalar], Scalar]
     return found, Scalar(num, rest.den)
 
 
-def wound(value: Scalar, kind: str = "sin") -> Scalar:
+def wound(value: Scalar, kind: str = "sin", only: Collection[int] | None = None) -> Scalar:
     """The value with sin² replaced by 1 - cos²."""
-    return circles(value, kind)[1]
+    return circles(value, kind, only)[1]
 
 
 def vanishes(value: Scalar) -> bool:

@@ -106,8 +106,14 @@ class Source:
         return name in self.letters.vectors and not any(self.letters.vectors[name].components()[:2])
 
     @cached_property
+    def constants(self) -> frozenset[str]:
+        """The parameters."""
+        return frozenset(self.study.assumptions.signs) - {TIME}
+
+    @cached_property
     def _moving(self) -> frozenset[str]:
         names = {*self.rates, *(n for rate in self.rates.values() for n in names_in(rate)), *self.system.unknowns}
+        names = {*names, *self.system.dependent, TIME} - self.constants
         vectors = self.letters.vectors
         return frozenset({*names, *self.letters.works, *vectors, *(f"{n}_{a}" for n in vectors for a in "xy")})
 
@@ -136,6 +142,7 @@ class Source:
     def _asserted(self, step: Step) -> list[Claim]:
         """What a step claims; nothing, with the reason in `unsaid`, where the exporter has no words for it."""
         claims = [claim for row in rows(step.statement) for claim in self.row(row)]
+        claims = [claim for claim in claims if claim.kind != "equal" or claim.left != claim.right] or claims[:1]
         more = MORE.get(step.rule)
         try:
             return more(self, step, claims) if more else claims
@@ -183,7 +190,7 @@ class Source:
                     yield Claim(self._once_less(a), b, "rate")
                 elif isinstance(b, t.Deriv):
                     yield Claim(self._once_less(b), a, "rate")
-                elif a != b:
+                else:
                     yield Claim(a, b)
 
     def _once_less(self, node: t.Deriv) -> t.Node:
@@ -240,6 +247,7 @@ class Source:
             yield Claim(t.Sym(letter), tree_of(value))
 
 
+TIME = "t"
 RATE = "'"  # ends the name of what is the rate of a letter
 SILENT = (t.PathIntegral, t.BodyIntegral)
 FACTS: Mapping[str, Callable[[Source, str], Iterator[Claim]]] = {
@@ -290,7 +298,8 @@ def _by_forces(source: Source, step: Step, row: t.Chain) -> Iterator[Claim]:
     if not name.startswith("tau_"):
         yield from source.meaning(name)
         return
-    origin = source.study.origins.get(name.split("_")[1], step.data["origin"])
+    about = (point for point in sorted(source.study.origins, key=len, reverse=True) if name.startswith(f"tau_{point}_"))
+    origin = source.study.origins.get(next(about, ""), step.data["origin"])
     yield Claim(t.Sym(name), t.Add((t.ZERO, *(_torque(force, origin) for force in step.data["forces"]))))
 
 
@@ -319,7 +328,8 @@ def _lost(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
 
 
 def _at_rest(source: Source, step: Step, claims: list[Claim]) -> list[Claim]:
-    still = tuple(Claim(t.Sym(name), t.ZERO) for name in source.system.accelerations)
+    speeds = (name for name in source.rates if name.endswith("_dot"))
+    still = tuple(Claim(t.Sym(name), t.ZERO) for name in dict.fromkeys([*speeds, *source.system.accelerations]))
     return [Claim(claim.left, claim.right, given=still) for claim in claims]
 
 

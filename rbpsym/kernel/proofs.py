@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 from rbpsym.algebra import atoms
@@ -12,10 +13,11 @@ from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
-from rbpsym.kernel.claims import Claim, Source, letter, tree_of
+from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
+from rbpsym.kernel.combining import based, combined, nonzero
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
@@ -36,12 +38,12 @@ class Search:
         signs = source.study.assumptions.signs
         above = [name for name, sign in signs.items() if sign == "positive"]
         self.positive = {atoms.intern("symbol", name) for name in (*above, "pi")}
-        self.fixed = {*signs, *source.rates, "pi"} - {n for n in source.rates if n.endswith("_dot")}
+        self.fixed = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
         self.nonzero: set[int] = set()
         self.deep = False
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
-        self.rates = dict(source.rates)
-        self.starts: dict[str, t.Node] = {}
+        self.rates = {**source.rates, TIME: UNITY}
+        self.starts: dict[str, t.Node] = {TIME + START: t.ZERO}
         self.doubled: dict[str, Claim] = {}  # rates of formulas, and of letters that have one already
         for claim in (claim for claim in given.values() if claim.kind == "start"):
             self.starts[letter(claim.left) + START] = claim.right
@@ -122,6 +124,10 @@ class Search:
         alone = self.nonzero | self.positive if len(value.num) == 1 else self.positive
         return value.num.atoms() <= alone and len({c > 0 for c in value.num.terms.values()}) == 1
 
+    def vanishes(self, value: Scalar) -> bool:
+        """Whether it is 0 by sin² + cos² = 1 and the sines and cosines of sums."""
+        return not wound(based(self, value))
+
     def is_positive(self, value: Scalar) -> bool:
         """Whether it is a sum of positive terms over a positive one."""
         parts = (value.num, value.den)
@@ -138,12 +144,17 @@ class Search:
         """What is left of a value when multiples of known equations are taken off, and these."""
         values = [self.difference(item.claim, item.when) for item in known]
         rest, sums, rows = reduced(goal, values, self.order(self._defined if only else None), self.is_nonzero)
-        for row in () if only or vanishes(rest) else rows:
+        for row in () if only or self.vanishes(rest) else rows:
             factor = self._ratio(rest, row.value) or self._ratio(wound(rest, "cos"), wound(row.value, "cos"))
             if factor is not None:
                 whole = {place: sums.get(place, NOTHING) - factor * part for place, part in row.multiples.items()}
                 rest, sums = NOTHING, {**sums, **whole}
                 break
+        if not only and not self.vanishes(rest) and (factors := combined(self, rest, [row.value for row in rows])):
+            for factor, row in zip(factors, rows, strict=True):
+                for place, part in row.multiples.items() if factor else ():
+                    sums = {**sums, place: sums.get(place, NOTHING) - factor * part}
+            rest = NOTHING
         return rest, self._summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
 
     def _summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
@@ -151,7 +162,7 @@ class Search:
         used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
         for place, factor in used.items():
             goal = goal - factor * values[place]
-        turned, left = circles(goal)
+        turned, left = circles(based(self, goal))
         if left:
             raise Undecided("the multiples do not add up: ")
         angles = tuple((self.tree(q), self.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items())
@@ -161,6 +172,10 @@ class Search:
 
     def prove(self, claim: Claim) -> Proof:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
+        found = self._sought(claim)
+        return replace(found, steps=(*nonzero(self, [*_sides(claim), *_formulas(found)]), *found.steps))
+
+    def _sought(self, claim: Claim) -> Proof:
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
@@ -267,13 +282,13 @@ class Search:
     def _shown(self, goal: Scalar, known: Sequence[Known]) -> Multiples:
         """By multiples; if that is not enough, with the rates of what vanishes as well."""
         rest, found = self.follow(goal, known)
-        if vanishes(rest):
+        if self.vanishes(rest):
             return found
         more = [*known, *self._stills(known)]
         rest, found = self.follow(goal, more)
-        if not vanishes(rest) and (squares := list(self._squares(known))):
+        if not self.vanishes(rest) and (squares := list(self._squares(known))):
             rest, found = self.follow(goal, [*more, *squares])
-        if not vanishes(rest):
+        if not self.vanishes(rest):
             raise Undecided("it does not follow: of left - right stays " + _brief(self.tree(rest)))
         return found
 
@@ -310,7 +325,7 @@ class Search:
         rest, by = self.follow(goal, known, only=True)
         first = [Known(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
         begin, begun = self.follow(self.at_start(rest), first)
-        if not vanishes(begin):
+        if not self.vanishes(begin):
             raise Undecided("at the start, of left - right stays " + _brief(self.tree(begin)))
         shown = self._shown(self._rate(rest), known)
         claim = Claim(self.tree(rest), t.ZERO)
@@ -353,6 +368,29 @@ class Search:
                     _, found = self.follow(goal - a * root * root - left, known)
                     return self._proof(found, square=(self.tree(a), self.tree(root), self.tree(left)))
         raise Undecided("no square was found that leaves something positive of " + _brief(self.tree(rest)))
+
+
+def _sides(claim: Claim) -> Iterator[t.Node]:
+    yield from (claim.left, claim.right)
+    for item in claim.given:
+        yield from _sides(item)
+
+
+def _multiplied(multiples: Multiples) -> Iterator[t.Node]:
+    for factor, known in multiples.known:
+        yield from (factor, *_sides(known.claim))
+    yield from (factor for factor, _ in multiples.circles)
+
+
+def _formulas(proof: Proof) -> Iterator[t.Node]:
+    """All that is written out in a proof."""
+    yield from _multiplied(proof.multiples)
+    if proof.like:
+        yield proof.like[0]
+        yield from _multiplied(proof.like[1])
+    yield from (node for node in (proof.factor, *(proof.square or ())) if node is not None)
+    for have in proof.steps:
+        yield from (have.of, *_sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
 
 
 def _brief(rest: t.Node) -> str:

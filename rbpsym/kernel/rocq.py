@@ -9,7 +9,7 @@ from typing import Any
 
 from rbpsym.errors import RbpsymError
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof
-from rbpsym.kernel.claims import Claim, Source, tree_of
+from rbpsym.kernel.claims import TIME, Claim, Source, tree_of
 from rbpsym.kernel.components import START
 from rbpsym.notation import tree as t
 
@@ -61,6 +61,8 @@ class Terms:
             return self.bound[name]
         if name.endswith(START):
             return self.at("0").symbol(t.Sym(name.removesuffix(START)))
+        if name == TIME:
+            return self.time
         if name in self.integrals:
             return self.integral(self.integrals[name])
         return "PI" if name == "pi" else f"({identifier(name)} {self.time})" if self.moving(name) else identifier(name)
@@ -136,6 +138,8 @@ class Writer:
         system, signs = self.source.system, self.source.study.assumptions.signs
         yield "Require Import Prelude. Open Scope R_scope.\nSection Problem."
         for name, sign in signs.items():
+            if name == TIME:
+                continue
             yield f"Variable {identifier(name)} : R."
             yield from (f"Hypothesis above'{name} : 0 < {identifier(name)}." for _ in [0] if sign == "positive")
         yield "Variables ta tb : R. Hypothesis Begin : ta < 0 < tb."
@@ -151,7 +155,7 @@ class Writer:
     def letters(self, claims: Iterable[Claim]) -> Iterator[str]:
         """Declarations of the letters in some claims."""
         told = {*self.source.rates, *self.source.system.accelerations, *self.source.system.unknowns, "pi"}
-        told |= set(self.source.study.assumptions.signs)
+        told |= {*self.source.study.assumptions.signs, TIME}
         found = dict.fromkeys(n for claim in claims for n in sorted(_names(claim)) if n not in told)
         for name in found:
             yield f"Variable {identifier(name)} : R{' -> R' if self.source.moving(name) else ''}."
@@ -253,6 +257,12 @@ class Writer:
         bounds = "".join(f"pose proof (p_{name} t Ht); " for name in have.source.split())
         return f"{bounds}pose proof PI_RGT_0; apply {_head(have.claim)}_gt_0; lra"
 
+    def _nonzero(self, have: Have, finish: str) -> str:
+        """± what is below is a positive formula and one that is not negative."""
+        above, others = map(self.terms.term, have.parts)
+        way = "beyond" if have.of == have.claim.left else "below"
+        return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}ring | pos | nng]"
+
     def _integral(self, have: Have, finish: str) -> str:
         """By an antiderivative; an integral inside is replaced by its value first."""
         x = replace(self.terms, bound={_head(have.claim): "x"})
@@ -275,7 +285,7 @@ def _primitive(body: str, name: str = "x") -> str:
 
 HAVES = {
     "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
-    "integral": Writer._integral,
+    "integral": Writer._integral, "nonzero": Writer._nonzero,
 }  # fmt: skip
 
 

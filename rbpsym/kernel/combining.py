@@ -1,0 +1,114 @@
+"""Sums of multiples of equations where no single factor is sure: linear algebra over the field, and why what is divided by
+does not vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra.evaluate import scalar
+from rbpsym.algebra.normal import bases_of, in_bases, is_zero
+from rbpsym.algebra.poly import Monomial, Poly
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.kernel.certificates import Have, Multiples, circles
+from rbpsym.kernel.claims import Claim, tree_of
+from rbpsym.kernel.positive import Sum, positive_sum
+from rbpsym.mechanics.elimination import solve_linear
+from rbpsym.notation import tree as t
+
+if TYPE_CHECKING:
+    from rbpsym.kernel.proofs import Search
+
+
+def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scalar] | None:
+    """Factors with goal = Σ factor × row, whose denominators surely do not vanish; None if none are found."""
+    order = search.order()
+    letters = {i for value in (goal, *rows) for i in value.num.atoms() if order(i)}
+    if any(value.den.atoms() & letters for value in (goal, *rows)):
+        return None
+    names = [f"factor {place}" for place in range(len(rows))]
+    equations: dict[Monomial, Scalar] = {}
+    for factor, value in zip([*map(symbol, names), UNITY * -1], [*rows, goal], strict=True):
+        for key, part in _by_letters(value.num, letters).items():
+            whole = scalar(search.tree(Scalar(part) / Scalar(value.den)))
+            equations[key] = equations.get(key, NOTHING) + factor * whole
+    found = solve_linear(list(equations.values()), names, keep_free=True)
+    if not all(map(is_zero, found.left)):
+        return None
+    free = dict.fromkeys(names, NOTHING)
+    values = [substitute(found.values.get(name, NOTHING), free) for name in names]
+    factors = [search.value(tree_of(value)) for value in values]
+    return factors if all(stays(search, Scalar(value.den)) for value in factors) else None
+
+
+def _by_letters(poly: Poly, letters: set[int]) -> dict[Monomial, Poly]:
+    """The coefficients of the products of some letters."""
+    parts: dict[Monomial, dict[Monomial, int]] = {}
+    for monomial, coefficient in poly.terms.items():
+        key = tuple(item for item in monomial if item[0] in letters)
+        parts.setdefault(key, {})[tuple(item for item in monomial if item[0] not in letters)] = coefficient
+    return {key: Poly(terms) for key, terms in parts.items()}
+
+
+def stays(search: Search, value: Scalar) -> bool:
+    """Whether a value surely does not vanish."""
+    return search.is_nonzero(value) or positive_sum(value.num, search.positive) is not None
+
+
+def based(search: Search, value: Scalar) -> Scalar:
+    """Sines and cosines of sums written in those of their terms."""
+    images, circular = {}, search.source.circular
+    for name in names_in(value) & circular.keys():
+        num = scalar(circular[name]).num
+        if (image := in_bases(num, bases_of(num))) != num:
+            images[name] = search.value(tree_of(image))
+    return substitute(value, images) if images else value
+
+
+# --- denominators
+
+
+def nonzero(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
+    """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
+    seen: set[Poly] = set()
+    for factor in (factor for node in nodes for part in t.walk(node) for factor in _below(part)):
+        poly = search.value(factor).num
+        if poly not in seen and not search.is_nonzero(Scalar(poly)):
+            seen |= {poly, poly.scaled(-1)}
+            if (found := positive_sum(poly, search.positive)) is not None:
+                yield _have(search, f"z{len(seen)}", search.tree(Scalar(poly)), found)
+
+
+def _below(part: t.Node) -> Iterator[t.Node]:
+    if isinstance(part, t.Div):
+        yield from _factors(part.den)
+    elif isinstance(part, t.Pow) and isinstance(part.exponent, t.Num | t.Neg) and t.is_negative(part.exponent):
+        yield from _factors(part.base)
+
+
+def _factors(node: t.Node) -> Iterator[t.Node]:
+    if isinstance(node, t.Mul):
+        for factor in node.factors:
+            yield from _factors(factor)
+    elif isinstance(node, t.Group):
+        yield from _factors(node.arg)
+    elif isinstance(node, t.Pow):
+        yield from _factors(node.base)
+    else:
+        yield node
+
+
+def _have(search: Search, name: str, node: t.Node, found: Sum) -> Have:
+    """± the formula is what is positive and what is not negative, by sin² + cos² = 1."""
+    rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
+    for factor, wave, turn in found.waves:
+        swing = search.tree(wave)
+        rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
+    above, others = search.tree(found.above), t.add(*rest)
+    side = node if found.sign > 0 else t.Neg(node)
+    turned, left = circles(search.value(t.Add((side, t.Neg(above), t.Neg(others)))))
+    assert not left, "a sum that was found is the formula"
+    angles = tuple((search.tree(q), search.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items())
+    return Have(name, "nonzero", Claim(node, t.ZERO, "differ"), side, Multiples((), angles), parts=(above, others))

@@ -1,0 +1,108 @@
+"""Sums of positive terms and of squares: why a polynomial does not vanish, for the kernel to multiply out."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+
+from rbpsym.algebra.poly import Coefficient, Monomial, Poly, inverse, times
+from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.kernel.certificates import partner, wound
+
+MOST_TERMS = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """sign × value = Σ above + Σ factor × square² + Σ factor × (1 ± wave).
+
+    above: terms that are positive; squares: (factor that is positive, what is squared); waves: (factor that is
+    positive, a sine or cosine, its sign).
+    """
+
+    sign: int
+    above: Scalar
+    squares: tuple[tuple[Scalar, Scalar], ...]
+    waves: tuple[tuple[Scalar, Scalar, int], ...]
+
+
+def positive_sum(poly: Poly, positive: Collection[int]) -> Sum | None:
+    """A polynomial, or what is opposite to it, as a sum of what is positive and of what is not negative.
+
+    `positive`: atoms above 0. Sines and cosines are letters, sin² + cos² = 1 is used. None: no such sum was found.
+    """
+    if len(poly) > MOST_TERMS:
+        return None
+    angles = sorted(index for index in poly.atoms() if partner(index) is not None or partner(index, "cos") is not None)
+    sines = sorted({index if partner(index) is not None else partner(index, "cos") or index for index in angles})
+    for kinds in product(("sin", "cos"), repeat=min(len(sines), 3)):
+        value = Scalar(poly)
+        for kind in dict.fromkeys(kinds):
+            chosen = {s if kind == "sin" else partner(s) for s, k in zip(sines, kinds, strict=False) if k == kind}
+            value = wound(value, kind, only=chosen)
+        for sign in (1, -1):
+            found = _sum(value.num.scaled(sign), sign, positive)
+            if found is not None:
+                return found
+    return None
+
+
+def _is_wave(index: int) -> bool:
+    return partner(index) is not None or partner(index, "cos") is not None
+
+
+def _sum(poly: Poly, sign: int, positive: Collection[int]) -> Sum | None:
+    """The sum by its terms: even powers stay, what swings is at least minus its size, what is left are squares."""
+    even: dict[Monomial, Coefficient] = {}
+    waves: dict[tuple[Monomial, int, int], Coefficient] = {}
+    for monomial, coefficient in poly.terms.items():
+        odd = [(i, e) for i, e in monomial if e % 2 and i not in positive]
+        if not odd or not _is_wave(odd[0][0]):
+            even[monomial] = even.get(monomial, 0) + coefficient
+        elif len(odd) == 1 and odd[0][1] == 1:
+            rest = tuple(item for item in monomial if item != odd[0])
+            size, turn = abs(coefficient), 1 if coefficient > 0 else -1
+            waves[rest, odd[0][0], turn] = waves.get((rest, odd[0][0], turn), 0) + size
+            even[rest] = even.get(rest, 0) - size
+        else:
+            return None
+    squares = list(_squares(even, positive))
+    above = {m: c for m, c in even.items() if c and _is_above(m, positive)}
+    flat = {m: c for m, c in even.items() if c and not _is_above(m, positive)}
+    if not above or any(c < 0 for c in even.values()) or any(e % 2 and i not in positive for m in flat for i, e in m):
+        return None
+    for m, c in flat.items():
+        squares.append(_halved(m, c, positive))
+    found = [(Scalar(Poly({rest: c})), Scalar(Poly({((i, 1),): 1})), turn) for (rest, i, turn), c in waves.items()]
+    if any(e % 2 and i not in positive for (rest, _, _) in waves for i, e in rest):
+        return None
+    return Sum(sign, Scalar(Poly(above)), tuple(squares), tuple(found))
+
+
+def _is_above(monomial: Monomial, positive: Collection[int]) -> bool:
+    return all(i in positive for i, _ in monomial)
+
+
+def _halved(monomial: Monomial, coefficient: Coefficient, positive: Collection[int]) -> tuple[Scalar, Scalar]:
+    """The positive part of a term, and what is squared in it."""
+    known = tuple((i, e) for i, e in monomial if i in positive)
+    root = tuple((i, e // 2) for i, e in monomial if i not in positive)
+    return Scalar(Poly({known: coefficient})), Scalar(Poly({root: 1}))
+
+
+def _squares(even: dict[Monomial, Coefficient], positive: Collection[int]) -> Iterator[tuple[Scalar, Scalar]]:
+    """Squares that take up what is negative: A u² + B v² - k u v = A (u - k v/2A)² + (B - k²/4A) v²."""
+    for monomial in [m for m, c in even.items() if c < 0 or any(e % 2 and i not in positive for i, e in m)]:
+        for first in [m for m, c in even.items() if c > 0 and all(e % 2 == 0 for _, e in m)]:
+            second = times(times(monomial, monomial), inverse(first))
+            a, b, k = even.get(first, 0), even.get(second, 0), even.get(monomial, 0)
+            if second == first or a <= 0 or b <= 0 or not k or 4 * a * b < k * k or any(e % 2 for _, e in second):
+                continue
+            u, v = (Poly({tuple((i, e // 2) for i, e in m): 1}) for m in (first, second))
+            factor = Fraction(k) / (2 * Fraction(a))
+            even[first], even[monomial], even[second] = 0, 0, b - Fraction(k) * k / (4 * Fraction(a))
+            yield UNITY * a, Scalar(u + v.scaled(factor))
+            break
+
