@@ -33,6 +33,17 @@ Lemma D_sin : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u
 Proof. intros. apply (is_derive_comp sin f); [apply is_derive_sin | assumption]. Qed.
 Lemma D_cos : forall (f : R -> R) (t a : R), is_derive f t a -> is_derive (fun u => cos (f u)) t (a * - sin (f t)).
 Proof. intros. apply (is_derive_comp cos f); [apply is_derive_cos | assumption]. Qed.
+Lemma D_quot : forall (f g : R -> R) (t a b : R), is_derive f t a -> is_derive g t b -> g t <> 0 ->
+  is_derive (fun u => f u / g u) t ((a * g t - f t * b) / g t ^ 2).
+Proof. intros. apply (is_derive_div f g); assumption. Qed.
+Lemma D_inv : forall (g : R -> R) (t b : R), is_derive g t b -> g t <> 0 -> is_derive (fun u => / g u) t (- b / g t ^ 2).
+Proof. intros. apply (is_derive_inv g); assumption. Qed.
+Lemma D_sqrt : forall (f : R -> R) (t a : R), is_derive f t a -> 0 < f t ->
+  is_derive (fun u => sqrt (f u)) t (a * / (2 * sqrt (f t))).
+Proof.
+  intros f t a H P. apply (is_derive_comp sqrt f); [| assumption].
+  apply is_derive_Reals, derivable_pt_lim_sqrt; assumption.
+Qed.
 
 (* Continuity. *)
 Lemma C_der : forall (f : R -> R) (t d : R), is_derive f t d -> continuous f t.
@@ -110,24 +121,6 @@ Lemma RInt_on : forall (g f : R -> R) (a b v : R), (forall x, f x = g x) -> RInt
 Proof. intros g f a b v E G. rewrite <- G. apply RInt_ext. intros; apply E. Qed.
 Lemma RInt_none : forall (f : R -> R) (a : R), RInt f a a = 0.
 Proof. intros. rewrite RInt_point. reflexivity. Qed.
-Ltac der := repeat (
-  lazymatch goal with
-  | |- is_derive (fun _ => ?c) _ _ => apply D_const
-  | |- is_derive (fun u => u) _ _ => apply D_id
-  | |- is_derive (fun u => @?f u + @?g u) _ _ => eapply (D_plus f g)
-  | |- is_derive (fun u => @?f u - @?g u) _ _ => eapply (D_minus f g)
-  | |- is_derive (fun u => - @?f u) _ _ => eapply (D_opp f)
-  | |- is_derive (fun u => @?f u * @?g u) _ _ => eapply (D_mult f g)
-  | |- is_derive (fun u => @?f u / ?c) _ _ => eapply (D_div f c)
-  | |- is_derive (fun u => @?f u ^ ?n) _ _ => eapply (D_pow f n)
-  | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
-  | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)
-  | |- is_derive (fun u => RInt ?g 0 u) _ _ => eapply rate_time; [eassumption | eassumption | intros; cont]
-  | |- is_derive (fun u => RInt ?f ?c (@?q u)) _ _ => eapply (rate_path f q c); [| intros; cont]
-  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive (fun u => ?f u) ?t _ => exact (D t H)
-  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive ?f ?t _ => exact (D t H)
-  end; cbv beta).
-
 (* What does not change, and what vanishes on an interval, has the rate 0; and the other way round. *)
 Lemma flat : forall (a b : R) (f : R -> R), a < 0 < b ->
   (forall t, a < t < b -> is_derive f t 0) -> f 0 = 0 -> forall t, a < t < b -> f t = 0.
@@ -176,12 +169,26 @@ Lemma beyond : forall d s n, d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
 Lemma below : forall d s n, - d = s + n -> 0 < s -> 0 <= n -> d <> 0.
 Proof. intros; lra. Qed.
+Lemma root2 : forall x, 0 <= x -> sqrt x ^ 2 = x.
+Proof. intros x H. simpl. rewrite Rmult_1_r. apply sqrt_sqrt, H. Qed.
+Lemma root_is : forall a x, 0 <= x -> x ^ 2 = a -> sqrt a = x.
+Proof. intros a x H E. rewrite <- E. apply sqrt_pow2, H. Qed.
+Lemma over : forall a, 0 <= a -> a <> 0 -> 0 < a.
+Proof. intros. lra. Qed.
+Lemma root_nonzero : forall a, 0 <= a -> a <> 0 -> sqrt a <> 0.
+Proof. intros a P N Q. apply N, sqrt_eq_0; assumption. Qed.
 Lemma up1 : forall x, 0 <= 1 + cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
 Lemma up2 : forall x, 0 <= 1 + - cos x. Proof. intros x. pose proof (COS_bound x). lra. Qed.
 Lemma up3 : forall x, 0 <= 1 + sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
 Lemma up4 : forall x, 0 <= 1 + - sin x. Proof. intros x. pose proof (SIN_bound x). lra. Qed.
-Ltac pos1 := first [assumption | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
-  | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat].
+Ltac known_sign := match goal with
+  | Q : forall t, ?a < t < ?b -> 0 < _, H : ?a < ?s < ?b |- 0 < _ => exact (Q s H)
+  end.
+Ltac pos1 := first [assumption | known_sign | lra | apply PI_RGT_0 | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat
+  | apply Rdiv_lt_0_compat | apply pow_lt | apply Rinv_0_lt_compat
+  | apply sqrt_lt_R0].
+Ltac nng := repeat first [apply up1 | apply up2 | apply up3 | apply up4 | apply pow2_ge_0 | apply sqrt_pos | apply Rplus_le_le_0_compat
+  | apply Rmult_le_pos | lra | (apply Rlt_le; solve [repeat pos1])].
 Ltac ang_in N := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_2a, ?cos_2a in N.
 Ltac same_nonzero x N := match type of N with ?d <> 0 =>
   first [exact N | solve [replace x with d by ring; exact N]
@@ -191,18 +198,40 @@ Ltac known_nonzero x := match goal with
       let N := fresh in pose proof (Q s H) as N; cbv beta in N; first [same_nonzero x N | ang_in N; same_nonzero x N]
   end.
 Ltac nonzero := match goal with
+  | |- PI <> 0 => exact PI_neq0
+  | |- sqrt _ <> 0 => apply root_nonzero; [nng | nonzero]
   | |- ?x <> 0 => known_nonzero x
   | |- ?x <> 0 => apply Rgt_not_eq; unfold Rgt; solve [repeat pos1]
   | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero
   | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero
   | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero
   end.
+Ltac over0 := first [solve [repeat pos1] | apply over; [nng | nonzero]].
 Ltac pos := repeat split; try assumption; match goal with
   | |- _ <> 0 => nonzero
   | |- _ => repeat pos1
   end.
-Ltac nng := repeat first [apply up1 | apply up2 | apply up3 | apply up4 | apply pow2_ge_0 | apply Rplus_le_le_0_compat
-  | apply Rmult_le_pos | lra | (apply Rlt_le; solve [repeat pos1])].
 Ltac ang := rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
   ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a.
 Ltac fld := cbn [INR pred]; first [ring | solve [field; pos] | ang; ring | solve [ang; field; pos]].
+
+Ltac der := repeat (
+  lazymatch goal with
+  | |- is_derive (fun _ => ?c) _ _ => apply D_const
+  | |- is_derive (fun u => u) _ _ => apply D_id
+  | |- is_derive (fun u => @?f u + @?g u) _ _ => eapply (D_plus f g)
+  | |- is_derive (fun u => @?f u - @?g u) _ _ => eapply (D_minus f g)
+  | |- is_derive (fun u => - @?f u) _ _ => eapply (D_opp f)
+  | |- is_derive (fun u => @?f u * @?g u) _ _ => eapply (D_mult f g)
+  | |- is_derive (fun u => @?f u / ?c) _ _ => eapply (D_div f c)
+  | |- is_derive (fun u => @?f u / @?g u) _ _ => eapply (D_quot f g); [| | cbv beta; nonzero]
+  | |- is_derive (fun u => / @?g u) _ _ => eapply (D_inv g); [| cbv beta; nonzero]
+  | |- is_derive (fun u => @?f u ^ ?n) _ _ => eapply (D_pow f n)
+  | |- is_derive (fun u => sin (@?f u)) _ _ => eapply (D_sin f)
+  | |- is_derive (fun u => cos (@?f u)) _ _ => eapply (D_cos f)
+  | |- is_derive (fun u => sqrt (@?f u)) _ _ => eapply (D_sqrt f); [| cbv beta; over0]
+  | |- is_derive (fun u => RInt ?g 0 u) _ _ => eapply rate_time; [eassumption | eassumption | intros; cont]
+  | |- is_derive (fun u => RInt ?f ?c (@?q u)) _ _ => eapply (rate_path f q c); [| intros; cont]
+  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive (fun u => ?f u) ?t _ => exact (D t H)
+  | D : forall t, _ -> is_derive ?f t _, H : _ < ?t < _ |- is_derive ?f ?t _ => exact (D t H)
+  end; cbv beta).

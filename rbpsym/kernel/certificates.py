@@ -144,13 +144,16 @@ def partner(index: int, kind: str = "sin") -> int | None:
     return atoms.intern("symbol", other + name[3:]) if name.startswith(f"{kind} ") else None
 
 
-def circles(rest: Scalar, kind: str = "sin", only: Collection[int] | None = None) -> tuple[dict[int, Scalar], Scalar]:
+def circles(
+    rest: Scalar, kind: str = "sin", only: Collection[int] | None = None, *, lifted: bool = False
+) -> tuple[dict[int, Scalar], Scalar]:
     """By how much of sin² + cos² - 1 of each angle (by the index of its sine) a value differs from 0, and what stays.
 
-    `only`: the sines (or cosines) whose squares are taken out; all by default.
+    `only`: the sines (or cosines) whose squares are taken out; all by default. `lifted`: negative powers of sines and
+    cosines are multiplied away first, for a value that is to vanish.
     """
     found: dict[int, Scalar] = {}
-    num = rest.num
+    num, den = _lifted(rest) if lifted else (rest.num, Scalar(rest.den))
     for index in sorted(num.atoms()):
         if (other := partner(index, kind)) is None or (only is not None and index not in only):
             continue
@@ -160,8 +163,15 @@ def circles(rest: Scalar, kind: str = "sin", only: Collection[int] | None = None
             total = total + Scalar(head)
             num = num - head * (Poly({((index, 2),): 1}) + square - Poly({(): 1}))
         if total:
-            found[index] = total / Scalar(rest.den)
-    return found, Scalar(num, rest.den)
+            found[index] = total / den
+    return found, Scalar(num) / den
+
+
+def _lifted(value: Scalar) -> tuple[Poly, Scalar]:
+    """A numerator without negative powers of sines and cosines, and the denominator."""
+    low = {i: e for i, e in value.num.content()[1] if e < 0 and (partner(i) is not None or partner(i, "cos") is not None)}
+    shift = tuple(sorted((i, -e) for i, e in low.items()))
+    return (value.num.scaled(1, shift), Scalar(value.den) * Scalar(Poly({shift: 1}))) if low else (value.num, Scalar(value.den))
 
 
 def wound(value: Scalar, kind: str = "sin", only: Collection[int] | None = None) -> Scalar:

@@ -8,7 +8,9 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 from rbpsym.derivation.step import Derivation, Step
@@ -30,6 +32,12 @@ class Written:
     refused: dict[str, str] = field(default_factory=dict)
     unused: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
+    @cached_property
+    def writer(self) -> Writer:
+        """How the problem is written in Rocq."""
+        speeds = {name: f"{name}_dot" for name in self.source.study.system.coordinates}
+        return Writer(self.source, Terms(self.source.moving, speeds, self.source.integrals))
+
 
 def named(id: str, said: Said) -> dict[str, Claim]:
     """The claims of a step or fact by their names in Rocq."""
@@ -48,11 +56,19 @@ def written(derivation: Derivation) -> Written:
     return found
 
 
+def declared(source: Source) -> list[str]:
+    """The facts that are in force for every step: the declared ranges, of which its obligations may be discharged."""
+    return [f"range.{name}" for name in source.study.assumptions.ranges]
+
+
 def granted(source: Source, step: Step) -> dict[str, Claim]:
-    """The claims that a step may use: its own definitions, and what its premises say."""
+    """The claims that a step may use: its own definitions, what its premises say, and the declared ranges."""
     claims = named(step.id, Said(source.said[step.id].definitions))
     for id in step.premises:
         claims |= named(id, source.said[id] if id in source.said else source.fact(id))
+    for id in declared(source):
+        with suppress(RbpsymError):  # an end that has no term
+            claims |= named(id, source.fact(id))
     return claims
 
 
@@ -62,6 +78,7 @@ def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
+        found.writer.said(claim)  # raises for what has no term
         claim, proof, search = _proved(found.source, step, claim, claims)
         names = _used(search, claim, proof, claims)
         needed = {name: claims[name] for name in claims if name in names}
@@ -109,9 +126,7 @@ def _letters(source: Source, nodes: Sequence[t.Node]) -> set[str]:
 
 def text(found: Written, *, without: Collection[str] = (), trial: bool = False) -> str:
     """The Rocq source; on `trial`, each lemma that is not accepted only says so and nothing is kept."""
-    source = found.source
-    terms = Terms(source.moving, {name: f"{name}_dot" for name in source.study.system.coordinates}, source.integrals)
-    writer = Writer(source, terms)
+    writer = found.writer
     lemmas = [lemma for each in found.lemmas.values() for lemma in each]
     claims: dict[str, Claim] = {}
     for lemma in lemmas:
@@ -139,6 +154,19 @@ class Report:
     refused: dict[str, str]
     axioms: tuple[str, ...] | None = None
     seconds: float = 0.0
+
+
+BEGINNING = "what leads from one phase to the next is not written yet"
+
+
+def together(reports: Mapping[str, Report], refused: Mapping[str, str]) -> Report:
+    """The report of all phases, by what stands before the ids of their steps; `refused`: steps of which none is written."""
+    every = {f"{part}{id}": why for part, report in reports.items() for id, why in report.refused.items()}
+    told = [report.axioms for report in reports.values()]
+    axioms = None if None in told else tuple(dict.fromkeys(axiom for each in told for axiom in each or ()))
+    steps, lemmas = (sum(getattr(report, name) for report in reports.values()) for name in ("steps", "lemmas"))
+    seconds = sum(report.seconds for report in reports.values())
+    return Report(steps + len(refused), lemmas, {**every, **refused}, axioms, seconds)
 
 
 def has_coqc() -> bool:

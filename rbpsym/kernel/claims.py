@@ -9,9 +9,8 @@ from functools import cached_property
 
 from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.normal import is_rooted, short
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.poly import Monomial, Poly
-from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.mass import power
@@ -79,6 +78,8 @@ def _atom(index: int) -> t.Node:
     found = atoms.atom(index)
     if found.kind == "symbol":
         return t.Sym(found.arg)
+    if found.kind == "root":
+        return t.Sqrt(tree_of(found.arg))
     if found.kind not in ("sin", "cos"):
         raise RbpsymError(f"the function {found.kind} has no term in Rocq")
     return t.Fn(found.kind, tree_of(found.arg))
@@ -241,10 +242,8 @@ class Source:
                 if axis in self.components.axes(t.Vec(letter)):
                     left = self.components.part(t.Vec(letter), axis)
                     yield from () if tree_of(value) == left else (Claim(left, tree_of(value)),)
-        elif any(map(is_rooted, ((value := self.letters.scalars[letter]).num, value.den))):
-            yield Claim(t.power(t.Sym(letter), 2), tree_of(without_even_roots(value * value)))
         else:
-            yield Claim(t.Sym(letter), tree_of(value))
+            yield Claim(t.Sym(letter), tree_of(self.letters.scalars[letter]))
 
 
 TIME = "t"

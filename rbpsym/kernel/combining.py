@@ -60,7 +60,7 @@ def stays(search: Search, value: Scalar) -> bool:
 def based(search: Search, value: Scalar) -> Scalar:
     """Sines and cosines of sums written in those of their terms."""
     images, circular = {}, search.source.circular
-    for name in names_in(value) & circular.keys():
+    for name in names_in(value) & circular.keys() - search.roots.keys():
         num = scalar(circular[name]).num
         if (image := in_bases(num, bases_of(num))) != num:
             images[name] = search.value(tree_of(image))
@@ -86,6 +86,8 @@ def _below(part: t.Node) -> Iterator[t.Node]:
         yield from _factors(part.den)
     elif isinstance(part, t.Pow) and isinstance(part.exponent, t.Num | t.Neg) and t.is_negative(part.exponent):
         yield from _factors(part.base)
+    elif isinstance(part, t.Sqrt):
+        yield from _factors(part.arg)
 
 
 def _factors(node: t.Node) -> Iterator[t.Node]:

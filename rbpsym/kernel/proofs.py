@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from rbpsym.algebra import atoms
@@ -13,12 +14,13 @@ from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
+from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
 from rbpsym.kernel.combining import based, combined, nonzero
 from rbpsym.kernel.components import START, started
+from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -34,6 +36,8 @@ class Search:
         self.source, self.given = source, given
         self.integrals = source.integrals
         self.met: list[t.Integral] = []
+        self.roots: dict[str, Scalar] = {}  # what stands below the roots that are letters
+        self.root_notes: dict[str, Have] = {}
         self.haves: list[Have] = []
         signs = source.study.assumptions.signs
         above = [name for name, sign in signs.items() if sign == "positive"]
@@ -42,8 +46,9 @@ class Search:
         self.nonzero: set[int] = set()
         self.deep = False
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
-        self.rates = {**source.rates, TIME: UNITY}
+        self.rates = {TIME: UNITY}
         self.starts: dict[str, t.Node] = {TIME + START: t.ZERO}
+        self.rates |= {name: self.value(tree_of(rate)) for name, rate in source.rates.items()}
         self.doubled: dict[str, Claim] = {}  # rates of formulas, and of letters that have one already
         for claim in (claim for claim in given.values() if claim.kind == "start"):
             self.starts[letter(claim.left) + START] = claim.right
@@ -66,6 +71,8 @@ class Search:
     def _lettered(self, node: t.Node) -> t.Node:
         if isinstance(node, t.Fn):
             return self._turned(tree_of(scalar(node)))
+        if isinstance(node, t.Sqrt):
+            return self._rooted(node)
         if not isinstance(node, t.Integral):
             return t.mapped(node, self._lettered)
         name = next((n for n, known in self.integrals.items() if known == node), f"J_{len(self.integrals) + 1}")
@@ -86,6 +93,13 @@ class Search:
         for kind in ("sin", "cos"):
             self.source.circular[f"{kind} {angle}"] = t.Fn(kind, node.arg)
         return t.Sym(f"{node.name} {angle}")
+
+    def _rooted(self, node: t.Sqrt) -> t.Node:
+        """A root as a letter."""
+        name = f"root {to_machine(node.arg)}"
+        self.source.circular[name] = node
+        self.roots[name] = self.value(node.arg)
+        return t.Sym(name)
 
     def moving(self, name: str) -> bool:
         """Whether a letter is a function of time."""
@@ -126,7 +140,8 @@ class Search:
 
     def vanishes(self, value: Scalar) -> bool:
         """Whether it is 0 by sin² + cos² = 1 and the sines and cosines of sums."""
-        return not wound(based(self, value))
+        left = rootless(self, circles(based(self, value), lifted=True)[1])[0]
+        return not circles(left, lifted=True)[1]
 
     def is_positive(self, value: Scalar) -> bool:
         """Whether it is a sum of positive terms over a positive one."""
@@ -162,27 +177,35 @@ class Search:
         used = {place: factor for place, factor in sums.items() if not vanishes(factor)}
         for place, factor in used.items():
             goal = goal - factor * values[place]
-        turned, left = circles(based(self, goal))
+        turned, left = circles(based(self, goal), lifted=True)
+        left, roots = rootless(self, left)
+        again, left = circles(left, lifted=True)
         if left:
             raise Undecided("the multiples do not add up: ")
+        turned = {index: turned.get(index, NOTHING) + again.get(index, NOTHING) for index in {**turned, **again}}
         angles = tuple((self.tree(q), self.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items())
-        return Multiples(tuple((self.tree(factor), known[place]) for place, factor in used.items()), angles)
+        multiples = [*((factor, known[place]) for place, factor in used.items()), *roots]
+        return Multiples(tuple((self.tree(factor), item) for factor, item in multiples), angles)
 
     # --- claims
 
     def prove(self, claim: Claim) -> Proof:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
-        return replace(found, steps=(*nonzero(self, [*_sides(claim), *_formulas(found)]), *found.steps))
+        written = [*_sides(claim), *_formulas(found)]
+        parts = {part for node in written for part in t.walk(node)}
+        signs = [have for have in found.steps if have.how == "sign" and have.claim.left in parts]
+        others = [have for have in found.steps if have.how != "sign"]
+        return replace(found, steps=(*signs, *nonzero(self, written), *others))
 
     def _sought(self, claim: Claim) -> Proof:
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
-        if claim.kind == "more" or claim.given:
-            self._signs()
+        self._signs()
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *self._integrated()]
+        self._count = len(self.haves)
         if claim.kind == "slope":
             return Proof()
         if claim.kind == "rate":
@@ -205,7 +228,7 @@ class Search:
     def _proof(self, multiples: Multiples, like: tuple[t.Node, Multiples] | None = None, **more: Any) -> Proof:
         """The proof, without what was noted on the way and is not used."""
         used, kept = {known.name for part in (multiples, *(like or ())[1:]) for _, known in part.known}, []
-        for have in reversed(self.haves):
+        for have in reversed([*self.root_notes.values(), *self.haves]):
             if have.name in used or have.how == "sign":
                 used |= {known.name for _, known in have.multiples.known}
                 kept.append(have)
@@ -235,15 +258,19 @@ class Search:
         return Known(self.haves[-1].name, claim)
 
     def _signs(self) -> None:
-        """Sines and cosines of angles in the first quarter, or as the ranges among the premises say."""
+        """Sines and cosines of angles that the known ranges keep in the first quarter, or in the first half."""
         ranges = {name: claim for name, claim in self.given.items() if claim.kind == "more"}
         for name in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
             own = t.Sym(name)
-            low = [id for id, claim in ranges.items() if claim.left == own and not scalar(claim.right)]
-            high = [id for id, claim in ranges.items() if claim.right == own and scalar(claim.left) == PI / 2]
-            for kind in ("sin", "cos") if low and high else ():
-                self._note("sign", Claim(t.Fn(kind, own), t.ZERO, "more"), source=f"{low[0]} {high[0]}")
-                self.positive |= self.value(t.Fn(kind, own)).atoms()
+            low = {scalar(claim.right): id for id, claim in ranges.items() if claim.left == own}
+            high = {scalar(claim.left): id for id, claim in ranges.items() if claim.right == own}
+            for kind, lowest, highest in QUARTERS:
+                below = next((id for end, id in low.items() if _is_least(end - lowest)), None)
+                above = next((id for end, id in high.items() if _is_least(highest - end)), None)
+                if below and above:
+                    wave = t.Fn(kind, own)
+                    self._note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
+                    self.positive |= self.value(wave).atoms()
 
     def _integrated(self) -> list[Known]:
         """The integrals between fixed ends, each by an antiderivative."""
@@ -256,7 +283,6 @@ class Search:
                     integrand = inner.claim.right
                 have = self._integral(node, integrand)
                 found.append(self._note("integral", have.claim, of=have.of, inner=inner))
-        self._count = len(self.haves)
         return found
 
     def _integral(self, node: t.Integral, integrand: t.Node) -> Have:
@@ -276,6 +302,8 @@ class Search:
         if name not in self.source.circular:
             return self.rates[name]
         node = self.source.circular[name]
+        if isinstance(node, t.Sqrt):
+            return self._rate(self.value(node.arg)) / (symbol(name) * 2)
         other = self.value(t.Fn("sin", node.arg)) * -1 if node.name == "cos" else self.value(t.Fn("cos", node.arg))
         return other * self._rate(self.value(node.arg))
 
@@ -345,7 +373,7 @@ class Search:
 
     def _ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
         """value / by, if it is a polynomial but for what does not vanish."""
-        found = divide(value.num, by.num)
+        found = divide(value.num, by.num) if by else None
         if found is None or not self.is_nonzero(Scalar(value.den)):
             return None
         below = {index for m in found.terms for index, exponent in m if exponent < 0}
@@ -370,6 +398,15 @@ class Search:
         raise Undecided("no square was found that leaves something positive of " + _brief(self.tree(rest)))
 
 
+QUARTERS = (("sin", NOTHING, PI), ("cos", PI * Fraction(-1, 2), PI * Fraction(1, 2)))
+
+
+def _is_least(value: Scalar) -> bool:
+    """Whether a multiple of π is not negative."""
+    found = (value / PI).number()
+    return found is not None and found >= 0
+
+
 def _sides(claim: Claim) -> Iterator[t.Node]:
     yield from (claim.left, claim.right)
     for item in claim.given:
@@ -390,7 +427,8 @@ def _formulas(proof: Proof) -> Iterator[t.Node]:
         yield from _multiplied(proof.like[1])
     yield from (node for node in (proof.factor, *(proof.square or ())) if node is not None)
     for have in proof.steps:
-        yield from (have.of, *_sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
+        if have.how != "sign":
+            yield from (have.of, *_sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
 
 
 def _brief(rest: t.Node) -> str:

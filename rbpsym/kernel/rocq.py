@@ -85,10 +85,16 @@ class Terms:
         return inner if exponent >= 0 else f"(/ {inner})"
 
     def function(self, node: t.Fn) -> str:
-        """Sine and cosine."""
-        if node.name not in ("sin", "cos"):
+        """Sine and cosine, and what is a quotient of them."""
+        if node.name not in QUOTIENTS:
             raise RbpsymError(f"the function {node.name} has no term in Rocq")
-        return f"({node.name} {self.term(node.arg)})"
+        return QUOTIENTS[node.name].format(self.term(node.arg))
+
+
+QUOTIENTS = {
+    "sin": "(sin {0})", "cos": "(cos {0})", "tan": "(sin {0} / cos {0})", "cot": "(cos {0} / sin {0})",
+    "sec": "(/ cos {0})", "csc": "(/ sin {0})",
+}  # fmt: skip
 
 
 def _number(terms: Terms, node: t.Num) -> str:
@@ -106,11 +112,13 @@ TERMS: dict[type, Callable[[Terms, Any], str]] = {
     t.Div: lambda terms, node: f"({terms.term(node.num)} / {terms.term(node.den)})",
     t.Pow: Terms.power,
     t.Fn: Terms.function,
+    t.Sqrt: lambda terms, node: f"(sqrt {terms.term(node.arg)})",
     t.Group: lambda terms, node: terms.term(node.arg),
     t.Integral: Terms.integral,
 }
 
 
+OWN = "qrmz"  # with a number: what is noted in a proof
 TIMES = "forall t : R, ta < t < tb -> "
 REFUSED = "not accepted: "
 RELATIONS = {"equal": "{left} = {right}", "more": "{right} < {left}", "differ": "{left} <> {right}"}
@@ -205,8 +213,7 @@ class Writer:
         """From what was shown on the way to the claim."""
         if claim.kind == "slope":
             return "eapply D_eq; [der | fld]"
-        signs = [f"pose proof ({have.name} t Ht)" for have in proof.steps if have.how == "sign"]
-        enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1)), *signs])
+        enter = "; ".join(["intros t Ht", *(f"intros g{place}" for place, _ in enumerate(claim.given, 1))])
         close = self.less(proof.multiples) + finish
         if claim.kind == "rate":
             assert proof.like is not None
@@ -230,9 +237,9 @@ class Writer:
 
     def reference(self, known: Known, time: str) -> str:
         """A known equation at a moment."""
-        if known.name.startswith("g"):
+        if known.name.startswith("g") and known.name[1:].isdigit():
             return known.name
-        name = known.name if known.name.startswith("q") else f"p_{known.name}"
+        name = known.name if known.name[0] in OWN and known.name[1:].isdigit() else f"p_{known.name}"
         return f"{name} 0 Begin" if known.when == "0" else f"{name} {time} H{time}"
 
     def have(self, have: Have, finish: str) -> str:
@@ -263,6 +270,14 @@ class Writer:
         way = "beyond" if have.of == have.claim.left else "below"
         return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}ring | pos | nng]"
 
+    def _rooted(self, have: Have, finish: str) -> str:
+        """The square of a root is what stands below it."""
+        return "apply root2; nng"
+
+    def _same_root(self, have: Have, finish: str) -> str:
+        """One root is a multiple of another."""
+        return "apply root_is; [nng | rewrite ?Rpow_mult_distr, ?root2 by nng; fld]"
+
     def _integral(self, have: Have, finish: str) -> str:
         """By an antiderivative; an integral inside is replaced by its value first."""
         x = replace(self.terms, bound={_head(have.claim): "x"})
@@ -286,6 +301,7 @@ def _primitive(body: str, name: str = "x") -> str:
 HAVES = {
     "flat": Writer._flat, "still": Writer._still, "unique": Writer._unique, "sign": Writer._sign,
     "integral": Writer._integral, "nonzero": Writer._nonzero,
+    "root": Writer._rooted, "multiple root": Writer._same_root,
 }  # fmt: skip
 
 

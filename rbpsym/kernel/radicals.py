@@ -1,0 +1,84 @@
+"""Square roots as letters: what is known of them, and none of them below."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+from typing import TYPE_CHECKING
+
+from rbpsym.algebra import atoms
+from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra.poly import Poly, generator
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.kernel.certificates import Have, Known
+from rbpsym.kernel.claims import Claim
+from rbpsym.kernel.positive import positive_sum
+from rbpsym.notation import tree as t
+
+if TYPE_CHECKING:
+    from rbpsym.kernel.proofs import Search
+
+
+def rootless(search: Search, value: Scalar) -> tuple[Scalar, list[tuple[Scalar, Known]]]:
+    """The value with even powers of roots replaced, no roots below, and no root that is a multiple of another; and by which
+    multiples of what is known of roots it differs."""
+    taken: list[tuple[Scalar, Known]] = []
+    names = sorted(names_in(value) & search.roots.keys())
+    for place, name in enumerate(names):
+        node, arg = search.source.circular[name], search.roots[name]
+        assert isinstance(node, t.Sqrt)
+        if not _is_certain(search, arg):
+            continue
+        search.positive |= symbol(name).atoms()
+        number, factor = list(search.roots).index(name), NOTHING
+        index, square = atoms.intern("symbol", name), symbol(name) ** 2 - arg
+        while (low := min(value.num.by_power(index), default=0)) < 0:
+            term = _head(value, index, low) / arg
+            value, factor = value + term * square, factor - term
+        while (top := max(value.num.by_power(index), default=0)) > 1:
+            term = _head(value, index, top) * symbol(name) ** -2
+            value, factor = value - term * square, factor + term
+        if factor:
+            taken.append((factor, _known(search, Have(f"r{number}", "root", Claim(t.Pow(node, t.TWO), node.arg)))))
+        for other in names[:place]:
+            ratio = _root_of(search, arg / search.roots[other])
+            if ratio is not None and 1 in value.num.by_power(index):
+                term = _head(value, index, 1) / symbol(name)
+                value = value - term * (symbol(name) - ratio * symbol(other))
+                right = t.mul(search.tree(ratio), search.source.circular[other])
+                taken.append((term, _known(search, Have(f"m{number}", "multiple root", Claim(node, right)))))
+                break
+    return value, taken
+
+
+def _head(value: Scalar, index: int, power: int) -> Scalar:
+    """The part of a value with some power of an atom."""
+    return Scalar(value.num.by_power(index)[power]) * Scalar(generator(index)) ** power / Scalar(value.den)
+
+
+def _known(search: Search, have: Have) -> Known:
+    search.root_notes[have.name] = have
+    return Known(have.name, have.claim)
+
+
+def _is_certain(search: Search, arg: Scalar) -> bool:
+    """Whether what stands below a root is positive for certain."""
+    if search.is_positive(arg):
+        return True
+    found = positive_sum(arg.num, search.positive) if search.is_positive(Scalar(arg.den)) else None
+    return found is not None and found.sign > 0
+
+
+def _root_of(search: Search, ratio: Scalar) -> Scalar | None:
+    """The root of a square of one positive term."""
+    if len(ratio.num) != 1 or len(ratio.den) != 1 or not search.is_positive(ratio):
+        return None
+    found = UNITY
+    for poly, sign in ((ratio.num, 1), (ratio.den, -1)):
+        [(monomial, coefficient)] = poly.terms.items()
+        number = Fraction(coefficient)
+        top, below = isqrt(number.numerator), isqrt(number.denominator)
+        if top * top != number.numerator or below * below != number.denominator or any(e % 2 for _, e in monomial):
+            return None
+        found = found * Scalar(Poly({tuple((i, e // 2) for i, e in monomial): Fraction(top, below)})) ** sign
+    return found
