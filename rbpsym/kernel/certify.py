@@ -56,48 +56,53 @@ def written(derivation: Derivation) -> Written:
     return found
 
 
-def declared(source: Source) -> list[str]:
-    """The facts that are in force for every step: the declared ranges, of which its obligations may be discharged."""
-    return [f"range.{name}" for name in source.study.assumptions.ranges]
-
-
 def granted(source: Source, step: Step) -> dict[str, Claim]:
-    """The claims that a step may use: its own definitions, what its premises say, and the declared ranges."""
+    """The claims that a step may use: its own definitions, and what its premises say."""
     claims = named(step.id, Said(source.said[step.id].definitions))
     for id in step.premises:
         claims |= named(id, source.said[id] if id in source.said else source.fact(id))
-    for id in declared(source):
+    return claims
+
+
+def declared(source: Source) -> dict[str, Claim]:
+    """What is in force for every step: the declared ranges, of which its obligations may be discharged."""
+    claims: dict[str, Claim] = {}
+    for name in source.study.assumptions.ranges:
         with suppress(RbpsymError):  # an end that has no term
-            claims |= named(id, source.fact(id))
+            claims |= named(f"range.{name}", source.fact(f"range.{name}"))
     return claims
 
 
 def _lemmas(found: Written, step: Step) -> Iterator[Lemma]:
     claims, used = granted(found.source, step), set[str]()
+    further = {name: claim for name, claim in declared(found.source).items() if name not in claims}
     own = named(step.id, Said(assertions=found.source.said[step.id].assertions))
     if not own:
         raise RbpsymError(found.source.unsaid.get(step.id, "there is no statement for it yet"))
     for name, claim in own.items():
         found.writer.said(claim)  # raises for what has no term
-        claim, proof, search = _proved(found.source, step, claim, claims)
-        names = _used(search, claim, proof, claims)
-        needed = {name: claims[name] for name in claims if name in names}
+        claim, proof, search = _proved(found.source, step, claim, (claims, further))
+        names = _used(search, claim, proof, {**claims, **further})
+        needed = {name: item for name, item in {**claims, **further}.items() if name in names}
         used |= needed.keys()
         yield Lemma(name, claim, needed, proof)
     idle = [id for id in step.premises if not any(name.startswith(identifier(id) + "'") for name in used)]
     found.unused.update({step.id: tuple(idle)} if idle else {})
 
 
-def _proved(source: Source, step: Step, claim: Claim, claims: Mapping[str, Claim]) -> tuple[Claim, Proof, Search]:
-    """The claim with its proof; where it needs them, on the conditions that the step prints."""
-    search = Search(source, claims)
+def _proved(
+    source: Source, step: Step, claim: Claim, known: tuple[Mapping[str, Claim], Mapping[str, Claim]]
+) -> tuple[Claim, Proof, Search]:
+    """The claim with its proof; where it needs them, on the conditions that the step prints. known: premises, declared."""
+    claims, further = known
+    search = Search(source, {**claims, **further}, further)
     try:
         return claim, search.prove(claim), search
     except Undecided:
         if not (conditions := source.conditions(step)):
             raise
     claim = replace(claim, given=(*claim.given, *conditions))
-    search = Search(source, claims)
+    search = Search(source, {**claims, **further}, further)
     return claim, search.prove(claim), search
 
 

@@ -54,7 +54,7 @@ def _by_letters(poly: Poly, letters: set[int]) -> dict[Monomial, Poly]:
 
 def stays(search: Search, value: Scalar) -> bool:
     """Whether a value surely does not vanish."""
-    return search.is_nonzero(value) or positive_sum(value.num, search.positive) is not None
+    return search.is_nonzero(value) or positive_sum(value.num, search.positive | search.certain) is not None
 
 
 def based(search: Search, value: Scalar) -> Scalar:
@@ -77,7 +77,7 @@ def nonzero(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
         poly = search.value(factor).num
         if poly not in seen and not search.is_nonzero(Scalar(poly)):
             seen |= {poly, poly.scaled(-1)}
-            if (found := positive_sum(poly, search.positive)) is not None:
+            if (found := positive_sum(poly, search.positive | search.certain)) is not None:
                 yield _have(search, f"z{len(seen)}", search.tree(Scalar(poly)), found)
 
 

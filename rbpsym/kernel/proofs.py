@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -29,11 +29,12 @@ from rbpsym.notation.machine import to_machine
 class Search:
     """Looks for the proof of one claim from named claims.
 
-    `positive`: parameters above 0; `nonzero`: further letters that are not 0.
+    `declared`: those that are in force without being premises. `positive`: parameters above 0; `certain`: these, and what
+    ranges keep above 0; `nonzero`: further letters that are not 0.
     """
 
-    def __init__(self, source: Source, given: Mapping[str, Claim]) -> None:
-        self.source, self.given = source, given
+    def __init__(self, source: Source, given: Mapping[str, Claim], declared: Collection[str] = ()) -> None:
+        self.source, self.given, self.declared = source, given, frozenset(declared)
         self.integrals = source.integrals
         self.met: list[t.Integral] = []
         self.roots: dict[str, Scalar] = {}  # what stands below the roots that are letters
@@ -43,6 +44,7 @@ class Search:
         above = [name for name, sign in signs.items() if sign == "positive"]
         self.positive = {atoms.intern("symbol", name) for name in (*above, "pi")}
         self.fixed = {*signs, *source.rates, TIME, "pi"} - {n for n in source.rates if n.endswith("_dot")}
+        self.certain = set(self.positive)  # what may stand below
         self.nonzero: set[int] = set()
         self.deep = False
         self.ranks: dict[str, int] = {name: place for place, name in enumerate(source.ranked, 3)}
@@ -170,6 +172,7 @@ class Search:
                 for place, part in row.multiples.items() if factor else ():
                     sums = {**sums, place: sums.get(place, NOTHING) - factor * part}
             rest = NOTHING
+        rest = NOTHING if self.vanishes(rest) else rest
         return rest, self._summed(goal - rest, {place: -factor for place, factor in sums.items()}, known, values)
 
     def _summed(self, goal: Scalar, sums: Mapping[int, Scalar], known: Sequence[Known], values: Sequence[Scalar]) -> Multiples:
@@ -202,7 +205,7 @@ class Search:
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
-        self._signs()
+        self._signs(claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *self._integrated()]
         self._count = len(self.haves)
@@ -257,8 +260,9 @@ class Search:
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
         return Known(self.haves[-1].name, claim)
 
-    def _signs(self) -> None:
-        """Sines and cosines of angles that the known ranges keep in the first quarter, or in the first half."""
+    def _signs(self, signed: bool) -> None:
+        """Sines and cosines that ranges keep positive; only if signs are spoken of, and their ranges are premises, is
+        divided by them on the way."""
         ranges = {name: claim for name, claim in self.given.items() if claim.kind == "more"}
         for name in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
             own = t.Sym(name)
@@ -270,7 +274,9 @@ class Search:
                 if below and above:
                     wave = t.Fn(kind, own)
                     self._note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
-                    self.positive |= self.value(wave).atoms()
+                    self.certain |= self.value(wave).atoms()
+                    if signed and not {below, above} & self.declared:
+                        self.positive |= self.value(wave).atoms()
 
     def _integrated(self) -> list[Known]:
         """The integrals between fixed ends, each by an antiderivative."""

@@ -63,10 +63,8 @@ def _known(search: Search, have: Have) -> Known:
 
 def _is_certain(search: Search, arg: Scalar) -> bool:
     """Whether what stands below a root is positive for certain."""
-    if search.is_positive(arg):
-        return True
-    found = positive_sum(arg.num, search.positive) if search.is_positive(Scalar(arg.den)) else None
-    return found is not None and found.sign > 0
+    signs = {found.sign if (found := positive_sum(part, search.positive | search.certain)) else 0 for part in (arg.num, arg.den)}
+    return signs in ({1}, {-1})
 
 
 def _root_of(search: Search, ratio: Scalar) -> Scalar | None:
