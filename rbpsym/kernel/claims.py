@@ -114,9 +114,9 @@ class Source:
     @cached_property
     def _moving(self) -> frozenset[str]:
         names = {*self.rates, *(n for rate in self.rates.values() for n in names_in(rate)), *self.system.unknowns}
-        names = {*names, *self.system.dependent, TIME} - self.constants
         vectors = self.letters.vectors
-        return frozenset({*names, *self.letters.works, *vectors, *(f"{n}_{a}" for n in vectors for a in "xy")})
+        names |= {*self.system.dependent, TIME, *self.letters.works, *vectors, *(f"{n}_{a}" for n in vectors for a in "xy")}
+        return frozenset(names - self.constants)
 
     def moving(self, name: str) -> bool:
         """Whether a letter stands for a function of time."""

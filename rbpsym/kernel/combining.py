@@ -3,7 +3,7 @@ does not vanish."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rbpsym.algebra import atoms
@@ -12,7 +12,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import bases_of, in_bases, is_zero
 from rbpsym.algebra.poly import Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.kernel.certificates import Have, Multiples, circles
+from rbpsym.kernel.certificates import Have, Known, Multiples, circles
 from rbpsym.kernel.claims import Claim, tree_of
 from rbpsym.kernel.positive import Sum, positive_sum
 from rbpsym.mechanics.elimination import solve_linear
@@ -23,11 +23,28 @@ if TYPE_CHECKING:
 
 
 def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scalar] | None:
-    """Factors with goal = Σ factor × row, whose denominators surely do not vanish; None if none are found."""
+    """Factors with goal = Σ factor × row, whose denominators surely do not vanish; None if none are found.
+
+    They are sought in the field of parameters, places and speeds, then in that of parameters and places alone.
+    """
     order = search.order()
-    letters = {i for value in (goal, *rows) for i in value.num.atoms() if order(i)}
-    if any(value.den.atoms() & letters for value in (goal, *rows)):
-        return None
+    letters = {i for value in (goal, *rows) for i in value.num.atoms() if order(i)} - search.nonzero
+    speeds = {i for i in letters if (atoms.symbol_name(i) or "") in search.source.rates}
+    for unknown in dict.fromkeys((frozenset(letters - speeds), frozenset(letters))):
+        if any(value.den.atoms() & unknown for value in (goal, *rows)):
+            continue
+        factors = _factors_of(search, goal, rows, unknown)
+        if factors and all(stays(search, Scalar(value.den)) and not _swings_below(value, speeds) for value in factors):
+            return factors
+    return None
+
+
+def _swings_below(value: Scalar, speeds: set[int]) -> bool:
+    """Whether it is divided by a speed."""
+    return any(exponent < 0 and index in speeds for monomial in value.num.terms for index, exponent in monomial)
+
+
+def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: Collection[int]) -> list[Scalar] | None:
     names = [f"factor {place}" for place in range(len(rows))]
     equations: dict[Monomial, Scalar] = {}
     for factor, value in zip([*map(symbol, names), UNITY * -1], [*rows, goal], strict=True):
@@ -39,11 +56,10 @@ def combined(search: Search, goal: Scalar, rows: Sequence[Scalar]) -> list[Scala
         return None
     free = dict.fromkeys(names, NOTHING)
     values = [substitute(found.values.get(name, NOTHING), free) for name in names]
-    factors = [search.value(tree_of(value)) for value in values]
-    return factors if all(stays(search, Scalar(value.den)) for value in factors) else None
+    return [search.value(tree_of(value)) for value in values]
 
 
-def _by_letters(poly: Poly, letters: set[int]) -> dict[Monomial, Poly]:
+def _by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
     """The coefficients of the products of some letters."""
     parts: dict[Monomial, dict[Monomial, int]] = {}
     for monomial, coefficient in poly.terms.items():
@@ -70,15 +86,18 @@ def based(search: Search, value: Scalar) -> Scalar:
 # --- denominators
 
 
-def nonzero(search: Search, nodes: Sequence[t.Node]) -> Iterator[Have]:
+def nonzero(search: Search, nodes: Sequence[t.Node], known: Sequence[Known]) -> Iterator[Have]:
     """Why what is divided by in some formulas does not vanish, where it takes more than signs of letters."""
     seen: set[Poly] = set()
     for factor in (factor for node in nodes for part in t.walk(node) for factor in _below(part)):
         poly = search.value(factor).num
         if poly not in seen and not search.is_nonzero(Scalar(poly)):
             seen |= {poly, poly.scaled(-1)}
-            if (found := positive_sum(poly, search.positive | search.certain)) is not None:
-                yield _have(search, f"z{len(seen)}", search.tree(Scalar(poly)), found)
+            by, value = Multiples(), Scalar(poly)
+            if any(map(search.order(), poly.atoms())):
+                value, by = search.follow(value, known)
+            if value.den.is_monomial() and (found := positive_sum(value.num, search.positive | search.certain)) is not None:
+                yield _have(search, f"z{len(seen)}", (search.tree(Scalar(poly)), value), found, by)
 
 
 def _below(part: t.Node) -> Iterator[t.Node]:
@@ -102,15 +121,19 @@ def _factors(node: t.Node) -> Iterator[t.Node]:
         yield node
 
 
-def _have(search: Search, name: str, node: t.Node, found: Sum) -> Have:
-    """± the formula is what is positive and what is not negative, by sin² + cos² = 1."""
+def _have(search: Search, name: str, of: tuple[t.Node, Scalar], found: Sum, by: Multiples) -> Have:
+    """± the formula, or what it is known to be, is positive and not negative parts, by sin² + cos² = 1."""
+    node, value = of
     rest = [t.mul(search.tree(factor), t.Pow(search.tree(root), t.TWO)) for factor, root in found.squares]
     for factor, wave, turn in found.waves:
         swing = search.tree(wave)
         rest.append(t.mul(search.tree(factor), t.Add((t.ONE, swing if turn > 0 else t.Neg(swing)))))
     above, others = search.tree(found.above), t.add(*rest)
-    side = node if found.sign > 0 else t.Neg(node)
-    turned, left = circles(search.value(t.Add((side, t.Neg(above), t.Neg(others)))))
+    whole = search.value(t.Add((above, others)))
+    turned, left = circles(value * found.sign - whole)
     assert not left, "a sum that was found is the formula"
-    angles = tuple((search.tree(q), search.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items())
-    return Have(name, "nonzero", Claim(node, t.ZERO, "differ"), side, Multiples((), angles), parts=(above, others))
+    angles = [(search.tree(q), search.source.circular[atoms.symbol_name(i) or ""].arg) for i, q in turned.items()]
+    known = tuple((t.mul(t.Num(found.sign), factor), item) for factor, item in by.known)
+    angles += [(t.mul(t.Num(found.sign), factor), angle) for factor, angle in by.circles]
+    side = node if found.sign > 0 else t.Neg(node)
+    return Have(name, "nonzero", Claim(node, t.ZERO, "differ"), side, Multiples(known, tuple(angles)), parts=(above, others))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from rbpsym.notation import tree as t
 
+AT_START = t.Chain((t.Sym("t"), t.ZERO), ("=",))
 START = "@0"  # ends the name of a quantity's value at the start
 
 
@@ -73,4 +74,6 @@ class Components:
         if isinstance(node, t.Delta):
             now = self.plain(node.arg)
             return t.Add((now, t.Neg(started(now, self.moving))))
+        if isinstance(node, t.At) and node.condition == AT_START:
+            return started(self.plain(node.arg), self.moving)
         return t.mapped(node, self.plain)

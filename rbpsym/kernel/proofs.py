@@ -18,7 +18,7 @@ from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
-from rbpsym.kernel.combining import based, combined, nonzero
+from rbpsym.kernel.combining import based, combined, nonzero, stays
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.rocq import is_along_time
@@ -55,7 +55,7 @@ class Search:
         for claim in (claim for claim in given.values() if claim.kind == "start"):
             self.starts[letter(claim.left) + START] = claim.right
         for name, claim in given.items():
-            if claim.kind == "rate" and isinstance(claim.left, t.Sym) and claim.left.name not in self.rates:
+            if claim.kind == "rate" and isinstance(claim.left, t.Sym) and self._is_new(claim.left.name):
                 self.rates[claim.left.name] = self.value(claim.right)
             elif claim.kind == "rate":
                 self.doubled[name] = claim
@@ -150,6 +150,9 @@ class Search:
         parts = (value.num, value.den)
         return all(p.atoms() <= self.positive and all(c > 0 for c in p.terms.values()) for p in parts) and bool(value)
 
+    def _is_new(self, name: str) -> bool:
+        return name not in self.rates and self.moving(name)
+
     def _unrated(self, name: str) -> bool:
         return self.moving(name) and name not in self.rates and name not in self.source.circular
 
@@ -196,10 +199,12 @@ class Search:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
         written = [*_sides(claim), *_formulas(found)]
-        parts = {part for node in written for part in t.walk(node)}
+        known = [item for item in self._known(claim) if item.name in self.given and item.when == "t"]
+        below = list(nonzero(self, written, known))
+        parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
         signs = [have for have in found.steps if have.how == "sign" and have.claim.left in parts]
         others = [have for have in found.steps if have.how != "sign"]
-        return replace(found, steps=(*signs, *nonzero(self, written), *others))
+        return replace(found, steps=(*signs, *below, *others))
 
     def _sought(self, claim: Claim) -> Proof:
         for item in claim.given:
@@ -217,7 +222,7 @@ class Search:
             return self._proof(found, like=(self.tree(like), by))
         if claim.kind == "more":
             return self._above(goal, known)
-        ways = (self._shown, self._cancelled if claim.given else self._by_rates)
+        ways = (self._shown, self._cancelled if claim.given else self._by_rates, self._multiplied)
         reasons = []
         for way in ways:
             del self.haves[self._count :]
@@ -275,7 +280,7 @@ class Search:
                     wave = t.Fn(kind, own)
                     self._note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
                     self.certain |= self.value(wave).atoms()
-                    if signed and not {below, above} & self.declared:
+                    if signed and (not self.moving(name) or not {below, above} & self.declared):
                         self.positive |= self.value(wave).atoms()
 
     def _integrated(self) -> list[Known]:
@@ -376,6 +381,19 @@ class Search:
                 whole |= {place: whole.get(place, NOTHING) + part for place, part in row.multiples.items()}
                 return self._proof(self._summed(factor * goal, whole, known, values), factor=self.tree(factor))
         raise Undecided("what stands beside it may vanish")
+
+    def _multiplied(self, goal: Scalar, known: Sequence[Known]) -> Proof:
+        """left - right times the letters below it vanishes, and these do not."""
+        order, factor = self.order(), UNITY
+        below = {i: e for i, e in goal.num.content()[1] if e < 0 and order(i)}
+        for index, exponent in below.items():
+            factor = factor * Scalar(generator(index)) ** -exponent
+        for part in (generator(index) for index in below):
+            if not stays(self, self.follow(Scalar(part), known)[0]):
+                raise Undecided("what stands below may vanish")
+        if not below:
+            raise Undecided("nothing stands below")
+        return self._proof(self._shown(goal * factor, known), factor=self.tree(factor))
 
     def _ratio(self, value: Scalar, by: Scalar) -> Scalar | None:
         """value / by, if it is a polynomial but for what does not vanish."""

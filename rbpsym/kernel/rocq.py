@@ -268,7 +268,7 @@ class Writer:
         """± what is below is a positive formula and one that is not negative."""
         above, others = map(self.terms.term, have.parts)
         way = "beyond" if have.of == have.claim.left else "below"
-        return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}ring | pos | nng]"
+        return f"apply ({way} _ {above} {others}); [apply lin0; {self.less(have.multiples)}{finish} | pos | nng]"
 
     def _rooted(self, have: Have, finish: str) -> str:
         """The square of a root is what stands below it."""
