@@ -9,10 +9,9 @@ from fractions import Fraction
 from typing import Any
 
 from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in, rate_along, substitute
+from rbpsym.algebra.calculus import names_in, rate_along
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.integration import antiderivative
 from rbpsym.algebra.poly import generator
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.errors import Undecided
@@ -20,6 +19,8 @@ from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, p
 from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
 from rbpsym.kernel.combining import based, combined, nonzero, stays
 from rbpsym.kernel.components import START, started
+from rbpsym.kernel.formulas import brief, formulas, sides
+from rbpsym.kernel.integrals import integrated
 from rbpsym.kernel.radicals import rootless
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
@@ -198,7 +199,7 @@ class Search:
     def prove(self, claim: Claim) -> Proof:
         """The proof of a claim. Raises Undecided, with what is left, if none is found."""
         found = self._sought(claim)
-        written = [*_sides(claim), *_formulas(found)]
+        written = [*sides(claim), *formulas(found)]
         known = [item for item in self._known(claim) if item.name in self.given and item.when == "t"]
         below = list(nonzero(self, written, known))
         parts = {part for node in (*written, *(part for have in below for part in have.parts)) for part in t.walk(node)}
@@ -212,7 +213,7 @@ class Search:
                 self.nonzero |= self.value(item.left).atoms()
         self._signs(claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
-        known = [*self._known(claim), *self._unique(), *self._integrated()]
+        known = [*self._known(claim), *self._unique(), *integrated(self)]
         self._count = len(self.haves)
         if claim.kind == "slope":
             return Proof()
@@ -256,12 +257,17 @@ class Search:
 
     def _unique(self) -> Iterator[Known]:
         """What is said to be the rate of a formula is the rate that the formula has."""
+        equal = [Known(name, item) for name, item in self.given.items() if item.kind == "equal"]
         for name, claim in self.doubled.items():
-            rate = self.tree(self._rate(self.value(claim.left)))
-            if rate != claim.right:
-                yield self._note("unique", Claim(claim.right, rate), of=claim.left, source=name)
+            with suppress(Undecided):
+                like, by = self.follow(self.value(claim.left), equal, only=True)
+                rate = self.tree(self._rate(like))
+                if rate != claim.right:
+                    more = {"multiples": by, "parts": (self.tree(like),)} if by.known else {}
+                    yield self.note("unique", Claim(claim.right, rate), of=claim.left, source=name, **more)
 
-    def _note(self, how: str, claim: Claim, **more: Any) -> Known:
+    def note(self, how: str, claim: Claim, **more: Any) -> Known:
+        """What is shown on the way, as something known."""
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
         return Known(self.haves[-1].name, claim)
 
@@ -278,30 +284,10 @@ class Search:
                 above = next((id for end, id in high.items() if _is_least(highest - end)), None)
                 if below and above:
                     wave = t.Fn(kind, own)
-                    self._note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
+                    self.note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
                     self.certain |= self.value(wave).atoms()
                     if signed and (not self.moving(name) or not {below, above} & self.declared):
                         self.positive |= self.value(wave).atoms()
-
-    def _integrated(self) -> list[Known]:
-        """The integrals between fixed ends, each by an antiderivative."""
-        found = []
-        for node in [*self.integrals.values()]:
-            if node.var not in self.source.rates and node in self.met:
-                inner, integrand = None, node.integrand
-                if isinstance(integrand, t.Integral):
-                    inner = self._integral(integrand, integrand.integrand)
-                    integrand = inner.claim.right
-                have = self._integral(node, integrand)
-                found.append(self._note("integral", have.claim, of=have.of, inner=inner))
-        return found
-
-    def _integral(self, node: t.Integral, integrand: t.Node) -> Have:
-        primitive = antiderivative(scalar(integrand), node.var)
-        if primitive is None:
-            raise Undecided("no closed form of an integral was found")
-        ends = [substitute(primitive, {node.var: scalar(end)}) for end in (node.upper, node.lower)]
-        return Have("", "integral", Claim(node, tree_of(ends[0] - ends[1])), tree_of(primitive))
 
     def _rate(self, value: Scalar) -> Scalar:
         unknown = sorted(filter(self._unrated, names_in(value)))
@@ -328,7 +314,7 @@ class Search:
         if not self.vanishes(rest) and (squares := list(self._squares(known))):
             rest, found = self.follow(goal, [*more, *squares])
         if not self.vanishes(rest):
-            raise Undecided("it does not follow: of left - right stays " + _brief(self.tree(rest)))
+            raise Undecided("it does not follow: of left - right stays " + brief(self.tree(rest)))
         return found
 
     def _stills(self, known: Sequence[Known]) -> Iterator[Known]:
@@ -343,7 +329,7 @@ class Search:
                     made = self._summed(row.value, row.multiples, now, values)
                     claim = Claim(self.tree(self._rate(row.value)), t.ZERO)
                     found.append(row.value)
-                    yield self._note("still", claim, of=self.tree(row.value), multiples=made)
+                    yield self.note("still", claim, of=self.tree(row.value), multiples=made)
 
     def _squares(self, known: Sequence[Known]) -> Iterator[Known]:
         """The squares of the speeds that the first integral gives, if it follows."""
@@ -365,10 +351,10 @@ class Search:
         first = [Known(item.name, item.claim, "0") for item in known if item.name in self.given and item.when == "t"]
         begin, begun = self.follow(self.at_start(rest), first)
         if not self.vanishes(begin):
-            raise Undecided("at the start, of left - right stays " + _brief(self.tree(begin)))
+            raise Undecided("at the start, of left - right stays " + brief(self.tree(begin)))
         shown = self._shown(self._rate(rest), known)
         claim = Claim(self.tree(rest), t.ZERO)
-        return Multiples((*by.known, (t.ONE, self._note("flat", claim, multiples=shown, begin=begun))), by.circles)
+        return Multiples((*by.known, (t.ONE, self.note("flat", claim, multiples=shown, begin=begun))), by.circles)
 
     def _cancelled(self, goal: Scalar, known: Sequence[Known]) -> Proof:
         """A multiple of left - right vanishes, by a factor that does not."""
@@ -419,7 +405,7 @@ class Search:
                     root = Scalar(generator(index)) + b / (a * 2)
                     _, found = self.follow(goal - a * root * root - left, known)
                     return self._proof(found, square=(self.tree(a), self.tree(root), self.tree(left)))
-        raise Undecided("no square was found that leaves something positive of " + _brief(self.tree(rest)))
+        raise Undecided("no square was found that leaves something positive of " + brief(self.tree(rest)))
 
 
 QUARTERS = (("sin", NOTHING, PI), ("cos", PI * Fraction(-1, 2), PI * Fraction(1, 2)))
@@ -429,33 +415,3 @@ def _is_least(value: Scalar) -> bool:
     """Whether a multiple of π is not negative."""
     found = (value / PI).number()
     return found is not None and found >= 0
-
-
-def _sides(claim: Claim) -> Iterator[t.Node]:
-    yield from (claim.left, claim.right)
-    for item in claim.given:
-        yield from _sides(item)
-
-
-def _multiplied(multiples: Multiples) -> Iterator[t.Node]:
-    for factor, known in multiples.known:
-        yield from (factor, *_sides(known.claim))
-    yield from (factor for factor, _ in multiples.circles)
-
-
-def _formulas(proof: Proof) -> Iterator[t.Node]:
-    """All that is written out in a proof."""
-    yield from _multiplied(proof.multiples)
-    if proof.like:
-        yield proof.like[0]
-        yield from _multiplied(proof.like[1])
-    yield from (node for node in (proof.factor, *(proof.square or ())) if node is not None)
-    for have in proof.steps:
-        if have.how != "sign":
-            yield from (have.of, *_sides(have.claim), *_multiplied(have.multiples), *_multiplied(have.begin))
-
-
-def _brief(rest: t.Node) -> str:
-    told = to_machine(rest)
-    return told if len(told) < 80 else f"{told[:77]}…"
-

@@ -258,7 +258,11 @@ class Writer:
         return f"apply (still ta tb (fun u : R => {was}) t); [{shown} | exact Ht | eapply D_eq; [der | fld]]"
 
     def _unique(self, have: Have, finish: str) -> str:
-        return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; eapply D_eq; [der | fld]"
+        alike = ""
+        for like in have.parts:
+            was = f"intros u Hu; apply lin0; {self.less(have.multiples, 'u')}{finish}"
+            alike = f"apply (alike ta tb _ (fun t : R => {self.terms.term(like)})); [{was} | exact Ht |]; "
+        return f"apply (alone _ t _ _ (p_{have.source} t Ht)); clear p_{have.source}; {alike}eapply D_eq; [der | fld]"
 
     def _sign(self, have: Have, finish: str) -> str:
         bounds = "".join(f"pose proof (p_{name} t Ht); " for name in have.source.split())

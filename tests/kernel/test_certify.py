@@ -65,7 +65,7 @@ def test_a_lemma_names_only_what_its_step_lists(name: str) -> None:
             assert {premise.rpartition("'")[0] for premise in listed} <= set(map(identifier, allowed)), lemma.name
 
 
-@pytest.mark.parametrize("name", ["rod-with-spring", "step-ladder-with-cord", "atwood-with-massive-pulley"])
+@pytest.mark.parametrize("name", ["rod-with-spring", "four-bar-linkage", "double-compound-pendulum"])
 def test_what_has_no_words_yet_is_told_by_its_step(name: str) -> None:
     whole = found(name)
     assert whole.refused and all(whole.refused.values())
