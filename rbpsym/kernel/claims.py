@@ -95,7 +95,7 @@ class Source:
         self.steps = {step.id: step for step in derivation.steps}
         self.components = Components(self._turns, self.moving)
         self.integrals: dict[str, t.Integral] = {}  # for which a letter stands
-        self.circular: dict[str, t.Fn] = {}
+        self.circular: dict[str, t.Fn | t.Sqrt] = {}  # sines, cosines and roots that are letters
         self.unsaid: dict[str, str] = {}
         self._defined: set[str] = set()
         self._introduced: set[str] = set()

@@ -10,7 +10,7 @@ from rbpsym.algebra import atoms
 from rbpsym.algebra.calculus import names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import bases_of, in_bases, is_zero
-from rbpsym.algebra.poly import Monomial, Poly
+from rbpsym.algebra.poly import Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles
 from rbpsym.kernel.claims import Claim, tree_of
@@ -61,7 +61,7 @@ def _factors_of(search: Search, goal: Scalar, rows: Sequence[Scalar], letters: C
 
 def _by_letters(poly: Poly, letters: Collection[int]) -> dict[Monomial, Poly]:
     """The coefficients of the products of some letters."""
-    parts: dict[Monomial, dict[Monomial, int]] = {}
+    parts: dict[Monomial, dict[Monomial, Coefficient]] = {}
     for monomial, coefficient in poly.terms.items():
         key = tuple(item for item in monomial if item[0] in letters)
         parts.setdefault(key, {})[tuple(item for item in monomial if item[0] not in letters)] = coefficient

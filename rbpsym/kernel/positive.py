@@ -40,7 +40,7 @@ def positive_sum(poly: Poly, positive: Collection[int]) -> Sum | None:
     for kinds in product(("sin", "cos"), repeat=min(len(sines), 3)):
         value = Scalar(poly)
         for kind in dict.fromkeys(kinds):
-            chosen = {s if kind == "sin" else partner(s) for s, k in zip(sines, kinds, strict=False) if k == kind}
+            chosen = {s if kind == "sin" else partner(s) or s for s, k in zip(sines, kinds, strict=False) if k == kind}
             value = wound(value, kind, only=chosen)
         for sign in (1, -1):
             found = _sum(value.num.scaled(sign), sign, positive)
@@ -63,7 +63,8 @@ def _sum(poly: Poly, sign: int, positive: Collection[int]) -> Sum | None:
             even[monomial] = even.get(monomial, 0) + coefficient
         elif len(odd) == 1 and odd[0][1] == 1:
             rest = tuple(item for item in monomial if item != odd[0])
-            size, turn = abs(coefficient), 1 if coefficient > 0 else -1
+            turn = 1 if coefficient > 0 else -1
+            size = coefficient * turn
             waves[rest, odd[0][0], turn] = waves.get((rest, odd[0][0], turn), 0) + size
             even[rest] = even.get(rest, 0) - size
         else:

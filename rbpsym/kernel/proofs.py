@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 from rbpsym.algebra import atoms
@@ -13,7 +12,7 @@ from rbpsym.algebra.calculus import names_in, rate_along
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
+from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of
@@ -22,6 +21,7 @@ from rbpsym.kernel.components import START, started
 from rbpsym.kernel.formulas import brief, formulas, sides
 from rbpsym.kernel.integrals import integrated
 from rbpsym.kernel.radicals import rootless
+from rbpsym.kernel.ranges import note_signs
 from rbpsym.kernel.rocq import is_along_time
 from rbpsym.notation import tree as t
 from rbpsym.notation.machine import to_machine
@@ -211,7 +211,7 @@ class Search:
         for item in claim.given:
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
-        self._signs(claim.kind == "more" or bool(claim.given))
+        note_signs(self, signed=claim.kind == "more" or bool(claim.given))
         goal = self.difference(claim)
         known = [*self._known(claim), *self._unique(), *integrated(self)]
         self._count = len(self.haves)
@@ -270,24 +270,6 @@ class Search:
         """What is shown on the way, as something known."""
         self.haves.append(Have(f"q{len(self.haves) + 1}", how, claim, **more))
         return Known(self.haves[-1].name, claim)
-
-    def _signs(self, signed: bool) -> None:
-        """Sines and cosines that ranges keep positive; only if signs are spoken of, and their ranges are premises, is
-        divided by them on the way."""
-        ranges = {name: claim for name, claim in self.given.items() if claim.kind == "more"}
-        for name in sorted({n for claim in ranges.values() for n in t.names(claim.left) | t.names(claim.right)} - {"pi"}):
-            own = t.Sym(name)
-            low = {scalar(claim.right): id for id, claim in ranges.items() if claim.left == own}
-            high = {scalar(claim.left): id for id, claim in ranges.items() if claim.right == own}
-            for kind, lowest, highest in QUARTERS:
-                below = next((id for end, id in low.items() if _is_least(end - lowest)), None)
-                above = next((id for end, id in high.items() if _is_least(highest - end)), None)
-                if below and above:
-                    wave = t.Fn(kind, own)
-                    self.note("sign", Claim(wave, t.ZERO, "more"), source=f"{below} {above}")
-                    self.certain |= self.value(wave).atoms()
-                    if signed and (not self.moving(name) or not {below, above} & self.declared):
-                        self.positive |= self.value(wave).atoms()
 
     def _rate(self, value: Scalar) -> Scalar:
         unknown = sorted(filter(self._unrated, names_in(value)))
@@ -406,12 +388,3 @@ class Search:
                     _, found = self.follow(goal - a * root * root - left, known)
                     return self._proof(found, square=(self.tree(a), self.tree(root), self.tree(left)))
         raise Undecided("no square was found that leaves something positive of " + brief(self.tree(rest)))
-
-
-QUARTERS = (("sin", NOTHING, PI), ("cos", PI * Fraction(-1, 2), PI * Fraction(1, 2)))
-
-
-def _is_least(value: Scalar) -> bool:
-    """Whether a multiple of π is not negative."""
-    found = (value / PI).number()
-    return found is not None and found >= 0
