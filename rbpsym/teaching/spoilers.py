@@ -6,7 +6,7 @@ torque about all points, and a force is as great as the one against it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from rbpsym.algebra.evaluate import Value, value
@@ -51,9 +51,10 @@ def _claims(statement: t.Node) -> Iterator[Claim]:
             yield row.items[0], row.items[-1]
 
 
-def printed(study: Study, nodes: Iterable[t.Node]) -> frozenset[Claim]:
-    """The values of formulas and of all their parts, as far as they are worth asking for."""
-    return frozenset(claim for node in nodes for part in parts(node) for claim in wanted(study, [part]))
+def printed(study: Study, nodes: Iterable[t.Node], see: Callable[[t.Node], Iterable[t.Node]] | None = None) -> frozenset[Claim]:
+    """The values of formulas and of all their parts (or of those that `see` gives), as far as they are worth asking for."""
+    see = see or parts
+    return frozenset(claim for node in nodes for part in see(node) for claim in wanted(study, [part]))
 
 
 def parts(node: t.Node) -> Iterator[t.Node]:

@@ -11,11 +11,11 @@ from rbpsym.algebra.present import present
 from rbpsym.derivation.draft import length
 from rbpsym.errors import RbpsymError
 from rbpsym.statement.model import Problem
-from rbpsym.teaching.bench import Prepared, ProblemBench
+from rbpsym.teaching.bench import Prepared, ProblemBench, formula_of
 from rbpsym.teaching.distractors import ANY
 from rbpsym.teaching.sheet import Sheet, SheetPart
 from rbpsym.teaching.situations import Scenery
-from rbpsym.teaching.spoilers import Content
+from rbpsym.teaching.spoilers import Content, wanted
 from rbpsym.teaching.tasks.registry import TASKS
 from rbpsym.teaching.tasks.wish import Wish
 
@@ -39,6 +39,7 @@ LESSON: tuple[Row, ...] = (
 )
 # how the questions of the problem itself are asked, by turns
 QUESTIONS = (("formula", "choose", "number"), ("choose", "formula", "number"))
+FILL_IN = ("fill-in",)
 NO_QUESTIONS: Row = (("formula",), ("reaction.*", "acceleration.*", "speed.*"), 2)
 # which kinds of tasks pick their quantity first, after the questions of the problem
 PICKS = ("signs", "fill-in", "order", "find-the-slip", "number", "choose", "formula", "compare", "explain")
@@ -69,16 +70,25 @@ def lesson(bench: ProblemBench) -> tuple[Row, ...]:
 
 def _wishes(bench: ProblemBench, scenery: Scenery) -> list[Wish]:
     """For each row of the lesson the first wish that gives away no answer of another task; the questions of the
-    problem choose first, then those that train most."""
+    problem choose first, then those that train most. A derivation to be filled in comes before them if it does not print their
+    answers: where it ends in one, that question is asked."""
     taken: dict[int, tuple[Wish, Content]] = {}
     rows = lesson(bench)
-    for row in sorted(range(len(rows)), key=lambda row: (rows[row][0] not in QUESTIONS, PICKS.index(rows[row][0][0]))):
+    own = [bench.targets[id] for kinds, (id, *_), _ in rows if kinds in QUESTIONS]
+    answers = wanted(bench.study, [formula_of(bench, target) for target in own])
+    for row in sorted(range(len(rows)), key=lambda row: _turn(rows[row][0])):
         kinds, patterns, level = rows[row]
         for wish, content in (made for kind in kinds for made in _possible(bench, scenery, kind, patterns, level)):
+            if kinds == FILL_IN and content.prints & answers:
+                continue
             if not any(content.spoils(other) for other in (bench.given, *(other for _, other in taken.values()))):
                 taken[row] = (wish, content)
                 break
     return [taken[row][0] for row in sorted(taken)]
+
+
+def _turn(kinds: tuple[str, ...]) -> tuple[int, int]:
+    return (0 if kinds == FILL_IN else 1 if kinds in QUESTIONS else 2, PICKS.index(kinds[0]))
 
 
 def _possible(bench: ProblemBench, scenery: Scenery, kind: str, patterns, level: int) -> Iterator[tuple[Wish, Content]]:

@@ -148,7 +148,7 @@ def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Ste
                 chosen[id] = open_ones[:left]
                 left -= len(chosen[id])
         statements, _ = _with_blanks(bench, steps, chosen)
-        shown = bench.given.prints | printed(bench.study, statements.values())
+        shown = bench.given.prints | printed(bench.study, statements.values(), t.walk)  # a vector line may lead to it
         told = {id: [gap for gap in own if wanted_values(bench.study, [gap.node]) & shown] for id, own in chosen.items()}
         if not any(told.values()):
             return steps, chosen
