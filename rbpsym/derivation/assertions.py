@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from rbpsym.algebra.effort import at_most
 from rbpsym.derivation import grounds as g
+from rbpsym.derivation import grounds_kept as j
 from rbpsym.derivation import grounds_works as w
 from rbpsym.derivation.grounds import Said
 from rbpsym.derivation.step import PhraseRef, Step
@@ -92,6 +93,7 @@ STEPS: Mapping[str, Entry] = {
     "contact.lost.place": (g.nothing_slips, "contact.lost_without_slip.place"),
     "contact.lost.first": (g.nothing_slips, "contact.lost_without_slip.first"),
     "contact.endless": (g.no_friction_is_enough, "contact.ratio"),
+    "phases.silent": (j.impulses_drop_out, "torque.none"),
     "phases.slip": (g.touching_body_moves, "phases.slip_between"),
     "phases.slip_rate": (g.is_steady, "phases.slip_rated"),
     "phases.taken": (w.only_friction_works, "phases.fallen"),
@@ -161,6 +163,7 @@ kinematics.intro kinematics.nothing kinematics.circle kinematics.on kinematics.s
 momentum.intro torque.intro torque.none torque.settled newton_euler.alone newton_euler.brief newton_euler.intro
 newton_euler.reactions_rest newton_euler.solved_many work.intro work.intro_below work.integrals work.none
 work.done_some work.done_some_below work.theorem.body work.theorem.halves work.theorem.halves_each work.cancelled_all
+phases.blow phases.impulses_then
 phases.clock phases.event phases.impulses phases.same_motion phases.title oscillations.carried oscillations.doubtful
 oscillations.place comparison.figure comparison.intro comparison.title comparison.because theory.figure theory.intro
 theory.heading

@@ -13,6 +13,7 @@ from rbpsym.derivation import checks_answers as answers
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_instant as i
 from rbpsym.derivation import checks_orbit as orbit
+from rbpsym.derivation import checks_jumps as j
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p
@@ -108,6 +109,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "event_time": (c.identity, p.reached_then, p.first_then),
     "event_place": (c.identity, p.reached_there, p.first_there),
     "end_state": (c.identity, p.state_then),
+    "jump": (c.identity, j.momenta_kept),
     "impulse": (c.identity, p.momentum_jump),
     "restitution": (c.identity, p.parting),
     "energy_jump": (c.identity, p.energy_jump),

@@ -138,7 +138,8 @@ def problem_sections(
     `checks` is the label of a table of checks for the whole document, "" for one of its own.
     """
     is_brief = detail == "brief"
-    said = replace(words_of(derivation, shown_steps(derivation, detail), language, prefix), is_brief=is_brief)
+    said = words_of(derivation, shown_steps(derivation, detail), language, prefix)
+    said = replace(said, is_brief=is_brief, level=DETAILS[detail])
     speaker = phase_words(detail, language)
     drawn = plots_section(derivation, said, level) if plots and not derivation.study.problem.is_at_rest else None
     answers, later = tuple(own_answers(derivation.study)), list(phase_results(derivation, said, speaker))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import groupby
 
 from rbpsym.derivation.chapters.endings import begun
 from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.needless import owed_by
-from rbpsym.document.telling import Teller, by_kind
+from rbpsym.document.telling import Teller
 from rbpsym.document.words import Words
 from rbpsym.notation import tree as t
 from rbpsym.statement.model import Phase
@@ -88,7 +89,7 @@ def _clock(phase: DerivedPhase, own: Words) -> Iterator[Block]:
 
 def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
     """How the steps by which a phase begins are spoken of."""
-    shown = frozenset(step.id for step in phase.begins)
+    shown = frozenset(step.id for step in phase.begins if step.level <= said.level)
     return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown))
 
 
@@ -100,19 +101,15 @@ def phase_results(derivation: Derivation, said: Words, speaker: Speaker) -> Iter
 
 
 def _begins(phase: DerivedPhase, own: Words) -> Iterator[Block]:
-    """From the end of the phase before to the state in which this one begins."""
-    teller = Teller(own)
-    others, impulses = by_kind(phase.begins, ("phases.impulse",))
-    before = [step for step in others if phase.begins.index(step) < _first(phase, impulses)]
-    yield from teller.steps(before)
-    if impulses:
-        yield Paragraph(own.say("phases.impulses", count=len(impulses)))
-    yield from teller.steps(impulses)
-    yield from teller.steps(step for step in others if step not in before)
-
-
-def _first(phase: DerivedPhase, impulses: list[Step]) -> int:
-    return phase.begins.index(impulses[0]) if impulses else len(phase.begins)
+    """From the end of the phase before to the state in which this one begins; what a blow keeps before what it changes."""
+    teller, shown = Teller(own), [step for step in phase.begins if step.id in own.shown]
+    is_kept = any(step.rule == "jump" for step in shown)
+    leads = {"jump": "phases.blow", "impulse": "phases.impulses_then" if is_kept else "phases.impulses"}
+    for rule, group in groupby(shown, key=lambda step: step.rule):
+        steps = list(group)
+        if rule in leads:
+            yield Paragraph(own.say(leads[rule], count=len(phase.derivation.study.system.bodies)))
+        yield from teller.steps(steps)
 
 
 def new_steps(derivation: Derivation, shown: frozenset[str]) -> frozenset[str]:

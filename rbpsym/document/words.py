@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rbpsym.derivation.assertions import Said, on_page
-from rbpsym.derivation.step import BodyRef, PhraseRef, QuestionRef, StepRef
+from rbpsym.derivation.step import STANDARD, BodyRef, PhraseRef, QuestionRef, StepRef
 from rbpsym.document.language import problem_notation, usual_notation
 from rbpsym.document.model import Inlines, Ref, Text
 from rbpsym.document.phrases import phrase, phrases
@@ -25,7 +25,8 @@ class Words:
     steps that are displayed, so that only these are referred to by number; `same` maps a step
     that repeats an earlier one to it; `elsewhere` has the references of steps that an earlier
     phase showed; `owed`: conditions under which the formula of a step holds;
-    `is_brief` where nothing is introduced; `is_later` of a later phase of a motion, where introductions
+    `level` of detail, from 1 to 3; `is_brief` where nothing is introduced;
+    `is_later` of a later phase of a motion, where introductions
     have been given already; `locate` says a point of a body as it is seen in the figure.
     """
 
@@ -36,6 +37,7 @@ class Words:
     same: Mapping[str, str] = field(default_factory=dict)
     is_later: bool = False
     is_brief: bool = False
+    level: int = STANDARD
     elsewhere: Mapping[str, Ref] = field(default_factory=dict)
     owed: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
     locate: Callable[[str, str, Words], Inlines] | None = field(default=None, compare=False)

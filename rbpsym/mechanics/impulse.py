@@ -37,7 +37,7 @@ class Struck:
 
 
 @dataclass(frozen=True)
-class _Moment:
+class Moment:
     """The systems before and after, at one configuration."""
 
     before: System
@@ -54,12 +54,16 @@ class _Moment:
         tied = {f"{n}_dot": rate for n, rate in self.after.scope.rates.items() if f"{n}_dot" not in self.after.speeds}
         return substitute(substitute(value, tied), self.places)
 
+    def there(self, place: Vector) -> Vector:
+        """A place at that configuration."""
+        return place.substitute(self.places)
+
 
 def strike(before: System, after: System, impulses: tuple[Element, ...], places: Values, speeds: Values) -> Struck:
     """Raises StatementError if the impulses contradict the constraints."""
-    moment = _Moment(before, after, places, speeds)
-    rows = [row for name in after.bodies for row in _balances(moment, name, impulses)]
-    rows += [_parting(moment, e, name, factor) for e in impulses for name, factor in restitutions(e).items()]
+    moment = Moment(before, after, places, speeds)
+    rows = [row for name in after.bodies for row in body_rows(moment, name, impulses)]
+    rows += [parting(moment, e, name, factor) for e in impulses for name, factor in restitutions(e).items()]
     rows += [moment.new(time_derivative(c.value, after.scope)) for c in after.implicit]
     rows += [moment.new(c.value) for c in after.speed_ties]
     unknowns = (*after.speeds, *(name for e in impulses for name in restitutions(e)), *after.unknowns)
@@ -76,7 +80,7 @@ def strike(before: System, after: System, impulses: tuple[Element, ...], places:
     return Struck(_all_speeds(moment, solution.values), found, asked)
 
 
-def _asked(moment: _Moment, element: Element, values: Values) -> Iterator[Demand]:
+def _asked(moment: Moment, element: Element, values: Values) -> Iterator[Demand]:
     """A contact pushes, a string pulls; friction that holds stays within its limit, what slips goes on in its sense."""
     is_bounce = element.kind == "bounce"
     for name in restitutions(element) if is_bounce else pushes(element) if element.kind in JOINTS else ():
@@ -105,7 +109,7 @@ def restitutions(element: Element) -> dict[str, Scalar]:
     return found | ({element["friction"]: scalar(element["tangential"])} if is_holding(element) else {})
 
 
-def _all_speeds(moment: _Moment, values: Values) -> dict[str, Scalar]:
+def _all_speeds(moment: Moment, values: Values) -> dict[str, Scalar]:
     """Speeds of dependent coordinates follow."""
     found, system = {}, moment.after
     for coordinate in system.problem.coordinates:
@@ -116,7 +120,7 @@ def _all_speeds(moment: _Moment, values: Values) -> dict[str, Scalar]:
     return found
 
 
-def _balances(moment: _Moment, name: str, impulses: tuple[Element, ...]) -> list[Scalar]:
+def body_rows(moment: Moment, name: str, impulses: tuple[Element, ...]) -> list[Scalar]:
     """m ΔV - Σ Ĵ (x and y) and I Δω - Σ moments of one body."""
     new, old = moment.after.bodies[name], moment.before.bodies[name]
     forces = [force for force in impulsive(moment.after, impulses) if force.on == name]
@@ -167,7 +171,7 @@ def _bounce(element: Element, geometry: Geometry) -> tuple[Force, ...]:
 OWN = {"blow": _blow, "collision": _collision, "bounce": _bounce}
 
 
-def _parting(moment: _Moment, element: Element, name: str, factor: Scalar) -> Scalar:
+def parting(moment: Moment, element: Element, name: str, factor: Scalar) -> Scalar:
     """The speed of parting along an impulse just after, and e times that before: 0."""
     before, after = (approach(system, element, name, moment.after) for system in (moment.before, moment.after))
     return moment.new(after) + factor * moment.old(before)

@@ -22,11 +22,10 @@ from rbpsym.errors import LimitError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.geometry import normal
+from rbpsym.mechanics.sets import connected_sets
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState, Force, System
 from rbpsym.notation import tree as t
-
-MOST_SUBSETS = 4
 
 
 @dataclass(frozen=True)
@@ -68,24 +67,7 @@ def all_balances(study: Study) -> list[Balance]:
 
 
 def _sets(system: System) -> Iterator[tuple[str, ...]]:
-    names = tuple(system.bodies)
-    if len(names) > MOST_SUBSETS:
-        yield from ((name,) for name in names)
-        yield names
-        return
-    for size in range(1, len(names) + 1):
-        for subset in combinations(names, size):
-            if _is_connected(system, subset):
-                yield subset
-
-
-def _is_connected(system: System, subset: tuple[str, ...]) -> bool:
-    links = {(f.on, f.by) for f in system.forces if f.on in subset and f.by in subset}
-    reached, border = set(), {subset[0]}
-    while border:
-        reached |= border
-        border = {b for a, b in links if a in reached} - reached
-    return len(reached) == len(subset)
+    return connected_sets(tuple(system.bodies), {(force.on, force.by) for force in system.forces})
 
 
 def outer_forces(system: System, bodies: tuple[str, ...]) -> list[Force]:

@@ -6,74 +6,41 @@ the impulses that the statement names. Kleppner & Kolenkow 4.4; Meriam & Kraige,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 from rbpsym.algebra.calculus import depends_on, substitute
 from rbpsym.algebra.evaluate import Scope, scalar
 from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.derivation.chapters.endings import kinetic, speed_symbol
+from rbpsym.algebra.scalar import Scalar
+from rbpsym.derivation.chapters import jumps
+from rbpsym.derivation.chapters.blow import Blow, after_name, impulse_name, minus, new_value, old_value
+from rbpsym.derivation.chapters.endings import kinetic
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef, StepRef
-from rbpsym.equality.rooted import neat
+from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.contacts import meeting, slip_speed
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.impulse import approach, impulsive, is_holding, restitutions
-from rbpsym.mechanics.phases import HandOver
-from rbpsym.mechanics.system import Force, System
+from rbpsym.mechanics.impulse import approach, is_holding, restitutions
 from rbpsym.notation import tree as t
-from rbpsym.statement.model import Element, Phase
-
-
-@dataclass(frozen=True)
-class Blow:
-    """The systems before and after, the state at the instant, what is found; `number` of the phase that ends."""
-
-    before: System
-    after: System
-    phase: Phase
-    began: HandOver
-    number: int
-
-    @property
-    def state(self) -> State:
-        """Places and speeds just before."""
-        return self.began.before
-
-    @property
-    def forces(self) -> tuple[Force, ...]:
-        """The impulses on all bodies, as forces."""
-        return impulsive(self.after, self.phase.impulses)
+from rbpsym.statement.model import Element
 
 
 def write(draft: Draft, blow: Blow) -> None:
     """The chapter, on the draft of the phase that ends."""
     _define(draft, blow)
-    steps = [step for name in blow.after.bodies if (step := _balance(draft, blow, name)) is not None]
+    kept = jumps.write(draft, blow)
+    single = [] if kept else _single(draft, blow, STANDARD)
     laws = [(element, name) for element in blow.phase.impulses for name in restitutions(element)]
-    steps += [_restitution(draft, blow, element, name) for element, name in laws]
-    _solved(draft, blow, steps)
+    parted = [_restitution(draft, blow, element, name) for element, name in laws]
+    _speeds(draft, blow, [*(kept or single), *parted])
+    level = FULL if kept and not _is_asked(draft, blow) else STANDARD
+    _impulses(draft, blow, [*(single or _single(draft, blow, level)), *parted], level)
     for element in blow.phase.impulses:
         _friction(draft, blow, element)
     _lost(draft, blow)
-
-
-def after_name(draft: Draft, coordinate: str) -> str:
-    """θ̇′, or ω′ where the speed is called ω."""
-    alias = draft.study.problem.notation.get(f"{coordinate}_dot", f"{coordinate}_dot")
-    return draft.free(f"{alias}_prime")
-
-
-def impulse_name(draft: Draft, name: str, blow: Blow) -> str:
-    """P̂_x for the impulse of the force P_x; a collision's impulse has its own name."""
-    if any(name in restitutions(element) for element in blow.phase.impulses):
-        return name
-    first, _, rest = name.partition("_")
-    return draft.free(f"{first}_hat_{rest}" if rest else f"{first}_hat")
 
 
 def _define(draft: Draft, blow: Blow) -> None:
@@ -83,20 +50,23 @@ def _define(draft: Draft, blow: Blow) -> None:
         draft.context.scalars[impulse_name(draft, name, blow)] = value
 
 
-def _new(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
-    """A value after the impulse: its speeds and impulses as letters, at the place where it happens."""
-    images = {f"{name}_dot": symbol(after_name(draft, name)) for name in blow.after.independent}
-    images |= {name: symbol(impulse_name(draft, name, blow)) for name in blow.after.unknowns}
-    return neat(substitute(substitute(value, images), blow.state.places), draft.study.assumptions)
+def _is_asked(draft: Draft, blow: Blow) -> bool:
+    """Whether impulses are needed: because a contact must push, for friction, or since the question is about one."""
+    asks = any("impulse" in question.split() for question in draft.study.problem.questions)
+    return asks or bool(_demands(blow)) or any(e.values.get("coefficient") is not None for e in blow.phase.impulses)
 
 
-def _old(draft: Draft, blow: Blow, value: Scalar) -> Scalar:
-    """A value just before."""
-    speeds = {f"{n}_dot": speed_symbol(draft, n, blow.number, v) for n, v in blow.state.speeds.items()}
-    return neat(substitute(substitute(value, speeds), blow.state.places), draft.study.assumptions)
+def _demands(blow: Blow) -> list[Demand]:
+    """What contacts ask of the impulses, but for those that are told with their friction."""
+    rough = {e.name for e in blow.phase.impulses if e.values.get("coefficient") is not None}
+    return [demand for name, asked in blow.began.held.items() if name not in rough for demand in asked]
 
 
-def _balance(draft: Draft, blow: Blow, name: str):
+def _single(draft: Draft, blow: Blow, level: int) -> list[Step]:
+    return [step for name in blow.after.bodies if (step := _balance(draft, blow, name, level)) is not None]
+
+
+def _balance(draft: Draft, blow: Blow, name: str, level: int) -> Step | None:
     """m ΔV (x and y) and I Δω of one body."""
     new, old = blow.after.bodies[name], blow.before.bodies[name]
     own = [force for force in blow.forces if force.on == name]
@@ -114,6 +84,7 @@ def _balance(draft: Draft, blow: Blow, name: str):
         t.system(rows),
         "phases.impulse",
         premises=draft.those("state.speed", "state.place"),
+        level=level,
         body=BodyRef(name),
         data={"body": name, "blow": blow},
     )
@@ -121,22 +92,18 @@ def _balance(draft: Draft, blow: Blow, name: str):
 
 def _row(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Scalar]) -> t.Node | None:
     """(new) - (old) = Σ impulses; None where nothing happens."""
-    new, old = _new(draft, blow, after), _old(draft, blow, before)
-    sums = [shown for part in parts if (shown := draft.show(_new(draft, blow, part))) != t.ZERO]
+    new, old = new_value(draft, blow, after), old_value(draft, blow, before)
+    sums = [shown for part in parts if (shown := draft.show(new_value(draft, blow, part))) != t.ZERO]
     if not sums and is_zero(new - old):
         return None
     left = [draft.show(new)] if new else []
-    left += [_minus(draft.show(old))] if old else []
+    left += [minus(draft.show(old))] if old else []
     return t.equation(t.add(*left), t.add(*sums))
-
-
-def _minus(node: t.Node) -> t.Node:
-    return t.neg(t.Group(node)) if isinstance(node, t.Add) else t.neg(node)
 
 
 def _restitution(draft: Draft, blow: Blow, element: Element, name: str):
     """n·(v₂' - v₁') = -e n·(v₂ - v₁); the same along the tangent for the friction of a bounce that does not slip."""
-    seen = ((blow.after, _new), (blow.before, _old))
+    seen = ((blow.after, new_value), (blow.before, old_value))
     speeds = [draft.show(show(draft, blow, approach(system, element, name, blow.after))) for system, show in seen]
     is_normal = name == element.name
     factor, before = element["restitution" if is_normal else "tangential"], speeds[1]
@@ -165,8 +132,8 @@ def _friction(draft: Draft, blow: Blow, element: Element) -> None:
     else:
         geometry = geometry_of(blow.after)
         slip = slip_speed(geometry, meeting(element, geometry))
-        left = draft.show(_new(draft, blow, slip))
-        value = short(substitute(_new(draft, blow, slip), draft.context.scalars))
+        left = draft.show(new_value(draft, blow, slip))
+        value = short(substitute(new_value(draft, blow, slip), draft.context.scalars))
     draft.add(
         f"friction.{element.name}",
         "identity",
@@ -186,32 +153,43 @@ def _positive(node: t.Node) -> t.Node:
     return node
 
 
-def _solved(draft: Draft, blow: Blow, steps: list) -> None:
-    """The speeds just after, then the impulses."""
+def _speeds(draft: Draft, blow: Blow, steps: list[Step]) -> None:
+    """The speeds just after."""
     values = {after_name(draft, name): blow.began.speeds[name] for name in blow.after.independent}
+    _solved(draft, "speeds", values, steps)
+
+
+def _impulses(draft: Draft, blow: Blow, steps: list[Step], level: int) -> None:
+    """The impulses that the equations hold and that are not zero."""
     found = {impulse_name(draft, name, blow): value for name, value in blow.began.impulses.items()}
-    scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in {**values, **found}})
+    scope = Scope({n: v for n, v in draft.context.scalars.items() if n not in found})
     rows = [row for step in steps for row in _equations(step.statement, scope)]
-    used = {n for n in (*values, *found) if any(depends_on(row, n) for row in rows)}
-    rough = {e.name for e in blow.phase.impulses if e.values.get("coefficient") is not None}  # told with their friction
-    others = [demand for name, asked in blow.began.held.items() if name not in rough for demand in asked]
-    for kind, group in (("speeds", values), ("impulses", found)):
-        shown = [
-            t.equation(t.Sym(n), draft.show(v, factor=True)) for n, v in group.items() if n in used or kind == "speeds"
-        ]
-        shown = [row for row in shown if kind == "speeds" or row.items[-1] != t.ZERO]
-        if shown:
-            draft.add(
-                f"after.{kind}",
-                "solution",
-                t.system(shown),
-                f"phases.after.{kind}",
-                premises=[step.id for step in steps],
-                sources=[StepRef(step.id) for step in steps],
-                count=len(shown),
-                is_result=True,
-                obligations=draft.asked(others if kind == "impulses" else ()),
-            )
+    values = {n: v for n, v in found.items() if v and any(depends_on(row, n) for row in rows)}
+    _solved(draft, "impulses", values, steps, level=level, obligations=draft.asked(_demands(blow)))
+
+
+def _solved(
+    draft: Draft,
+    kind: str,
+    values: Mapping[str, Scalar],
+    steps: list[Step],
+    level: int = STANDARD,
+    obligations: tuple[t.Node, ...] = (),
+) -> None:
+    if not values:
+        return
+    draft.add(
+        f"after.{kind}",
+        "solution",
+        t.system([t.equation(t.Sym(name), draft.show(value, factor=True)) for name, value in values.items()]),
+        f"phases.after.{kind}",
+        premises=[step.id for step in steps],
+        sources=[StepRef(step.id) for step in steps],
+        count=len(values),
+        level=level,
+        is_result=level <= STANDARD,
+        obligations=obligations,
+    )
 
 
 def _equations(statement: t.Node, scope: Scope) -> list[Scalar]:
