@@ -5,7 +5,8 @@ from __future__ import annotations
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
-from rbpsym.derivation.checks import same
+from rbpsym.derivation.checks import agree, same, weakest
+from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.mass import angular_momentum, torque
 from rbpsym.derivation.step import Step
@@ -31,3 +32,18 @@ def momenta_kept(context: Context, step: Step) -> Verdict:
 
     gains = [seen(blow.after, blow.began.speeds, p) - seen(blow.before, blow.state.speeds, p) - pushed(p) for p in points]
     return same(context, gains[0], gains[1] if len(gains) > 1 else NOTHING)
+
+
+def kept_until(context: Context, step: Step) -> Verdict:
+    """The angular momentum, summed over the mass, does not change on the motion, and is at the end what it was at the start;
+    the points that touch, each fixed in its body, have the same velocity then (`data`: "kept", "ending")."""
+    kept, ending = step.data["kept"], step.data["ending"]
+    system, state = context.study.system, ending.state
+    total = sum((angular_momentum(system, body, kept.where) for body in kept.bodies), NOTHING)
+    speeds = {f"{name}_dot": speed for name, speed in state.speeds.items()}
+    end, slip = (
+        substitute(substitute(value, speeds), state.places)
+        for value in (total, slip_at(system, system.element(ending.phase.subject)))
+    )
+    steady = agree(context, context.rate_of(total), NOTHING, "motion")
+    return weakest([steady, same(context, end, context.start(total)), same(context, slip, NOTHING)])

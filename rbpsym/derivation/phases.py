@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rbpsym.derivation.chapters import endings, impulses
 from rbpsym.derivation.chapters.blow import Blow
-from rbpsym.derivation.chapters.endings import Ending
+from rbpsym.derivation.chapters.ending import Ending
 from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.phases import Stage, stages
 from rbpsym.statement.model import Phase, Problem

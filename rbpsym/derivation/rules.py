@@ -108,6 +108,7 @@ RULES: Mapping[str, tuple[c.Check, ...]] = {
     "slip": (c.identity, p.slip),
     "event_time": (c.identity, p.reached_then, p.first_then),
     "event_place": (c.identity, p.reached_there, p.first_there),
+    "kept_until": (c.identity, j.kept_until),
     "end_state": (c.identity, p.state_then),
     "jump": (c.identity, j.momenta_kept),
     "impulse": (c.identity, p.momentum_jump),

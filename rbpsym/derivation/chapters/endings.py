@@ -6,70 +6,62 @@ from the first integral.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
 
 from rbpsym.algebra.calculus import substitute
 from rbpsym.algebra.evaluate import time_derivative
 from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.derivation.chapters import kept
+from rbpsym.derivation.chapters.ending import Ending, place_name, speed_name
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef
+from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.mechanics.contacts import meeting, slip_speed
 from rbpsym.mechanics.elimination import short
-from rbpsym.mechanics.endings import State, at_start
+from rbpsym.mechanics.endings import at_start
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.notation import tree as t
 from rbpsym.statement.curves import curve_body, toucher
 from rbpsym.statement.model import Phase
 
 
-@dataclass(frozen=True)
-class Ending:
-    """The end of the phase number `number` (counted from 1) that begins `phase`."""
-
-    phase: Phase
-    number: int
-    state: State
-
-
 def write(draft: Draft, ending: Ending) -> None:
     """Steps that lead to the state at the end; none where the next phase begins at once."""
     if ending.phase.event == "at once":
         return
-    state = ending.state
+    state, slip = ending.state, _slip(draft, ending)
+    sources = [] if slip is None else kept.write(draft, ending, slip)
+    if sources:
+        _state(draft, ending, "speed", state.speeds, sources)
     if state.time is not None:
-        _condition(draft, ending)
+        _condition(draft, ending, slip)
         _moment(draft, ending)
     else:
         _place(draft, ending)
-    for what, values in (("place", state.places), ("speed", state.speeds)):
-        _state(draft, ending, what, values)
+    _state(draft, ending, "place", state.places)
+    if not sources:
+        _state(draft, ending, "speed", state.speeds)
     _energy(draft, ending)
-
-
-def place_name(draft: Draft, coordinate: str, number: int) -> str:
-    """x_1: the coordinate at the end of phase 1."""
-    return draft.free(f"{coordinate}_{number}")
-
-
-def speed_name(draft: Draft, coordinate: str, number: int) -> str:
-    """x_1_dot, or v_1 where the speed is called v."""
-    alias = draft.study.problem.notation.get(f"{coordinate}_dot")
-    return draft.free(f"{alias}_{number}" if alias else f"{coordinate}_{number}_dot")
 
 
 # --- when
 
 
-def _condition(draft: Draft, ending: Ending) -> None:
-    """For a slip that goes: its speed, and the rate at which that changes."""
+def _slip(draft: Draft, ending: Ending) -> Scalar | None:
+    """How fast it slips; None where no slip ends."""
     if ending.phase.event != "no slip":
+        return None
+    system = draft.study.system
+    geometry = geometry_of(system)
+    return short(substitute(slip_speed(geometry, meeting(system.element(ending.phase.subject), geometry)), system.dependent))
+
+
+def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
+    """For a slip that goes: its speed, and the rate at which that changes."""
+    if value is None:
         return
     study, element = draft.study, draft.study.system.element(ending.phase.subject)
-    geometry = geometry_of(study.system)
-    value = short(substitute(slip_speed(geometry, meeting(element, geometry)), study.system.dependent))
     letter = draft.define(draft.free("u"), value)
     on, by = toucher(element), curve_body(element)
     draft.add(
@@ -154,14 +146,14 @@ def _mover(draft: Draft, ending: Ending) -> list[str]:
 # --- the state then
 
 
-def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]) -> None:
-    """All places (or speeds) that were not named yet."""
+def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar], given: Sequence[Step] = ()) -> None:
+    """All places (or speeds) that were not named yet, or only by what is kept, from which they follow then."""
     rows, letters, start = [], {}, at_start(draft.study)
     begun = start.places if what == "place" else start.speeds
     name_of: Callable[[Draft, str, int], str] = place_name if what == "place" else speed_name
     for name, value in values.items():
         letter = name_of(draft, name, ending.number)
-        known = letter in draft.context.scalars
+        known = letter in draft.context.scalars and not given
         draft.context.scalars[letter] = value
         if not known and value not in (symbol(name), symbol(f"{name}_dot")) and not is_zero(value - begun[name]):
             rows.append(t.equation(t.Sym(letter), draft.show(value, factor=True, met=ending.state.valid or None)))
@@ -171,12 +163,20 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
             f"state.{what}",
             "end_state",
             t.system(rows),
-            f"phases.state.{what}",
-            premises=draft.those("moment", "place"),
+            f"phases.state.{'kept' if given else what}",
+            premises=[step.id for step in given] or draft.those("moment", "place"),
+            sources=[StepRef(step.id) for step in given],
+            free=PhraseRef("phases.free", {"coefficient": _coefficient(draft, ending), "count": len(rows)}),
             count=len(rows),
             is_result=True,
             data={"ending": ending, "what": what, "letters": letters},
         )
+
+
+def _coefficient(draft: Draft, ending: Ending) -> t.Node:
+    """That of the friction of what slips; 0 where nothing does."""
+    element = draft.study.system.element(ending.phase.subject) if ending.phase.event == "no slip" else None
+    return t.ZERO if element is None else element["coefficient"]
 
 
 def _energy(draft: Draft, ending: Ending) -> None:

@@ -33,7 +33,7 @@ def _step(draft: Draft, blow: Blow, jump: Jump) -> Step:
         point=point,
         place=draft.show_vector(jump.where),
         axis=axis,
-        silent=PhraseRef(f"phases.silent.{kind}" if names else "torque.none", reason),
+        silent=PhraseRef(f"phases.silent.{kind if names else 'inner'}", reason),
         data={"jump": jump, "blow": blow},
     )
 
