@@ -20,6 +20,7 @@ from rbpsym.document.notes_question import answer_section, question_section
 from rbpsym.document.notes_statement import statement_section
 from rbpsym.document.own_texts import own_blocks
 from rbpsym.document.places import locator
+from rbpsym.document.used import used
 from rbpsym.document.words import Words
 from rbpsym.notation.glyphs import Notation
 from rbpsym.statement.course import CoursePart
@@ -151,7 +152,7 @@ def problem_sections(
         *phase_sections(derivation, said, level, speaker),
         *([drawn] if drawn else []),
         *([answered] if answered else []),
-        *(() if is_brief else [results_section(derivation, said, level, later, detail)]),
+        *(() if is_brief else results_section(derivation, said, level, later, detail)),
         checks_section(derivation, said, level, checks or (None if is_brief else "")),
     ]
 
@@ -170,7 +171,9 @@ def shown_steps(derivation: Derivation, detail: str) -> frozenset[str]:
     """Ids of the steps that are shown at a level of detail."""
     level = DETAILS[detail]
     kept = frozenset(step.id for step in derivation.steps if step.level <= level or step.is_result)
-    return (brief_steps(derivation) if detail == "brief" else kept) - needless(derivation)
+    if detail == "full":
+        return kept - needless(derivation)
+    return (brief_steps(derivation) if detail == "brief" else kept) & used(derivation) - needless(derivation)
 
 
 CHECKS = "table.checks"

@@ -21,9 +21,9 @@ Told = tuple[Words, tuple[Step, ...]]
 
 def results_section(
     derivation: Derivation, said: Words, level: int, later: Iterable[Told] = (), detail: str = "brief"
-) -> Section:
+) -> Iterator[Section]:
     """The boxed results once more, each with the number under which it was found and, as the detail asks for it, with what
-    is to be said of it; `later` of further phases."""
+    is to be said of it; `later` of further phases. None where nothing is boxed."""
     parts = [derivation, *(phase.derivation for phase in derivation.phases)]
     about = {id(part.steps): found for part, found in zip(parts, remarks(derivation, detail), strict=True)}
     told = [(said, derivation.steps), *later]
@@ -34,8 +34,9 @@ def results_section(
         if step.is_result and step.id in speech.shown
     ]
     blocks: tuple[Block, ...] = tuple(block for row in _distinct(found) for block in _once_more(*row))
-    box = Callout("result", said.say("results.intro"), blocks)
-    return Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
+    if blocks:
+        box = Callout("result", said.say("results.intro"), blocks)
+        yield Section(said.say("section.results"), (box,), said.prefix + "section.results", level)
 
 
 def _once_more(step: Step, speech: Words, about: Iterable[Step]) -> Iterator[Block]:

@@ -9,7 +9,7 @@ from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.draft import Draft
-from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
+from rbpsym.derivation.step import FULL, BodyRef, PhraseRef, Step, StepRef
 from rbpsym.mechanics.system import Force
 from rbpsym.methods.balances import Balance
 from rbpsym.notation import tree as t
@@ -21,7 +21,7 @@ def along_k(node: t.Node) -> t.Node:
 
 
 def by_bodies(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
-    """Body by body with the torque of the inner forces as an unknown, then added."""
+    """Body by body with the torque of the inner forces as an unknown, then added: at full detail, after the whole."""
     _name_inner_torques(draft, balance)
     steps = [_of_one(draft, balance, name, settled) for name in balance.bodies]
     left = _without(balance.left, settled)
@@ -32,6 +32,7 @@ def by_bodies(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> St
         "combination",
         statement,
         "torque.added",
+        level=FULL,
         premises=[s.id for s in steps],
         equations=[StepRef(s.id) for s in steps],
         torques=names,
@@ -82,6 +83,7 @@ def _of_one(draft: Draft, balance: Balance, name: str, settled: Mapping[str, Ste
         "balance",
         t.equation(draft.show(left), right),
         f"torque.one.{'seen' if momenta else 'unseen'}",
+        level=FULL,
         premises=[net.id, *(ref.id for ref in momenta), *(step.id for step in used.values())],
         momenta=momenta,
         settled=_settled(used),
@@ -120,6 +122,7 @@ def _net_of_one(draft: Draft, balance: Balance, name: str, known: Scalar) -> Ste
         "torque",
         t.equation(letter, t.add(*parts)),
         "torque.alone",
+        level=FULL,
         premises=[f"force.{f.name}.{f.on}" for f in forces],
         body=BodyRef(name),
         point=t.Sym(balance.label),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra.calculus import depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero, short, tidy
 from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters import momentum
@@ -209,7 +209,7 @@ def _speeds(draft: Draft) -> None:
             statement,
             "energy.square" if single else "energy.square_alone",
             premises=["energy"] if single else draft.those(f"motion.{name}"),
-            is_result=True,
+            is_result=any(depends_on(value, other) for other in draft.study.system.coordinates),
             data={"name": name, "value": value},
             source=StepRef("energy"),
             coordinate=t.Sym(name),

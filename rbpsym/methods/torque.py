@@ -66,10 +66,15 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         return _push(draft, balance)
-    if balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies):
-        return by_bodies(draft, balance, settled)
-    net = _net_torque(draft, balance)
-    return _rate(draft, balance, net)
+    whole = _rate(draft, balance, _net_torque(draft, balance))
+    if _is_of_parts(draft, balance):
+        by_bodies(draft, balance, settled)
+    return whole
+
+
+def _is_of_parts(draft: Draft, balance: Balance) -> bool:
+    """Whether the whole is made of bodies that turn in different ways, so that one may see what acts between them."""
+    return balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies)
 
 
 def _is_rigid(draft: Draft, bodies: tuple[str, ...]) -> bool:
@@ -137,14 +142,13 @@ def _bodies(balance: Balance) -> PhraseRef:
 def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
     """Rate of change of angular momentum = net torque."""
     momenta = _momenta(draft, balance)
-    momentum = [f"momentum.{b}.{balance.label}" for b in (*balance.bodies, "total")]
     statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}",
         "balance",
         statement,
         f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
-        premises=[net.id, *draft.those(*momentum)],
+        premises=[net.id, *(ref.id for ref in momenta)],
         point=_point(draft, balance),
         bodies=_bodies(balance),
         net=StepRef(net.id),
@@ -206,7 +210,7 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             _as_second_rate(draft, coordinate, solved_for(draft, name, shown, value)),
             "torque.solved" if value else "torque.solved_zero",
             premises=premises,
-            is_result=True,
+            is_result=bool(value),
             sources=[StepRef(p) for p in premises],
             count=len(premises),
             coordinate=t.Sym(coordinate),
@@ -233,7 +237,7 @@ def _shown(
     """
     if source is not None:
         balance = found.balances[steps.index(source)]
-        added = source.rule == "combination"
+        added = _is_of_parts(draft, balance)
         return isolated(draft, balance.left, balance.right, name, as_ratio=added), [source.id]
     zeros = {n: NOTHING for n in draft.study.system.accelerations if n != name and _vanishes(draft, n)}
     for balance in found.balances:
@@ -241,8 +245,7 @@ def _shown(
             left, right = substitute(balance.left, zeros), substitute(balance.right, zeros)
             own = steps[found.balances.index(balance)]
             used = [s for s, b in zip(steps, found.balances, strict=True) if s is own or b.unknowns <= set(zeros)]
-            kept = [own] if own.rule == "combination" else used  # there the others are left out already
-            return isolated(draft, left, right, name, as_ratio=own.rule == "combination"), [s.id for s in kept]
+            return isolated(draft, left, right, name, as_ratio=_is_of_parts(draft, balance)), [s.id for s in used]
     return draft.show(value), [s.id for s in steps]
 
 
