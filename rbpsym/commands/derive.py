@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
@@ -86,11 +87,12 @@ def document_of(derivation: Derivation, detail: str, method: str, language: str)
     """The chapters of one road, or of all of them, as a document."""
     from rbpsym.document.chapters import chapter_sections
     from rbpsym.document.model import Document, words
-    from rbpsym.document.notes import notation_of, phase_words, shown_steps, words_of
+    from rbpsym.document.notes import DETAILS, notation_of, phase_words, shown_steps, words_of
     from rbpsym.document.notes_phases import phase_sections
 
     problem = derivation.study.problem
     said = words_of(derivation, road(derivation, shown_steps(derivation, detail), method), language)
+    said = replace(said, level=DETAILS[detail])
     later = phase_sections(derivation, said, 1, phase_words(detail, language)) if method == "all" else ()
     sections = (*chapter_sections(derivation, said, 1), *later)
     return Document(words(said.title(problem.title)), sections, language=language, notation=notation_of(derivation, language))
@@ -100,8 +102,10 @@ def road(derivation: Derivation, shown: frozenset[str], method: str) -> frozense
     """Of the shown steps those of one method, up to the equation of motion that it finds."""
     if method == "all":
         return shown
+    from rbpsym.document.used import led_to
+
     own = [step for step in derivation.steps if step.chapter in CHAPTERS[method]]
-    ends = {step.id for step in own if step.id.startswith("motion.from_")}
+    ends = led_to(own, [step.id for step in own if step.id.startswith("motion.from_")])
     foreign = {step.id for step in own if method == "energy" and step.id.startswith("split.")}
     return frozenset(({step.id for step in own} & shown | ends) - foreign)
 

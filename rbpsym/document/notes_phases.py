@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from rbpsym.derivation.chapters.endings import begun
-from rbpsym.derivation.step import Derivation, DerivedPhase, Step, StepRef
+from rbpsym.derivation.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
 from rbpsym.document.chapters import chapter_sections, manner_of_solution
 from rbpsym.document.model import Block, Paragraph, Ref, Section
 from rbpsym.document.needless import owed_by
@@ -89,7 +89,7 @@ def _clock(phase: DerivedPhase, own: Words) -> Iterator[Block]:
 
 def begin_words(phase: DerivedPhase, said: Words, prefix: str) -> Words:
     """How the steps by which a phase begins are spoken of."""
-    shown = frozenset(step.id for step in phase.begins if step.level <= said.level)
+    shown = frozenset(step.id for step in phase.begins if step.level <= max(said.level, STANDARD))
     return replace(said, prefix=prefix, shown=shown, same={}, owed=owed_by(phase.begins, shown))
 
 

@@ -210,7 +210,7 @@ def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
             _as_second_rate(draft, coordinate, solved_for(draft, name, shown, value)),
             "torque.solved" if value else "torque.solved_zero",
             premises=premises,
-            is_result=bool(value),
+            is_result=bool(value) or not any(values.values()),
             sources=[StepRef(p) for p in premises],
             count=len(premises),
             coordinate=t.Sym(coordinate),
