@@ -12,8 +12,8 @@ from rbpsym.derivation import checks as c
 from rbpsym.derivation import checks_answers as answers
 from rbpsym.derivation import checks_constraints as k
 from rbpsym.derivation import checks_instant as i
-from rbpsym.derivation import checks_orbit as orbit
 from rbpsym.derivation import checks_jumps as j
+from rbpsym.derivation import checks_orbit as orbit
 from rbpsym.derivation import checks_oscillations as o
 from rbpsym.derivation import checks_parameters as parameters
 from rbpsym.derivation import checks_phases as p

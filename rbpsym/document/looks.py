@@ -111,7 +111,7 @@ def of_problem(problem: Problem) -> Bundle:
 def of_derivation(derivation: Derivation) -> Bundle:
     """The results, and what was proved by which roads."""
     said = words_of(derivation, shown_steps(derivation, "standard"), spoken())
-    results = results_section(derivation, said, 1).blocks
+    results = (block for section in results_section(derivation, said, 1) for block in section.blocks)
     results = tuple(_without_reasons(block) for block in results)
     checks = checks_section(derivation, said, 1, None).blocks
     problem = derivation.study.problem
