@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rbpsym.derivation.step import Derivation
     from rbpsym.document.model import Document
     from rbpsym.equality.verdict import Verdict
+    from rbpsym.statement.model import Problem
 
 METHODS = ("all", "torque", "newton-euler", "work-energy", "energy")
 CHAPTERS = {
@@ -31,7 +32,8 @@ CHAPTERS = {
 @click.option("--lang", metavar="LANGUAGE", default="en", show_default=True, help="Language of the sentences.")
 @click.option("--simulation/--no-simulation", default=False, show_default=True, help="Run the numerical oracle too.")
 @click.option("--why", metavar="STEP", help="Only what the verdict of one step, (10) or motion.theta say, rests on.")
-def command(name: str, detail: str, method: str, lang: str, simulation: bool, why: str | None) -> int:
+@click.option("--roads", is_flag=True, help="Only the roads that one may take, with the lines that each needs.")
+def command(name: str, detail: str, method: str, lang: str, simulation: bool, why: str | None, roads: bool) -> int:
     """Show the derivation of a problem, step by step, each with its verdict.
 
     \b
@@ -40,6 +42,7 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
       rbpsym derive rod-and-disk-free --method torque
       rbpsym derive my-problem.toml --detail full
       rbpsym derive sliding-ladder --why 10
+      rbpsym derive sliding-ladder --roads
 
     The mark before a formula says what became of its check: ✓ proved, ✗ refuted, ? undecided.
     """
@@ -49,6 +52,9 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
     from rbpsym.derive import derive
 
     _, path = found(name, ("problem",))
+    if roads:
+        click.echo("\n".join(roads_of(stated(path), lang)))
+        return 0
     with Progress(f"deriving {name}"):
         derivation = derive(stated(path), simulation=simulation)
     if why:
@@ -58,6 +64,23 @@ def command(name: str, detail: str, method: str, lang: str, simulation: bool, wh
     else:
         click.echo("\n".join(lines(derivation, detail, method, lang)))
     return exit_code(derivation.summary())
+
+
+def roads_of(problem: Problem, language: str) -> list[str]:
+    """The table of roads as lines."""
+    from rbpsym.document.model import Document, Paragraph, Section, words
+    from rbpsym.document.roads import roads_table
+    from rbpsym.document.words import Words
+    from rbpsym.document.writers.terminal import terminal_lines
+    from rbpsym.mechanics.at_start import study_of
+    from rbpsym.methods.roads import roads
+
+    said, study = Words(language, problem), study_of(problem)
+    found = [] if study.at_start or problem.is_at_rest else roads(study)
+    block = roads_table(found, said) if found else Paragraph(said.say("roads.nowhere"))
+    section = Section(said.say("roads.title"), (block,), "roads", 1)
+    document = Document(words(said.title(problem.title)), (section,), language=language, notation=said.notation)
+    return list(terminal_lines(document, {}))
 
 
 def lines(derivation: Derivation, detail: str, method: str, language: str) -> Iterator[str]:

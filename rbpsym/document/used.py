@@ -19,7 +19,7 @@ CONCLUSIONS: Mapping[str, Collection[str]] = {
 }
 # of the works, where a force works on the translation of a body and on its rotation: else the two halves show nothing that
 # the energy of the whole does not
-IN_HALVES = ("work_energy", "work_together", "work_integral", "work_done", "power")
+IN_HALVES = ("work_energy", "work_together", "work_integral", "conservation", "work_done", "power")
 REPEATED = ("work.alone",)  # works body by body lead to the energy of the whole, which has a chapter of its own
 
 

@@ -217,7 +217,7 @@ def _search(study: Study) -> Plan | None:
 
 
 def _cheapest(study: Study, candidates: list[Balance], size: int, wanted: tuple[str, ...]) -> Plan | None:
-    sets = [c for c in combinations(candidates, size) if _may_close(c, size, wanted)]
+    sets = [c for c in combinations(candidates, size) if may_close(c, size, wanted)]
     for chosen in sorted(sets, key=lambda c: sum(b.cost for b in c)):
         unknowns = tuple(sorted(frozenset().union(*(b.unknowns for b in chosen))))
         solution = solve_linear([b.row for b in chosen], unknowns)
@@ -226,7 +226,8 @@ def _cheapest(study: Study, candidates: list[Balance], size: int, wanted: tuple[
     return None
 
 
-def _may_close(chosen: tuple[Balance, ...], size: int, wanted: tuple[str, ...]) -> bool:
+def may_close(chosen: tuple[Balance, ...], size: int, wanted: tuple[str, ...]) -> bool:
+    """Whether so many balances hold as many unknowns, all that are wanted among them."""
     unknowns = frozenset().union(*(b.unknowns for b in chosen))
     return len(unknowns) == size and set(wanted) <= unknowns
 

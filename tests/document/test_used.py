@@ -1,0 +1,48 @@
+"""Only what is used: each line of standard notes is a conclusion, or a later line of the page rests on it or refers to it."""
+
+import pytest
+
+from rbpsym.derivation.step import Step
+from rbpsym.document.notes import shown_steps
+from rbpsym.document.used import led_to
+from rbpsym.notation import tree as t
+from tests.library.derived import FOLLOWED, unsimulated
+
+MOVES = FOLLOWED
+TELLS = {
+    "momentum": (),  # an angular momentum is shown for the balance, or for what is kept, that rests on it
+    "energy": ("balance", "solution"),  # the equation of motion is not found twice
+    "oscillations": ("linearization",),  # a place of rest is looked at for its oscillations
+}
+
+
+def on_page(name: str) -> list[Step]:
+    found = unsimulated(name)
+    shown = shown_steps(found, "standard")
+    return [step for step in found.steps if step.id in shown]
+
+
+@pytest.mark.parametrize("name", MOVES)
+def test_what_is_shown_is_needed_by_a_later_line(name: str) -> None:
+    steps, page = unsimulated(name).steps, on_page(name)
+    for step in page:
+        if step.chapter in TELLS and not step.is_result and step.rule not in ("conservation", "first_integral"):
+            later = [other.id for other in page if other is not step and step.id in led_to(steps, other.reasons)]
+            assert later, f"{step.id} is shown, and nothing on the page rests on it"
+
+
+@pytest.mark.parametrize("name", MOVES)
+def test_no_box_says_what_does_not_change(name: str) -> None:
+    found = unsimulated(name)
+    coordinates, moving = set(found.study.system.coordinates), found.study.dynamics.accelerations or {}
+    for step in found.steps:
+        if step.is_result and step.rule == "first_integral":
+            assert coordinates & t.names(step.statement.items[-1]), step.id
+        if step.is_result and step.phrase == "torque.solved_zero":
+            assert not any(moving.values()), step.id
+
+
+@pytest.mark.parametrize("name", MOVES)
+def test_full_notes_leave_nothing_of_the_standard_out(name: str) -> None:
+    found = unsimulated(name)
+    assert shown_steps(found, "brief") <= shown_steps(found, "standard") <= shown_steps(found, "full")
