@@ -148,7 +148,7 @@ def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
         "balance",
         statement,
         f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
-        premises=[net.id, *(ref.id for ref in momenta)],
+        premises=[net.id, *(ref.id for ref in momenta if ref.id.endswith(f".{balance.label}"))],
         point=_point(draft, balance),
         bodies=_bodies(balance),
         net=StepRef(net.id),
