@@ -49,7 +49,11 @@ def test_what_was_asked_for_is_boxed_and_what_leads_to_it_is_not(draft):
     answers = [step for step in draft.steps if step.id in ("energy", "moment") or first[step.id] in ANSWERS]
     damped = {step.id.partition(".")[2] for step in draft.steps if first[step.id] == "decay"}  # there that is the answer
     undamped = {f"frequency.{place}" for place in damped}
-    assert all(step.is_result != (step.id in undamped) for step in answers)
+    is_moving = any(step.phrase == "torque.solved" for step in answers)
+    coordinates = set(draft.study.system.coordinates)
+    resting = {step.id for step in answers if step.phrase == "torque.solved_zero" and is_moving}
+    steady = {s.id for s in answers if s.rule == "first_integral" and not coordinates & t.names(s.statement.items[-1])}
+    assert all(step.is_result != (step.id in undamped | resting | steady) for step in answers)
     assert not [step.id for step in draft.steps if first[step.id] in MEANS and step.is_result]
 
 
