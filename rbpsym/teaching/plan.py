@@ -8,8 +8,10 @@ The variant of a student comes from SHA-256(secret, worksheet, student) and from
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
@@ -145,7 +147,7 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
     chosen = part.tasks(Draws(seed, f"tasks {place}"))
     for trial, situation in enumerate(part.scenery.situations(Draws(seed, f"numbers {place}"))):
         items = _items(part, chosen, situation, said, Draws(seed, f"items {place} {trial}"), before)
-        if items is not None:
+        if not isinstance(items, Wish):
             table = given_table(part.bench.derivation, situation, said)
             title = words(said.title(problem.title))
             place = dict([situation.place]) if situation.place else {}
@@ -155,7 +157,8 @@ def _part(part: PlannedPart, place: int, code: codes.FormCode, before: tuple[Ite
 
 def _items(
     part: PlannedPart, chosen, situation: Situation, said: Words, draws: Draws, before
-) -> tuple[Item, ...] | None:
+) -> tuple[Item, ...] | Wish:
+    """The items; the wish of the first that can't be made at these numbers."""
     values = part.evaluate({**generic_state(part.bench), **situation.numbers})
     found: list[Item] = []
     for wish, task in chosen:
@@ -164,7 +167,7 @@ def _items(
         id = str(len(before) + len(found) + 1)
         item = prepared.make(ItemSetting(said, situation, part.scenery, draws, id, own, (*before, *found)))
         if item is None:
-            return None
+            return part.wishes[wish][0]
         found.append(item)
     return tuple(found)
 
@@ -190,9 +193,31 @@ def plan_of(source: str | Path | Problem | Sheet) -> WorksheetPlan:
         _check_numbers(sight, part)
         if not part.wishes:
             sheet = standard_sheet(bench, sight)
-            part = sheet.parts[0]
+            part = _makeable(bench, sight, sheet.parts[0])
+            sheet = replace(sheet, parts=(part,))
         parts.append(_planned(bench, sight, part))
     return WorksheetPlan(sheet, tuple(parts))
+
+
+TRIALS = 10
+
+
+def _makeable(bench: ProblemBench, sight: Scenery, part: SheetPart) -> SheetPart:
+    """Without the tasks for which some of the first numbers never do: right and wrong answers look alike in print, say."""
+    kept, said = part, Words("en", bench.study.problem, f"{bench.name}.")
+    while kept.wishes:
+        planned, stuck, draws = _planned(bench, sight, kept), Counter[Wish](), Draws(b"trial", bench.name)
+        with suppress(RbpsymError):  # there are fewer numbers than trials
+            for _, situation in zip(range(TRIALS), sight.situations(draws), strict=False):
+                items = _items(planned, planned.tasks(draws), situation, said, draws, ())
+                if not isinstance(items, Wish):
+                    return kept
+                stuck[items] += 1
+        if not stuck:
+            return kept
+        [(worst, _)] = stuck.most_common(1)
+        kept = replace(kept, wishes=tuple(wish for wish in kept.wishes if wish != worst))
+    return part  # whose papers say why there are none
 
 
 def _check_numbers(sight: Scenery, part: SheetPart) -> None:
