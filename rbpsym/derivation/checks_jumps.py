@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra.normal import short
 from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.derivation.checks import agree, same, weakest
@@ -42,7 +43,7 @@ def kept_until(context: Context, step: Step) -> Verdict:
     total = sum((angular_momentum(system, body, kept.where) for body in kept.bodies), NOTHING)
     speeds = {f"{name}_dot": speed for name, speed in state.speeds.items()}
     end, slip = (
-        substitute(substitute(value, speeds), state.places)
+        substitute(short(substitute(value, speeds)), state.places)  # sin² + cos² of an angle before its long place
         for value in (total, slip_at(system, system.element(ending.phase.subject)))
     )
     steady = agree(context, context.rate_of(total), NOTHING, "motion")

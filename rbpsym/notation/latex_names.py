@@ -21,8 +21,8 @@ _DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 _HEADS = {*_DOTS, *_ACCENTS, *_VECTORS, *_SCRIPTS, *_PLAIN, *_DOTLESS}
 _LONGEST = 24
 _MARKED = frozenset("+-*=()/<>|;:.")  # what a label may hold beside letters and digits
-_NAMES = "max min perp parallel infty dagger star odot oplus to times"
-_NAMED = frozenset(rf"\{word}" for word in _NAMES.split(" "))
+_NAMES = ("max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times")
+_NAMED = frozenset(rf"\{word}" for word in _NAMES)
 
 
 def begins_name(token: Token) -> bool:

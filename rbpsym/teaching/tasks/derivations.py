@@ -141,6 +141,7 @@ def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Ste
     how = LEVELS[level]
     steps = lines_to(bench, target.step, how.lines)
     found = {step.id: _gaps_of(bench, step, how) if WEIGHTS.get(step.rule, 0) else [] for step in _ranked(steps)}
+    instead = {id: [] if how.terms else _terms_beside(bench, steps, id) for id, own in found.items() if own}
     while True:
         chosen, left = {}, how.blanks
         for id, open_ones in found.items():
@@ -153,6 +154,7 @@ def _blanked(bench: ProblemBench, target: Target, level: int) -> tuple[tuple[Ste
         if not any(told.values()):
             return steps, chosen
         found = {id: [gap for gap in own if gap not in told.get(id, ())] for id, own in found.items()}
+        found |= {id: instead.pop(id) for id, own in found.items() if not own and id in instead}
 
 
 def _ranked(steps: tuple[Step, ...]) -> list[Step]:
@@ -169,6 +171,12 @@ def _gaps_of(bench: ProblemBench, step: Step, how: Help) -> list[Gap]:
     if how.terms and terms:
         return terms[-1:]
     return sides[-1:] if how.terms else sides or terms
+
+
+def _terms_beside(bench: ProblemBench, steps: tuple[Step, ...], id: str) -> list[Gap]:
+    """A term of a step whose sides stand elsewhere."""
+    statement = next(step.statement for step in steps if step.id == id)
+    return [gap for gap in gaps(statement) if gap.is_term and has_value(bench, gap.node)][-1:]
 
 
 def _with_blanks(bench: ProblemBench, steps: tuple[Step, ...], chosen: Mapping[str, list[Gap]]):
