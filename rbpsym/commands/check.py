@@ -79,7 +79,7 @@ def command(
     Examples:
       rbpsym check                                    all that ships
       rbpsym check my-problem.toml my-claims.toml     problems and claims of your own
-      rbpsym check book.tex notes.md lab.ipynb        papers, with claims beside the formulas (% rbpsym: claim)
+      rbpsym check book.tex notes.md lab.ipynb        papers with claims in comments (% rbpsym: claim)
       rbpsym check --init book.tex                    a first draft of these comments
       rbpsym check book.tex --fix repairs.patch       what would make refuted formulas true
       rbpsym check PAPER.tex --problems claims.toml   a paper, with its symbols bound by claims
