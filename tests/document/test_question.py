@@ -39,7 +39,7 @@ def test_several_answers_have_letters_of_their_own():
 
 
 def test_a_question_without_an_answer_is_told_with_its_reason():
-    said = text(notes(asking("speed of theta where theta = 3")))
+    said = text(notes(asking("speed of theta where theta = 4")))
     assert "To this no answer is found" in said and "proved, as each of its steps is" not in said
 
 
