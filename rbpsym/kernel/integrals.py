@@ -9,7 +9,7 @@ from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known
-from rbpsym.kernel.claims import Claim, tree_of
+from rbpsym.kernel.claims import TIME, Claim, tree_of
 from rbpsym.notation import tree as t
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ def integrated(search: Search) -> list[Known]:
     """The values of the integrals that were met."""
     found = []
     for node in [*search.integrals.values()]:
-        if node.var not in search.source.rates and node in search.met:
+        if node.var not in (*search.source.rates, TIME) and node in search.met:
             inner, integrand = None, node.integrand
             if isinstance(integrand, t.Integral):
                 inner = _integral(integrand, integrand.integrand)

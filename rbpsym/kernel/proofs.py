@@ -81,8 +81,8 @@ class Search:
         name = next((n for n, known in self.integrals.items() if known == node), f"J_{len(self.integrals) + 1}")
         self.integrals[name] = node
         self.met.append(node)
-        if node.var in self.source.rates and name not in self.rates:
-            self.rates[name] = self.value(node.integrand) * self.source.rates[node.var]
+        if (node.var in self.source.rates or node.var == TIME) and name not in self.rates:
+            self.rates[name] = self.value(node.integrand) * self.rates[node.var]
             begun = self.starts.get(node.var + START)
             if is_along_time(node, self.moving) or begun == node.lower:
                 self.starts[name + START] = t.ZERO
@@ -108,7 +108,7 @@ class Search:
         """Whether a letter is a function of time."""
         if name in self.source.circular:
             return any(map(self.moving, t.names(self.source.circular[name])))
-        return self.source.moving(name) or (name in self.integrals and self.integrals[name].var in self.source.rates)
+        return self.source.moving(name) or (name in self.integrals and self.integrals[name].var in (*self.source.rates, TIME))
 
     def difference(self, claim: Claim, when: str = "t") -> Scalar:
         """left - right, now or at the start."""

@@ -68,7 +68,9 @@ class Terms:
         return "PI" if name == "pi" else f"({identifier(name)} {self.time})" if self.moving(name) else identifier(name)
 
     def integral(self, node: t.Integral) -> str:
-        """∫ over a coordinate: along time if other functions of time stand in it."""
+        """∫ over the time, or over a coordinate: along time if other functions of time stand in it."""
+        if node.var == TIME:
+            return f"(RInt (fun u : R => {self.at('u').term(node.integrand)}) {self.term(node.lower)} {self.term(node.upper)})"
         if is_along_time(node, self.moving) and node.var in self.speeds:
             integrand = replace(self, time="u").term(t.Mul((node.integrand, t.Sym(self.speeds[node.var]))))
             return f"(RInt (fun u : R => {integrand}) 0 {self.time})"
@@ -118,6 +120,7 @@ TERMS: dict[type, Callable[[Terms, Any], str]] = {
 }
 
 
+LONGEST = 120  # seconds for one proof
 OWN = "qrmz"  # with a number: what is noted in a proof
 TIMES = "forall t : R, ta < t < tb -> "
 REFUSED = "not accepted: "
@@ -207,7 +210,8 @@ class Writer:
         starts = [f"p_{name}" for name, claim in item.premises.items() if claim.kind == "start"]
         haves = [self.have(have, _finish(starts)) for have in item.proof.steps]
         haves += [f"clear p_{have.source}" for have in item.proof.steps if have.how == "unique"]
-        return ";\n  ".join([*enter, *haves, self.end(item.claim, item.proof, _finish(starts))])
+        lines = ";\n  ".join([*enter, *haves, self.end(item.claim, item.proof, _finish(starts))])
+        return f"timeout {LONGEST} ({lines})"
 
     def end(self, claim: Claim, proof: Proof, finish: str) -> str:
         """From what was shown on the way to the claim."""

@@ -216,8 +216,18 @@ def _makeable(bench: ProblemBench, sight: Scenery, part: SheetPart) -> SheetPart
         if not stuck:
             return kept
         [(worst, _)] = stuck.most_common(1)
-        kept = replace(kept, wishes=tuple(wish for wish in kept.wishes if wish != worst))
+        kept = _without(bench, sight, kept, worst)
     return part  # whose papers say why there are none
+
+
+def _without(bench: ProblemBench, sight: Scenery, part: SheetPart, worst: Wish) -> SheetPart:
+    """A choice is asked as a formula, as there is none to choose from; what can't be asked so is left out."""
+    with suppress(RbpsymError):
+        wishes = tuple(replace(wish, kind="formula") if wish == worst else wish for wish in part.wishes)
+        asked = replace(part, wishes=wishes)
+        if worst.kind == "choose" and _planned(bench, sight, asked):
+            return asked
+    return replace(part, wishes=tuple(wish for wish in part.wishes if wish != worst))
 
 
 def _check_numbers(sight: Scenery, part: SheetPart) -> None:

@@ -155,3 +155,13 @@ def test_the_command_writes_both_files(tmp_path, monkeypatch) -> None:
     done = CliRunner().invoke(main, ["certify", "sliding-ladder", "-o", str(tmp_path)], standalone_mode=False)
     assert {path.name for path in tmp_path.iterdir()} == {"Prelude.v", "sliding_ladder.v"}
     assert "there is no coqc" in done.output
+
+
+@pytest.mark.parametrize("name", ["dog-on-flatboat", "cart-pulled-over-pulley", "coupled-cylinders-on-incline"])
+def test_integrals_over_the_time_roots_and_several_bodies_are_written(name: str) -> None:
+    """An integral over the time runs along it; of these each step has a proof, and the text is closed."""
+    whole = found(name)
+    assert len(whole.refused) <= 1
+    body = text(whole)
+    assert not re.search(r"\(RInt \(fun x\d* : R => [^)]*\(\w+ t\)", body), "what moves is not held fixed below an integral"
+    assert body.count("Qed.") == sum(map(len, whole.lemmas.values()))
