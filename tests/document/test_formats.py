@@ -309,8 +309,8 @@ def test_any_title_stands_in_html_as_it_is(text: str) -> None:
 @settings(max_examples=12, deadline=None)
 def test_any_title_gives_a_word_file(text: str) -> None:
     root = word(hostile(text))
-    shown = "".join(part.text or "" for part in root.iter(f"{W}t"))
-    clean = "".join(c for c in text if c.isprintable())
+    shown = "".join(part.text or "" for part in root.iter(f"{W}t")).replace("’", "'")  # behind a letter it is an apostrophe
+    clean = "".join(c for c in text.replace("’", "'") if c.isprintable())
     assert all(char in shown for char in clean if char.strip())
 
 
