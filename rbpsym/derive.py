@@ -7,8 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra.effort import at_most, in_all
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, at_most, in_all
 from rbpsym.derivation.chapters import (
     contact,
     course,

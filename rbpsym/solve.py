@@ -7,10 +7,8 @@ from dataclasses import replace
 from itertools import chain
 from typing import Any
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, PLAIN, Scalar, substitute, symbol
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.style import PLAIN
 from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.domain import divisors

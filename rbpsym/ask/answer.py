@@ -7,10 +7,8 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, names_in, root, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, root, substitute, symbol
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.ask.certified import LETTER, certified
 from rbpsym.ask.forms import sense_at_sample, sense_stated, shortest

@@ -8,10 +8,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import function, names_in, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, substitute
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar
 from rbpsym.ask import in_time
 from rbpsym.ask.lasting import asks
 from rbpsym.ask.moments import Asked, Moment, value_in

@@ -7,9 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, substitute
 from rbpsym.ask.finding import FOR_NONE, NO_SUCH, Finding, checked, together
 from rbpsym.ask.lasting import lasts_to_place
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, region_on_way

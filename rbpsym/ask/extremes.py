@@ -5,9 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, derivative, is_zero, substitute
 from rbpsym.ask.limits import leading
 from rbpsym.ask.zeros import Crossing, Table, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions

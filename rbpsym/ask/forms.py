@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import math
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.exponentials import with_exponentials_joined
-from rbpsym.algebra.normal import has_roots, is_rooted
+from rbpsym.algebra import Scalar, has_roots, is_rooted, root, with_exponentials_joined
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import length
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, derivative, names_in, substitute
 from rbpsym.ask.moments import Asked, Moment
 from rbpsym.derivation.chapters import course, oscillations
 from rbpsym.derivation.draft import Draft

@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import NOTHING, Scalar, depends_on, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import parts
 from rbpsym.ask.moments import Asked
 from rbpsym.ask.numbers import require_numbers

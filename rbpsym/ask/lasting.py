@@ -7,10 +7,8 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, RbpsymError, StatementError, Undecided

@@ -6,13 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, apart, at_most, atoms, generator, is_zero, symbol
 from rbpsym.algebra.calculus import atom_depends, derivative, root, split_factor, substitute
-from rbpsym.algebra.effort import apart, at_most
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE, Poly, generator
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.errors import LimitError, Undecided
 from rbpsym.mechanics.elimination import short
 

@@ -12,10 +12,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, Scalar, is_zero, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.ask.lasting import clear
 from rbpsym.ask.question import Question, When
 from rbpsym.equality.dimensions import require_dimension

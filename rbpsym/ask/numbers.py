@@ -7,10 +7,9 @@ import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra import Scalar, names_in
+from rbpsym.algebra import value as value_of
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.evaluate import value as value_of
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.dimensions import a, dimension_of
 from rbpsym.errors import DimensionError, NoNumber, ReadError, StatementError
 from rbpsym.mechanics.numbers import number

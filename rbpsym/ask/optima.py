@@ -5,9 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.ask.critical import SUPERLATIVES, on_what
 from rbpsym.ask.extremes import ENDS, Extreme, extreme
 from rbpsym.ask.finding import Finding, checked, together

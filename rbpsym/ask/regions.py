@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, depends_on, is_zero
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.zeros import Crossing, settled_sign, sign_table, where_met
 from rbpsym.equality.assumptions import Assumptions

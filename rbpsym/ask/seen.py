@@ -6,12 +6,10 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.answer import Found, found_of
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.lasting import asks, compared

@@ -10,10 +10,9 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.evaluate import value as value_of
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import PI, Scalar, is_zero
+from rbpsym.algebra import value as value_of
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import PI, Scalar
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.moments import Asked
 from rbpsym.derivation.draft import Draft

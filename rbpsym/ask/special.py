@@ -7,9 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, derivative, root, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, root, substitute, symbol
 from rbpsym.ask.finding import Finding, checked, together
 from rbpsym.ask.limits import SMALL, Leading, leading
 from rbpsym.ask.seen import Scene, parameter, parts_seen, place_in, require_same, told

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING
 from rbpsym.algebra.sympy_bridge import plain_names
 from rbpsym.ask.answer import Answer
 from rbpsym.ask.brackets import bracket

@@ -12,10 +12,8 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, lift, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, lift, symbol
 from rbpsym.ask.made import value_of
 from rbpsym.ask.seen import (
     PLACE,

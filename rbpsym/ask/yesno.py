@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.algebra import UNITY, Scalar, depends_on, is_zero
 from rbpsym.ask.certified import needed
 from rbpsym.ask.extremes import Extreme, extremes
 from rbpsym.ask.finding import Finding, checked

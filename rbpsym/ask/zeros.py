@@ -11,11 +11,8 @@ from dataclasses import dataclass, field
 from functools import reduce
 from math import gcd
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, ONE, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, root, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE, Poly, generator
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.ask.limits import leading
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol

@@ -8,14 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.effort import at_most
-from rbpsym.algebra.evaluate import Value
+from rbpsym.algebra import NOTHING, Scalar, Space, Value, at_most, atoms, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.ideal import vanishes_on
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Space
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.primitives import primitive
 from rbpsym.derivation.step import Step

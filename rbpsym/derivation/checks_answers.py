@@ -9,12 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import Scope, scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same
 from rbpsym.derivation.checks_parameters import KINDS, side_of
 from rbpsym.derivation.context import Context

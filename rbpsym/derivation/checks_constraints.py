@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, substitute, symbol, time_derivative
 from rbpsym.derivation.checks import same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step

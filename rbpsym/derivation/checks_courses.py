@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, names_in, substitute, symbol, time_derivative
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.primitives import primitive
 from rbpsym.errors import Undecided

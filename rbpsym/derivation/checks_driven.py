@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.checks_places import UNSEEN, own_place
 from rbpsym.derivation.context import Context
 from rbpsym.equality.decide import compare, scalars_equal

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, derivative, names_in, substitute, symbol
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.facts import MOTION, law_rows

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, short, substitute
 from rbpsym.derivation.checks import agree, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.context import Context

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, derivative, substitute, symbol
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_places import under
 from rbpsym.derivation.context import Context

@@ -10,10 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import permutations, zip_longest
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, depends_on, derivative, substitute, symbol, total
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import short

@@ -10,12 +10,9 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, factors, generator, inverse, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import is_zero, normal
-from rbpsym.algebra.poly import generator, inverse
-from rbpsym.algebra.ring import factors
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step

@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, depends_on, derivative, names_in, substitute, symbol
 from rbpsym.algebra.evaluate import scalar, time_derivative
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import ORIGIN
 from rbpsym.derivation.checks import agree, relations, same, weakest
 from rbpsym.derivation.checks_constraints import slip_at
 from rbpsym.derivation.checks_courses import at_time, course_of, moved_to

@@ -6,13 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import NOTHING, PI, ZERO, Scalar, cosine, depends_on, is_zero, quotient, sine, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ZERO
 from rbpsym.algebra.roots import with_image, with_root_taken_out, without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, quotient, symbol
-from rbpsym.algebra.trig import cosine, sine
 from rbpsym.derivation.checks import along_motion, relations, weakest
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.step import Step

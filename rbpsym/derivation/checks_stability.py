@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Scalar, derivative, symbol, total
 from rbpsym.derivation.checks import same, weakest
 from rbpsym.derivation.checks_oscillations import (
     RATE,

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import function, names_in, root, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, PI, UNITY, Scalar, function, is_zero, names_in, root, substitute, symbol
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.derivation.checks import relations, same, weakest
 from rbpsym.derivation.checks_phases import seen_then
 from rbpsym.derivation.context import Context

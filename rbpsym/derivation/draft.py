@@ -6,11 +6,8 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra.effort import apart, ask_for_more, at_most
-from rbpsym.algebra.normal import has_roots
+from rbpsym.algebra import Scalar, Space, Vector, apart, ask_for_more, at_most, has_roots
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Space, Vector
 from rbpsym.derivation.assertions import Said, settled, told
 from rbpsym.derivation.binding import bound
 from rbpsym.derivation.context import Context

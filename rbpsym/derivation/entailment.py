@@ -11,12 +11,9 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, ONE, UNITY, Monomial, Poly, Scalar, atoms, generator, is_zero, short, times
 from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.poly import ONE, Monomial, Poly, generator, times
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
 from rbpsym.algebra.squares import with_squares
 
 TINY = 1e-9

@@ -12,10 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import function
-from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, lift, symbol, total
+from rbpsym.algebra import NOTHING, ONE, UNITY, Poly, Scalar, atoms, function, lift, symbol, total
 from rbpsym.errors import Undecided
 
 

@@ -10,11 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra import NOTHING, Vector, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.step import Step
 from rbpsym.equality.verdict import PROVED
 from rbpsym.mechanics.assemble import vector_rate

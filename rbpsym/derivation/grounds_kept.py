@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra import NOTHING, depends_on, is_zero
 from rbpsym.derivation.grounds import Said, is_proved
 from rbpsym.notation import tree as t
 

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on, names_in
-from rbpsym.algebra.evaluate import at_start
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, at_start, depends_on, is_zero, names_in
 from rbpsym.derivation.grounds import Said, is_proved, vanishes
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign

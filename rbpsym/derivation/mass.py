@@ -10,12 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.effort import remembered
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, remembered, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.entailment import short
 from rbpsym.derivation.primitives import primitive
 from rbpsym.mechanics.system import Force, System

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra import Scalar, derivative, is_zero
 from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import Undecided
 
 

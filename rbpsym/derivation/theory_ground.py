@@ -5,12 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import Scope, Value, rate, value
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Space, cartesian
+from rbpsym.algebra import NOTHING, Poly, Scalar, Scope, Space, Value, atoms, cartesian, rate, substitute, symbol, value
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.notation import tree as t
 

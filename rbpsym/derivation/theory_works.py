@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.scalar import NOTHING, symbol
-from rbpsym.algebra.vector import Space, cartesian
+from rbpsym.algebra import NOTHING, Space, cartesian, symbol
 from rbpsym.derivation.theory_ground import OMEGA, POWERS, VECTORS, F, TheoryContext, V, plane_vector, s
 from rbpsym.notation import tree as t
 

@@ -13,12 +13,9 @@ from dataclasses import dataclass, field, fields
 from functools import cached_property
 from weakref import proxy
 
-from rbpsym.algebra.calculus import depends_on, names_in
-from rbpsym.algebra.evaluate import Scope, Value, value
+from rbpsym.algebra import EX, EY, Scalar, Scope, Space, Value, depends_on, names_in, symbol, value
 from rbpsym.algebra.modular import NoImage
-from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.algebra.squares import with_squares
-from rbpsym.algebra.vector import EX, EY, Space
 from rbpsym.derivation.context import Context
 from rbpsym.derivation.entailment import Known, Row, cofactors, known_by, used_by_numbers
 from rbpsym.derivation.facts import MOTION, law_rows

@@ -6,8 +6,7 @@ import math
 from collections.abc import Callable
 from functools import cache
 
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import Vector, is_zero
 from rbpsym.document.model import Inlines
 from rbpsym.document.pose import DrawnPose
 from rbpsym.document.words import Words

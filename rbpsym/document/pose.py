@@ -7,10 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra import Scalar, Vector, derivative
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.numbers import bound, number, sample
 from rbpsym.mechanics.placing import locator

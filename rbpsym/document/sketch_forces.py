@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, names_in
 from rbpsym.document.figures.sketch import Point, SketchCouple, SketchForce
 from rbpsym.document.pose import DrawnPose, other_numbers
 from rbpsym.errors import NoNumber, NotApplicable

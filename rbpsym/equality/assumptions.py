@@ -6,8 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, names_in
 
 Range = tuple[Scalar | None, Scalar | None]
 SIGNS = ("positive", "nonnegative", "nonzero", "real")

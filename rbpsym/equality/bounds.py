@@ -6,10 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import UNIT, Monomial, Poly
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, generator_of, lift
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra import NOTHING, PI, UNIT, UNITY, Monomial, Poly, Scalar, atoms, cosine, generator_of, lift, sine
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.masks import MINUS, PLUS, ZERO
 

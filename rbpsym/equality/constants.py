@@ -13,10 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import gcd, lcm, log2
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.trig import PI_TERM
+from rbpsym.algebra import ONE, PI_TERM, UNIT, Monomial, Poly, Scalar, atoms
 from rbpsym.equality import enclosure
 from rbpsym.equality.points import Point, all_atoms
 

@@ -14,13 +14,8 @@ from contextvars import ContextVar
 from fractions import Fraction
 from typing import Protocol
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.effort import remembered
+from rbpsym.algebra import ONE, Scalar, Space, atoms, is_zero, remembered
 from rbpsym.algebra.evaluate import BARE, Scope, value, vector
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Space
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.constants import is_algebraic

@@ -8,9 +8,7 @@ from functools import reduce
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, UNIT, Coefficient, Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import ONE, UNIT, Coefficient, Monomial, Poly, Scalar, atoms
 from rbpsym.equality.factoring import reduced, split
 
 if TYPE_CHECKING:

@@ -5,9 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import lru_cache
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import reduce_roots, reduce_squares
-from rbpsym.algebra.poly import Poly, accumulate, generator
+from rbpsym.algebra import Poly, accumulate, atoms, generator, reduce_roots, reduce_squares
 from rbpsym.errors import LimitError
 
 Factors = dict[Poly, int]

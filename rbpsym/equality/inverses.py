@@ -7,10 +7,7 @@ from fractions import Fraction
 from math import prod
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.poly import ONE, Monomial, Poly, generator
-from rbpsym.algebra.scalar import PI, UNITY, Scalar, lift, quotient
+from rbpsym.algebra import ONE, PI, UNITY, Monomial, Poly, Scalar, atoms, generator, lift, quotient, root
 from rbpsym.equality.bounds import of_angle
 from rbpsym.equality.factoring import cleared, reduced
 from rbpsym.equality.signs import sign

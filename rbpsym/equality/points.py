@@ -12,11 +12,8 @@ from fractions import Fraction
 from math import lcm, tan
 from typing import Any
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import PI_TERM, Monomial, Poly, Scalar, atoms
 from rbpsym.algebra.normal import turn, turned
-from rbpsym.algebra.poly import Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.trig import PI_TERM
 from rbpsym.equality import enclosure as e
 from rbpsym.equality.assumptions import Assumptions, Range
 from rbpsym.equality.enclosure import Number, Outside

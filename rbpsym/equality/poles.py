@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, depends_on, generator, substitute
 from rbpsym.equality import enclosure
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition

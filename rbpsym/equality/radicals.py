@@ -6,12 +6,8 @@ of signs of the factors whose sign is not known; it vanishes if it does so in ev
 
 from __future__ import annotations
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import inside
-from rbpsym.algebra.normal import Bases, bases_of, has_roots
-from rbpsym.algebra.poly import Poly
+from rbpsym.algebra import Bases, Poly, Scalar, atoms, bases_of, has_roots, inside
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_zero_form
 from rbpsym.equality.factoring import cleared, reduced

@@ -14,12 +14,9 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import root
+from rbpsym.algebra import PI_TERM, Scalar, atoms, cosine, lift, root, sine
 from rbpsym.algebra.normal import Bases, turn, turned
 from rbpsym.algebra.poly import ONE, ZERO, Monomial, Poly, accumulate, constant, generator, inverse
-from rbpsym.algebra.scalar import Scalar, lift
-from rbpsym.algebra.trig import PI_TERM, cosine, sine
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.factoring import Factors, cleared, divisor, primes, reduced, split
 from rbpsym.equality.signs import sign

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.exponentials import with_exponentials_joined
-from rbpsym.algebra.normal import shorten
-from rbpsym.algebra.poly import Poly
+from rbpsym.algebra import Poly, Scalar, atoms, quotient, shorten, with_exponentials_joined
 from rbpsym.algebra.roots import simplified_root, tidied, with_image, without_even_roots
-from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 

@@ -12,9 +12,7 @@ from functools import lru_cache
 from typing import Any, TypeVar
 from zlib import crc32
 
-from rbpsym.algebra import atoms, elliptic
-from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import ONE, Coefficient, Monomial, Poly, Scalar, atoms, elliptic
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.masks import MINUS, NONZERO, PLUS, times
 

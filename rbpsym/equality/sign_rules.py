@@ -7,13 +7,10 @@ from fractions import Fraction
 from math import lcm
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.exponentials import is_exponential
+from rbpsym.algebra import ONE, Poly, Scalar, atoms, generator, inverse, is_exponential, quotient
+from rbpsym.algebra import ZERO as ZERO_POLY
 from rbpsym.algebra.normal import normal, partner, substitute, without_squares
-from rbpsym.algebra.poly import ONE, Poly, generator, inverse
-from rbpsym.algebra.poly import ZERO as ZERO_POLY
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import Scalar, quotient
 from rbpsym.equality import bounds as b
 from rbpsym.equality import enclosure
 from rbpsym.equality.constants import is_algebraic, is_zero_number

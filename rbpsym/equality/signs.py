@@ -12,10 +12,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.effort import apart, at_most, remembered
-from rbpsym.algebra.poly import ONE, Monomial, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import ONE, Monomial, Poly, Scalar, apart, at_most, atoms, remembered
 from rbpsym.equality import bounds as b
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.masks import ANY, DECIDED, MINUS, NAMES, NONZERO, PLUS, PLUS_ZERO, flip, power, times

@@ -9,12 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import prod
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import ONE, Poly, Scalar, atoms, factors, inverse, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, substitute
 from rbpsym.algebra.normal import normal, shorten
-from rbpsym.algebra.poly import ONE, Poly, inverse
-from rbpsym.algebra.ring import factors
-from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.bounds import of_symbol
 from rbpsym.equality.rooted import rooted

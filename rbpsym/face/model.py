@@ -7,10 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra import Scalar, Vector, cartesian, names_in, substitute, symbol, total
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar, symbol, total
-from rbpsym.algebra.vector import Vector, cartesian
 from rbpsym.ask.asking import answered
 from rbpsym.ask.moments import Asked
 from rbpsym.derivation.step import Derivation

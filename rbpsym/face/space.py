@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import Scalar, Vector
 from rbpsym.face.late import mechanics
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import BodyState

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, names_in
 from rbpsym.derivation.context import Context
 from rbpsym.face.late import sympy
 from rbpsym.face.reading import CLOCK, RELATIONS, SIGNS

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms
 from rbpsym.kernel.claims import Claim
 from rbpsym.notation import tree as t
 

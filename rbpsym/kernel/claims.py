@@ -7,12 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.poly import Monomial, Poly
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import Monomial, Poly, Scalar, Vector, atoms, names_in, short, symbol
 from rbpsym.derivation.mass import power
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.errors import RbpsymError

@@ -6,11 +6,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra import Coefficient, Monomial, Poly, atoms, bases_of, in_bases, is_zero, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import bases_of, in_bases, is_zero
-from rbpsym.algebra.poly import Coefficient, Monomial, Poly
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.kernel.certificates import Have, Known, Multiples, circles
 from rbpsym.kernel.claims import Claim, tree_of

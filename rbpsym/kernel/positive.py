@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
-from rbpsym.algebra.poly import Coefficient, Monomial, Poly, inverse, times
-from rbpsym.algebra.scalar import UNITY, Scalar
+from rbpsym.algebra import UNITY, Coefficient, Monomial, Poly, Scalar, inverse, times
 from rbpsym.kernel.certificates import partner, wound
 
 MOST_TERMS = 60

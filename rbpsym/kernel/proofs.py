@@ -7,12 +7,9 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in, rate_along
+from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, generator, names_in, rate_along, symbol
 from rbpsym.algebra.division import divide
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.poly import generator
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.errors import Undecided
 from rbpsym.kernel.certificates import Have, Known, Multiples, Proof, circles, partner, reduced, vanishes, wound
 from rbpsym.kernel.claims import TIME, Claim, Source, letter, tree_of

@@ -6,10 +6,7 @@ from fractions import Fraction
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.poly import Poly, generator
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, generator, names_in, symbol
 from rbpsym.kernel.certificates import Have, Known
 from rbpsym.kernel.claims import Claim
 from rbpsym.kernel.positive import positive_sum

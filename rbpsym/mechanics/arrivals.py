@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.algebra.calculus import names_in, substitute
+from rbpsym.algebra import NOTHING, PI, Scalar, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign

@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import CLOCK, contradiction
 from rbpsym.mechanics.constraints import JOINTS

@@ -6,9 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.effort import apart, at_most
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, apart, at_most, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import events, friction, motion, oscillation, rest

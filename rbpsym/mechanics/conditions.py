@@ -7,12 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, UNITY, Scalar, Vector, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NoNumber, StatementError

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from rbpsym.algebra import EX, EY, UNITY, Scalar, Vector, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
-from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.mechanics import strings
 from rbpsym.mechanics.contacts import couples, curve_gaps, holding_forces, meeting, meshing_force, normal_forces, taken
 from rbpsym.mechanics.geometry import Geometry, pair

@@ -11,13 +11,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import derivative, root, substitute
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, Vector, atoms, cartesian, derivative, root, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, tidy
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector, cartesian
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import Geometry, components, normal
 from rbpsym.mechanics.system import Force, rotated

@@ -6,15 +6,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.exponentials import with_exponentials_joined
+from rbpsym.algebra import ONE, ZERO, Poly, atoms, cosine, generator, names_in, sine, with_exponentials_joined
 from rbpsym.algebra.normal import is_zero, normal
-from rbpsym.algebra.poly import ONE, ZERO, Poly, generator
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
 from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
-from rbpsym.algebra.trig import cosine, sine
 from rbpsym.equality.assumptions import Assumptions, behind
 from rbpsym.equality.domain import IMPLIED
 from rbpsym.equality.rooted import root_of

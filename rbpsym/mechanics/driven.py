@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, names_in, substitute
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import Demand, settle
 from rbpsym.mechanics.elimination import short

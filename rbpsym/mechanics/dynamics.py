@@ -13,12 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
-from rbpsym.algebra.effort import at_most
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, derivative, is_zero, names_in, substitute, total
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, total
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.elimination import (
     CONSTANT,

@@ -10,11 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative, substitute
+from rbpsym.algebra import NOTHING, ONE, UNITY, Scalar, derivative, is_zero, short, substitute, symbol
 from rbpsym.algebra.modular import PRIME, NoImage, value_of
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 
 
 @dataclass(frozen=True, slots=True)

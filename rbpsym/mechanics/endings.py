@@ -10,11 +10,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import depends_on, derivative, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.evaluate import scalar, time_derivative
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.signs import sign
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import strings

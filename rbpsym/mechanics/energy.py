@@ -8,13 +8,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.effort import at_most
+from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.integration import antiderivative
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.dynamics import Dynamics

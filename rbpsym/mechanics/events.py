@@ -11,10 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
+from rbpsym.algebra import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.constraints import JOINTS

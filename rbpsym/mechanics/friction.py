@@ -6,9 +6,8 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, Scalar, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.assemble import setting_of

@@ -9,12 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from rbpsym.algebra.calculus import depends_on, root
+from rbpsym.algebra import NOTHING, ORIGIN, Poly, Scalar, Vector, cartesian, depends_on, is_zero, root
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector, cartesian
 from rbpsym.errors import NoNumber, StatementError
 from rbpsym.mechanics.inertia import Inertia, tidy
 from rbpsym.mechanics.numbers import number, sample

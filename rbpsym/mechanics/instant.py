@@ -10,10 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, is_zero, names_in, substitute, symbol, time_derivative
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import newton_euler_rows
 from rbpsym.mechanics.elimination import Solution, solve_linear

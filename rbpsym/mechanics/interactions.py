@@ -10,10 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import derivative, names_in, root
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Scalar, Vector, derivative, names_in, root
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import no_direction, pair
 from rbpsym.mechanics.inertia import tidy

@@ -10,10 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import EX, EY, ORIGIN, Vector
+from rbpsym.algebra import EX, EY, NOTHING, ORIGIN, Scalar, Vector, depends_on, is_zero, substitute
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.impulse import Moment, body_rows, impulsive, parting, restitutions
 from rbpsym.mechanics.placing import origins

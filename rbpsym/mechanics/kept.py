@@ -9,10 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Vector, cartesian
+from rbpsym.algebra import NOTHING, Scalar, Vector, cartesian, depends_on, is_zero, short, substitute
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.elimination import solve_linear
 from rbpsym.mechanics.energy import orbital_momentum, spin_momentum

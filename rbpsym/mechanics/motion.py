@@ -11,14 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Poly, Scalar, Vector, atoms, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.mechanics.dynamics import Dynamics, torque_about_center
 from rbpsym.mechanics.elimination import short, solve_linear
 from rbpsym.mechanics.energy import is_conserved

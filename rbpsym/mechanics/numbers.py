@@ -10,10 +10,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rbpsym.algebra import atoms, elliptic
+from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.notation.tree import Node
 from rbpsym.quantities import ACCELERATION, NUMBER

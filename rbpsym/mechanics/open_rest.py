@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, derivative, substitute, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.dynamics import Dynamics

@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative, names_in, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, derivative, is_zero, names_in, substitute
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.rooted import neat
 from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import short

@@ -17,11 +17,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import derivative, root, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol, total
+from rbpsym.algebra import NOTHING, UNITY, Poly, Scalar, atoms, derivative, is_zero, root, substitute, symbol, total
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of, rooted
 from rbpsym.equality.signs import sign

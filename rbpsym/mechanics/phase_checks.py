@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, Scalar, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.errors import NoNumber, NotApplicable, StatementError
 from rbpsym.mechanics.contacts import meeting, side_taken, slip_speed
 from rbpsym.mechanics.endings import State, gap

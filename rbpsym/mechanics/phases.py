@@ -11,13 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, names_in, substitute
+from rbpsym.algebra import NOTHING, Scalar, Style, depends_on, is_zero, names_in, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.style import Style
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import NotApplicable, StatementError
 from rbpsym.mechanics import energy

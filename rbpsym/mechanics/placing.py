@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, cartesian, is_zero, names_in, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import ORIGIN, Vector, cartesian
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.geometry import local_point, pair

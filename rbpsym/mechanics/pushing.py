@@ -7,11 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import depends_on, names_in, substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, names_in, substitute, time_derivative
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError, StatementError

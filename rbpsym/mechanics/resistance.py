@@ -10,11 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, root, substitute
+from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, root, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.normal import is_zero, tidy
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import pair
 from rbpsym.statement.model import Element, PointRef

@@ -6,10 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, PI, Scalar, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import rooted
 from rbpsym.equality.signs import sign

@@ -7,13 +7,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, ONE, PI, Poly, Scalar, atoms, factors, generator, inverse, simplified_root
 from rbpsym.algebra.calculus import atom_depends, depends_on, derivative, function, substitute
 from rbpsym.algebra.normal import is_zero, normal, shorten
-from rbpsym.algebra.poly import ONE, Poly, generator, inverse
-from rbpsym.algebra.ring import factors
-from rbpsym.algebra.roots import simplified_root
-from rbpsym.algebra.scalar import NOTHING, PI, Scalar
 from rbpsym.mechanics.elimination import short
 
 HALF = Fraction(1, 2)

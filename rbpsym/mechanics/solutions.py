@@ -11,11 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, UNITY, Scalar, atoms, is_zero, symbol
 from rbpsym.algebra.calculus import depends_on, derivative, function, names_in, root, substitute
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.rooted import root_of
 from rbpsym.equality.signs import sign

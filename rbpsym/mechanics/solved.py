@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, PI, UNITY, Poly, Scalar, atoms, generator, is_zero, symbol, with_image
 from rbpsym.algebra.calculus import atom_names, depends_on, derivative, function, names_in, root, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly, generator
-from rbpsym.algebra.roots import with_image
-from rbpsym.algebra.scalar import NOTHING, PI, UNITY, Scalar, symbol
 from rbpsym.equality.rooted import neat
 from rbpsym.equality.signs import sign
 from rbpsym.mechanics.demands import WAYS, Demand

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import generator
-from rbpsym.algebra.roots import with_root_taken_out
-from rbpsym.algebra.scalar import UNITY, Scalar, name_of
+from rbpsym.algebra import UNITY, Scalar, atoms, generator, is_zero, name_of, with_root_taken_out
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.signs import sign
 from rbpsym.errors import RbpsymError

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, derivative, substitute, symbol, time_derivative
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.elimination import short

@@ -10,11 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import root
+from rbpsym.algebra import QUARTER, UNITY, Scalar, Vector, is_rooted, is_zero, polar, root, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_rooted, is_zero
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
-from rbpsym.algebra.vector import QUARTER, Vector, polar
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.geometry import Geometry, no_direction
 from rbpsym.mechanics.inertia import tidy

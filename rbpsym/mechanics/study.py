@@ -6,12 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.effort import apart, at_most
+from rbpsym.algebra import COEFFICIENT, OTHER, Style, Vector, apart, at_most, names_in, substitute
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.scalar import NOTHING, PI, Scalar, symbol
-from rbpsym.algebra.style import COEFFICIENT, OTHER, Style
-from rbpsym.algebra.vector import Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import LimitError
 from rbpsym.mechanics import energy, events, friction, motion, open_rest, oscillation, rest, sides

@@ -9,9 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import derivative, function, root, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, Scalar, derivative, function, is_zero, root, substitute
 from rbpsym.equality.rooted import neat
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.demands import Demand, settle

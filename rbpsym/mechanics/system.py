@@ -6,9 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from rbpsym.algebra.evaluate import Scope, time_derivative
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Scope, Vector, time_derivative
 from rbpsym.mechanics.inertia import Inertia
 from rbpsym.statement.model import Element, Problem
 from rbpsym.statement.paths import tensions

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import Scalar, depends_on, is_zero, substitute
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.conditions import (
     all_conditions,

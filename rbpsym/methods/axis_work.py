@@ -6,10 +6,7 @@ Kleppner & Kolenkow 7.4.
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import derivative, names_in
-from rbpsym.algebra.evaluate import at_start
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, Scalar, at_start, derivative, is_zero, names_in, short
 from rbpsym.derivation.chapters.inertia import moment_about, turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef

@@ -11,12 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import EX, EY, NOTHING, ONE, Scalar, Vector, depends_on, derivative, present_ratio, substitute
 from rbpsym.algebra.normal import is_zero, short, without_even_roots
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.present import present_ratio
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import EX, EY, Vector
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.errors import LimitError
 from rbpsym.mechanics.constraints import JOINTS

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Space, Vector
+from rbpsym.algebra import NOTHING, Scalar, Space, Vector, derivative, short, substitute
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, BodyRef, PhraseRef, Step, StepRef
 from rbpsym.mechanics.system import Force

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra.calculus import depends_on, names_in, substitute
-from rbpsym.algebra.evaluate import at_start
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar
+from rbpsym.algebra import NOTHING, UNITY, Scalar, at_start, depends_on, is_zero, names_in, short, substitute
 from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.draft import Draft
 from rbpsym.equality.decide import scalars_equal

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rbpsym.algebra import NOTHING, Scalar, short, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters.forces import force_node, name_node
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef

@@ -9,10 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import Scalar, atoms, short
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef

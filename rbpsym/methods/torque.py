@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import names_in, substitute
-from rbpsym.algebra.effort import at_most
-from rbpsym.algebra.normal import is_zero, same, short
+from rbpsym.algebra import Space, at_most, is_zero, names_in, positive_first, same, short, substitute
 from rbpsym.algebra.scalar import NOTHING, UNITY, Scalar, symbol
-from rbpsym.algebra.signs import positive_first
-from rbpsym.algebra.vector import Space
 from rbpsym.derivation.draft import Draft, acceleration_symbol, length
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step, StepRef
 from rbpsym.errors import LimitError

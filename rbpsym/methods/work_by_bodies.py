@@ -8,9 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, short
 from rbpsym.derivation.chapters.inertia import turning_together
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import derivative, substitute
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, derivative, short, substitute, symbol
 from rbpsym.derivation.chapters.forces import force_node, tag
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, StepRef

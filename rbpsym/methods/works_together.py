@@ -8,11 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.poly import ONE, Coefficient, Monomial, Poly
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.style import PLAIN, split
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import NOTHING, ONE, PLAIN, Coefficient, Monomial, Poly, Scalar, Vector, short, split
 from rbpsym.derivation.chapters.forces import force_node
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, StepRef

@@ -12,9 +12,7 @@ from itertools import groupby
 
 import numpy as np
 
-from rbpsym.algebra import atoms, elliptic
-from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import ONE, Poly, Scalar, atoms, elliptic
 
 FUNCTIONS: Mapping[str, Callable[[np.ndarray], np.ndarray]] = {
     "symbol": np.positive,  # a name that is defined by a formula

@@ -6,11 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from rbpsym.algebra.calculus import depends_on, function
-from rbpsym.algebra.evaluate import Scope
-from rbpsym.algebra.normal import shorten
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Space, Vector
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, Vector, depends_on, function, shorten, symbol
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import Undecided

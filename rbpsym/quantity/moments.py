@@ -11,12 +11,9 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import depends_on, root, substitute
+from rbpsym.algebra import NOTHING, QUARTER, Scalar, Space, Vector, depends_on, is_zero, root, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.algebra.squares import with_squares
-from rbpsym.algebra.vector import QUARTER, Space, Vector
 from rbpsym.equality.signs import sign
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.elimination import short

@@ -14,12 +14,10 @@ from functools import cached_property
 from hashlib import blake2b
 from itertools import product
 
+from rbpsym.algebra import NOTHING, ONE, Scalar, is_zero, symbol
 from rbpsym.algebra.calculus import depends_on, derivative, inside, names_in, root, substitute
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.domain import Condition
 from rbpsym.equality.points import Point
 from rbpsym.equality.signs import sign

@@ -9,10 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import function
+from rbpsym.algebra import NOTHING, ORIGIN, Space, function
 from rbpsym.algebra.evaluate import scalar, space_derivative, time_derivative
-from rbpsym.algebra.scalar import NOTHING
-from rbpsym.algebra.vector import ORIGIN, Space
 from rbpsym.equality.rooted import root_of
 from rbpsym.errors import StatementError
 from rbpsym.mechanics.dynamics import torque_about_center

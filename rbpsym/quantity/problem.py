@@ -8,10 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Space, Vector, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Space, Vector
 from rbpsym.equality.domain import Condition
 from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.mechanics.geometry import pair, position

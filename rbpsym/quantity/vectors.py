@@ -5,11 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import function
-from rbpsym.algebra.evaluate import space_derivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import UNITY, Scalar
-from rbpsym.algebra.vector import Space, Vector
+from rbpsym.algebra import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
 from rbpsym.errors import StatementError
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 

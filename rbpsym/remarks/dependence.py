@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, depends_on, derivative, is_zero, substitute, symbol
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, undecided
 from rbpsym.mechanics.elimination import short

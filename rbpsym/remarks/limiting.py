@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rbpsym.algebra.calculus import depends_on, names_in, substitute
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, depends_on, is_zero, names_in, substitute
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING
 from rbpsym.ask.finding import checked
 from rbpsym.ask.limits import SMALL, leading
 from rbpsym.equality.rooted import neat

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, is_zero, names_in
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import RbpsymError

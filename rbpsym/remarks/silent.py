@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rbpsym.algebra.calculus import names_in
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import Vector, is_zero, names_in
 from rbpsym.derivation.step import BodyRef
 from rbpsym.equality.verdict import proved
 from rbpsym.mechanics.system import Force

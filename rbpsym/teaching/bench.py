@@ -7,8 +7,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, is_zero
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.document.model import Inlines
 from rbpsym.document.telling import Teller

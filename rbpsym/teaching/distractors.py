@@ -12,11 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.effort import at_most, spend
-from rbpsym.algebra.normal import same
+from rbpsym.algebra import Scalar, at_most, atoms, same, spend
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.draft import length
 from rbpsym.derivation.step import Derivation
 from rbpsym.equality.assumptions import Assumptions

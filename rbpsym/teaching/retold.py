@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from rbpsym.algebra.effort import at_most
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import NOTHING, Scalar, Vector, at_most, is_zero
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Derivation, Step
 from rbpsym.derive import AFTER, BEFORE

@@ -11,10 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rbpsym.algebra import calculus
+from rbpsym.algebra import Scalar, calculus, is_zero
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.events import pushes
 from rbpsym.mechanics.study import Study

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from itertools import combinations
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
+from rbpsym.algebra import NOTHING, Scalar, atoms, substitute, symbol
 from rbpsym.algebra.squares import with_squares
 from rbpsym.derivation.draft import length
 from rbpsym.document.model import Block, Display, Inlines, Paragraph, Ref

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from rbpsym.algebra.evaluate import Value, value
-from rbpsym.algebra.normal import short
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, Value, short, value
 from rbpsym.errors import RbpsymError
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

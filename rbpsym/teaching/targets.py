@@ -13,10 +13,8 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, depends_on, is_zero, symbol
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.ask.asking import found_in
 from rbpsym.derivation.chapters.inertia import turns_about
 from rbpsym.derivation.step import BodyRef, Derivation, QuestionRef

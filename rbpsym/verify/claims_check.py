@@ -10,10 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Scalar, Space, depends_on, derivative, substitute
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.points import names_of
 from rbpsym.equality.signs import sign

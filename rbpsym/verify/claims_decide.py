@@ -10,12 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, derivative, substitute
+from rbpsym.algebra import NOTHING, Scalar, Space, atoms, depends_on, derivative, quotient, substitute
 from rbpsym.algebra.normal import bases_of, normal
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, quotient
-from rbpsym.algebra.vector import Space
 from rbpsym.equality.decide import compare, scalars_equal
 from rbpsym.equality.signs import sign
 from rbpsym.equality.verdict import Verdict, all_of, proved, refuted, undecided

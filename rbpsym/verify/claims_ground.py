@@ -8,14 +8,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from types import MappingProxyType
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.evaluate import Scope, time_derivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import ONE, Scalar, Scope, Space, atoms, depends_on, is_zero, substitute, symbol, time_derivative
 from rbpsym.algebra.squares import with_squares
-from rbpsym.algebra.vector import Space
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.constants import is_algebraic
 from rbpsym.equality.decide import PLAIN, cross_difference, scalars_equal

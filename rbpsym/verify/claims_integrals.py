@@ -14,14 +14,9 @@ from fractions import Fraction
 from functools import partial
 from math import comb, prod
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import Poly, Scalar, Space, Vector, atoms, depends_on, is_zero, substitute, symbol
 from rbpsym.algebra.evaluate import Scope, scalar, space_derivative, time_derivative, value, vector
 from rbpsym.algebra.integration import definite
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import Scalar, symbol
-from rbpsym.algebra.vector import Space, Vector
 from rbpsym.equality.domain import conditions, obligations
 from rbpsym.equality.homogeneity import faults
 from rbpsym.equality.poles import pole

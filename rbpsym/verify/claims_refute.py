@@ -12,9 +12,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.scalar import Scalar, show
+from rbpsym.algebra import Scalar, atoms, depends_on, show, substitute
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import find_witness
 from rbpsym.equality.domain import Condition

@@ -13,12 +13,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rbpsym import quantities as dimensions
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, Scalar, Scope, Space, atoms, cartesian, space_derivative, symbol
 from rbpsym.algebra.calculus import atom_depends, depends_on, substitute
-from rbpsym.algebra.evaluate import Scope, space_derivative
 from rbpsym.algebra.roots import without_even_roots
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import Space, cartesian
 from rbpsym.derivation import theory_ground as theory
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.errors import StatementError, Undecided

@@ -8,12 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from rbpsym.algebra.calculus import depends_on, root, substitute
-from rbpsym.algebra.evaluate import Scope, Value, value
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
+from rbpsym.algebra import NOTHING, ONE, Scalar, Scope, Value, depends_on, is_zero, root, substitute, value
 from rbpsym.algebra.present import present, present_ratio
-from rbpsym.algebra.scalar import NOTHING, Scalar
 from rbpsym.derivation import checks as c
 from rbpsym.derivation.assertions import told
 from rbpsym.derivation.step import BodyRef, Certificate, Lesson, PhraseRef, Step, StepRef

@@ -11,10 +11,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra import Scalar, depends_on, symbol
 from rbpsym.algebra.evaluate import scalar
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.errors import RbpsymError
 from rbpsym.notation import tree as t
 from rbpsym.notation.limits import number_of

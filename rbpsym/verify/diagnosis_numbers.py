@@ -10,10 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.evaluate import value as exact_value
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Space
+from rbpsym.algebra import Scalar, Space, root
+from rbpsym.algebra import value as exact_value
 from rbpsym.errors import NoNumber, RbpsymError
 from rbpsym.mechanics.numbers import FUNCTIONS as OF_SCALARS
 from rbpsym.mechanics.numbers import number

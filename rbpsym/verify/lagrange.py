@@ -13,14 +13,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, at_most, symbol, total
 from rbpsym.algebra.calculus import derivative, names_in, root, substitute
-from rbpsym.algebra.effort import at_most
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.ideal import vanishes_on
 from rbpsym.algebra.modular import PRIME, NoImage
 from rbpsym.algebra.normal import tidy
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol, total
-from rbpsym.algebra.vector import ORIGIN, Vector
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.decide import scalars_equal
 from rbpsym.equality.verdict import PROVED, Verdict, all_of, proved, undecided

@@ -14,8 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Vector
+from rbpsym.algebra import NOTHING, Scalar, Vector
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics import energy
 from rbpsym.mechanics.dynamics import Dynamics

@@ -12,9 +12,8 @@ from functools import cached_property
 
 import numpy as np
 
-from rbpsym.algebra.calculus import derivative
+from rbpsym.algebra import Scalar, derivative, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar, symbol
 from rbpsym.errors import NotApplicable
 from rbpsym.mechanics.numbers import Values
 from rbpsym.notation.tree import Node

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.derivation.chapters.endings import speed_symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.equality.rooted import neat

@@ -9,10 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rbpsym.algebra import NOTHING, Scalar, Vector, is_zero
 from rbpsym.algebra.evaluate import scalar, time_derivative
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.chapters.places import (
     Given,
     as_given,

@@ -4,12 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import generator
-from rbpsym.algebra.present import atom_node
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
-from rbpsym.algebra.trig import cosine, sine
+from rbpsym.algebra import UNITY, Scalar, atom_node, cosine, depends_on, generator, is_zero, sine, substitute, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD, PhraseRef, StepRef
 from rbpsym.equality.signs import sign

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, is_zero, substitute, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import Step
 from rbpsym.mechanics import solutions, solved

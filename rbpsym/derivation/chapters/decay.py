@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, root
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, depends_on, is_zero, root, symbol
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD
 from rbpsym.equality.rooted import root_of

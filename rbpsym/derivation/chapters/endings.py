@@ -8,11 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.evaluate import time_derivative
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, is_zero, substitute, symbol, time_derivative
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters import kept
 from rbpsym.derivation.chapters.ending import Ending, place_name, speed_name
 from rbpsym.derivation.draft import Draft

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
+from rbpsym.algebra import Scalar, Space, is_zero
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Space
 from rbpsym.derivation.chapters.conditions import as_taken
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef

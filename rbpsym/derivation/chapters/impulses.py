@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import Scalar, depends_on, is_zero, substitute
 from rbpsym.algebra.evaluate import Scope, scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.chapters import jumps
 from rbpsym.derivation.chapters.blow import Blow, after_name, impulse_name, minus, new_value, old_value
 from rbpsym.derivation.chapters.endings import kinetic

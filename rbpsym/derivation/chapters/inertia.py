@@ -4,14 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.calculus import depends_on, root
+from rbpsym.algebra import NOTHING, ONE, Scalar, Vector, atoms, depends_on, is_zero, lift, perfect_power, root
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.grouping import perfect_power
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.scalar import NOTHING, Scalar, lift
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import BodyRef, PhraseRef
 from rbpsym.equality.rooted import root_of

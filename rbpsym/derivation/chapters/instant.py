@@ -8,12 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rbpsym.algebra.atoms import symbol_name
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import Scalar, lift, total
-from rbpsym.algebra.signs import positive_first
+from rbpsym.algebra import Poly, Scalar, is_zero, lift, positive_first, substitute, symbol_name, total
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import FULL, STANDARD, BodyRef, Step, StepRef
 from rbpsym.mechanics.elimination import CONSTANT, linear_row, short

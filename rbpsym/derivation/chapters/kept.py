@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, substitute, symbol
 from rbpsym.derivation.chapters.ending import Ending, speed_name
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef, Step

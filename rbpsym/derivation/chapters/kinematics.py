@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Scalar, depends_on, is_zero
 from rbpsym.derivation.chapters import conditions
 from rbpsym.derivation.chapters.inertia import as_power, is_centred, turns_about
 from rbpsym.derivation.draft import Draft

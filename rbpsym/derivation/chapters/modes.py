@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rbpsym.algebra.calculus import root
-from rbpsym.algebra.normal import is_zero
+from rbpsym.algebra import NOTHING, Scalar, is_zero, root, symbol
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.derivation.chapters import decay
 from rbpsym.derivation.draft import Draft, length
 from rbpsym.derivation.step import FULL, STANDARD

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra import NOTHING, Scalar, Vector, depends_on, is_zero
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.chapters.inertia import as_power, center_of_mass, in_frame, moment_of_mass, together
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef, PhraseRef

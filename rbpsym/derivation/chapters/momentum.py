@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import Space
+from rbpsym.algebra import NOTHING, Scalar, Space
 from rbpsym.derivation.chapters.inertia import moment_of, turning_together, turns_about
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef

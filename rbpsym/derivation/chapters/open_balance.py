@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import root, substitute
-from rbpsym.algebra.scalar import Scalar, symbol
+from rbpsym.algebra import Scalar, root, substitute, symbol
 from rbpsym.derivation.draft import Draft
 from rbpsym.mechanics.open_rest import Balance
 from rbpsym.notation import tree as t

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from rbpsym.algebra.calculus import depends_on, root
-from rbpsym.algebra.normal import is_rooted, is_zero
-from rbpsym.algebra.poly import ONE
-from rbpsym.algebra.present import present_ratio
-from rbpsym.algebra.scalar import NOTHING, Scalar
+from rbpsym.algebra import NOTHING, ONE, Scalar, depends_on, is_rooted, is_zero, present_ratio, root
 from rbpsym.derivation.chapters import decay, modes, open_balance
 from rbpsym.derivation.draft import Draft, with_shorter
 from rbpsym.derivation.step import FULL

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rbpsym.algebra.calculus import depends_on
+from rbpsym.algebra import Scalar, Vector, depends_on
 from rbpsym.algebra.evaluate import Scope, scalar, time_derivative
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.derivation.draft import Draft
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.assemble import vector_rate

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, substitute
+from rbpsym.algebra import UNITY, Scalar, Vector, depends_on, is_zero, polar, substitute, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
-from rbpsym.algebra.vector import Vector, polar
 from rbpsym.document.accents import accented
 from rbpsym.document.sketch_forces import force_node
 from rbpsym.document.words import Words

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
-from rbpsym.algebra.poly import ONE, Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import ONE, Poly, Scalar, atoms
 from rbpsym.errors import StatementError
 
 FUNCTIONS = {

@@ -10,10 +10,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import Scalar, Vector, substitute
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.document.pose import touched_radii
 from rbpsym.mechanics.contacts import meeting, parameter
 from rbpsym.mechanics.friction import geometry_of

@@ -11,10 +11,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from rbpsym.algebra.calculus import depends_on, derivative
+from rbpsym.algebra import NOTHING, Scalar, depends_on, derivative, is_zero, symbol
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.document.explorer.events import events
 from rbpsym.document.explorer.javascript import Program, function
 from rbpsym.document.explorer.scenery import scenery

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import Scalar, atoms
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.equality.signs import sign
 from rbpsym.errors import LimitError, RbpsymError, ReadError, Undecided
 from rbpsym.notation import tree as t

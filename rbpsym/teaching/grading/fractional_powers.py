@@ -11,10 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
-from rbpsym.algebra import atoms
+from rbpsym.algebra import NOTHING, Scalar, atoms, is_zero, symbol
 from rbpsym.algebra.evaluate import BARE, Scope, scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.equality.decide import cross_difference, scalars_equal
 from rbpsym.equality.factoring import primes

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
 
-from rbpsym.algebra.evaluate import BARE, Scope
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import BARE, Scalar, Scope
 from rbpsym.algebra.squares import with_squares
 from rbpsym.equality.assumptions import NONE, Assumptions
 from rbpsym.mechanics.study import Study

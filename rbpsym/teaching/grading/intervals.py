@@ -9,9 +9,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from rbpsym.algebra.calculus import function
-from rbpsym.algebra.evaluate import BARE, Scope
-from rbpsym.algebra.scalar import symbol
+from rbpsym.algebra import BARE, Scope, function, symbol
 from rbpsym.equality import enclosure as e
 from rbpsym.equality.assumptions import Assumptions
 from rbpsym.equality.enclosure import Enclosure, Number, Outside

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from rbpsym.algebra.calculus import substitute
+from rbpsym.algebra import Scalar, substitute
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair

@@ -6,9 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.algebra.calculus import depends_on, derivative
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING
+from rbpsym.algebra import NOTHING, depends_on, derivative, is_zero, short
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.friction import geometry_of

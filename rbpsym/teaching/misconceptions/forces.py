@@ -6,10 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, Scalar
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, Vector, is_zero, substitute
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.dynamics import newton_euler_rows

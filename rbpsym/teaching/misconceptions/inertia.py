@@ -7,10 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
 
-from rbpsym.algebra.calculus import names_in
+from rbpsym.algebra import NOTHING, is_zero, names_in
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.notation import tree as t

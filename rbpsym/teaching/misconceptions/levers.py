@@ -6,10 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.algebra.calculus import depends_on, substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import NOTHING, UNITY
-from rbpsym.algebra.vector import ORIGIN, Vector
+from rbpsym.algebra import NOTHING, ORIGIN, UNITY, Vector, depends_on, is_zero, substitute
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import Force

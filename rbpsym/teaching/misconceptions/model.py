@@ -7,11 +7,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from rbpsym.algebra import Scalar, Vector, is_zero
 from rbpsym.algebra.evaluate import scalar
-from rbpsym.algebra.normal import is_zero
 from rbpsym.algebra.present import present
-from rbpsym.algebra.scalar import Scalar
-from rbpsym.algebra.vector import Vector
 from rbpsym.errors import NoNumber
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.study import Study

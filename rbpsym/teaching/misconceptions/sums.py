@@ -6,9 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from rbpsym.algebra.normal import is_zero, short
-from rbpsym.algebra.scalar import NOTHING, Scalar, symbol
-from rbpsym.algebra.vector import ORIGIN
+from rbpsym.algebra import NOTHING, ORIGIN, Scalar, is_zero, short, symbol
 from rbpsym.derivation.step import BodyRef
 from rbpsym.mechanics.motion import Work, along_motion
 from rbpsym.mechanics.study import Study

@@ -8,9 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from rbpsym.algebra.calculus import substitute
-from rbpsym.algebra.normal import is_zero
-from rbpsym.algebra.scalar import UNITY, Scalar, symbol
+from rbpsym.algebra import UNITY, Scalar, is_zero, substitute, symbol
 from rbpsym.derivation.step import BodyRef
 from rbpsym.document.model import Display, Math, Paragraph
 from rbpsym.equality.signs import sign

@@ -7,8 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rbpsym.algebra.poly import Poly
-from rbpsym.algebra.scalar import Scalar
+from rbpsym.algebra import Poly, Scalar
 from rbpsym.document.model import Math, Paragraph
 from rbpsym.notation import tree as t
 from rbpsym.teaching import bench as b
